@@ -147,8 +147,8 @@ Cost controllerCost(const Shape& shape, double stiffness_N_per_mm, const Setup& 
             closeLoop(*scene, script, grip, setup, [&](const servo::TickRecord& tick, const Vec3&) {
                 // Skip ticks in which the gate also limits the force: that reduction is not due to the controller.
                 const double force_N = tick.felt.f_W.norm();
-                if (tick.felt.structure >= 0 &&
-                    force_N<setup.preset.maxForce_N&& static_cast<double>(tick.tick)> kEaseIn_s * setup.rate_Hz) {
+                const bool isEasedIn = static_cast<double>(tick.tick) > kEaseIn_s * setup.rate_Hz;
+                if (tick.felt.structure >= 0 && isEasedIn && force_N < setup.preset.maxForce_N) {
                     ticks.emplace_back(force_N, tick.fDamping_W.norm());
                     largest_N = std::max(largest_N, force_N);
                 }
