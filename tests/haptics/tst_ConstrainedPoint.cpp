@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
-#include "solver/ConstrainedPoint.h"
+#include "probe/ConstrainedPoint.h"
 
 #include <Eigen/Dense>
 

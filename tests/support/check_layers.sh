@@ -29,12 +29,17 @@ list | LC_ALL=C sort | awk -v root="$root" '
     }
     FNR == NR {
         sub(/#.*/, "")
-        if (split($0, half, ":") == 2) { name = half[1]; gsub(/ /, "", name); uses[name] = half[2]; known[name] = 1 }
+        if (split($0, half, ":") == 2) { name = half[1]; gsub(/ /, "", name); uses[name] = half[2]; known[name] = 1; if (split(name, path, "/") == 2) hasInner[path[1]] = 1 }
         next
     }
     {
         folder = $1; file = $2; line = 0; sources++
         if (!(folder in known)) { line = 1; complain("folder " folder " is not in layers.txt"); next }
+        inner = ""
+        if (split(file, path, "/") == 5 && path[3] == "src" && folder in hasInner) {
+            inner = folder "/" path[4]
+            if (!(inner in known)) { line = 1; complain("folder " inner " is not in layers.txt"); next }
+        }
         engine = folder ~ /^(core|geometry|haptics|device|servo|session)$/
         while ((getline text < (root "/" file)) > 0) {
             line++
@@ -45,6 +50,8 @@ list | LC_ALL=C sort | awk -v root="$root" '
             if (text !~ /^[ \t]*#[ \t]*include/) continue
             header = text
             sub(/^[ \t]*#[ \t]*include[ \t]*[<"]/, "", header); sub(/[>"].*/, "", header)
+            if (inner != "" && text ~ /"/ && split(header, path, "/") == 2 && (folder "/" path[1]) in known && !reach(inner, folder "/" path[1]))
+                complain(inner " must not use " folder "/" path[1] ": " header)
             if (header ~ /^palpate\//) {
                 split(header, path, "/")
                 if (!(path[2] in known)) complain("no such module: " header)

@@ -3,7 +3,7 @@
 
 #include "law/Foot.h"
 #include "law/Law.h"
-#include "solver/ConstrainedPoint.h"
+#include "probe/ConstrainedPoint.h"
 
 #include <algorithm>
 #include <utility>

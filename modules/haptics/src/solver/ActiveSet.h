@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "probe/ConstrainedPoint.h"
 #include "probe/Skin.h"
-#include "solver/ConstrainedPoint.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "nearby/NearBall.h"
 #include "nearby/NearPoint.h"
 #include "palpate/haptics/Palpator.h"
-#include "solver/ConstrainedPoint.h"
+#include "probe/ConstrainedPoint.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/Walk.h"
 
-#include "solver/ConstrainedPoint.h"
+#include "probe/ConstrainedPoint.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solver/ConstrainedPoint.h"
+#include "probe/ConstrainedPoint.h"
 
 #include <algorithm>
 #include <cmath>
