@@ -7,7 +7,7 @@ namespace palpate::meshio {
 
 namespace {
 
-/// Okabe and Ito's palette without its black.
+/// Okabe and Ito's palette without black.
 constexpr std::array kCycle = std::to_array<std::array<int, 3>>(
     {{230, 159, 0}, {86, 180, 233}, {0, 158, 115}, {240, 228, 66}, {0, 114, 178}, {213, 94, 0}, {204, 121, 167}});
 

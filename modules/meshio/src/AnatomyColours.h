@@ -7,8 +7,8 @@
 
 namespace palpate::meshio::internal {
 
-/// Chooses a structure's colour: by the anatomy that its name says, else from a cycle that colour-blind people can
-/// tell apart.
+/// Chooses the colour of a structure: by the anatomical term in the name, otherwise from a cycle that colour-blind
+/// people can distinguish.
 /// @param index  of the structure in its scene
 [[nodiscard]] std::array<double, 3> anatomyColour(std::string_view name, std::size_t index);
 

@@ -15,7 +15,7 @@ using internal::AnatomyWords;
 // Visible Human organs of HuBMAP's reference object library (version 1.2); lumps as radiology reports name them.
 // Colours follow 3D Slicer's table of generic anatomy colours where it has the structure.
 constexpr std::array kWords = std::to_array<AnatomyWords>({
-    // Adjectives of a place on another organ: they say nothing of what the structure is.
+    // Adjectives of position relative to another organ: they do not identify the structure.
     {AnatomyKind::Other,
      {128, 128, 128},
      "renal surface,renal impression,suprarenal impression,gastric surface,gastric impression,colic surface,"
@@ -134,7 +134,7 @@ std::vector<std::string_view> split(std::string_view text, char separator)
     return parts;
 }
 
-/// All phrases, those of the most words first, then those of the most letters.
+/// All phrases, sorted by descending number of words, then of letters.
 std::vector<Phrase> makePhrases()
 {
     std::vector<Phrase> phrases;

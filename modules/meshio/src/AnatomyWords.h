@@ -16,7 +16,7 @@ struct AnatomyWords
     std::string_view phrases; ///< lower case, singular, separated by commas
 };
 
-/// @return the group of phrases that decides a name; nullptr when it has none of them.
+/// @return the group of phrases that determines the kind of a name; nullptr if no phrase matches.
 [[nodiscard]] const AnatomyWords* anatomyWords(std::string_view name);
 
 } // namespace palpate::meshio::internal

@@ -13,7 +13,7 @@ namespace palpate::meshio::internal {
 using core::grouped;
 using core::inQuotes;
 
-/// Says what is wrong with a file in one line: "liver.stl: byte 80: 3 triangles declared, 2 held; expected …".
+/// Describes an error in a file in one line: "liver.stl: byte 80: 3 triangles declared, 2 held; expected …".
 /// @param place  where in the file, "line 12" or "byte 84"; may be empty
 [[nodiscard]] core::Status fault(core::StatusCode code, std::string_view file, std::string_view place,
                                  std::string_view found, std::string_view expected);

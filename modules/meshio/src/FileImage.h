@@ -16,9 +16,9 @@ class FileImage
   public:
     /// Copies the file at `path`.
     [[nodiscard]] static core::Result<FileImage> load(const std::filesystem::path& path);
-    /// Copies a file from where its descriptor stands. @param file  its name in error messages
+    /// Copies a file from the current position of its descriptor. @param file  name for error messages
     [[nodiscard]] static core::Result<FileImage> load(const OpenFile& source, std::string_view file);
-    /// Copies `bytes`. @param file  its name in error messages
+    /// Copies `bytes`. @param file  name for error messages
     [[nodiscard]] static core::Result<FileImage> copy(std::string_view bytes, std::string_view file);
 
     FileImage(FileImage&& other) noexcept;
@@ -29,7 +29,7 @@ class FileImage
 
     [[nodiscard]] std::string_view bytes() const noexcept { return {m_data, m_size}; }
     [[nodiscard]] std::span<char> writable() noexcept { return {m_data, m_size}; }
-    /// @return a path under which this process can open the image while it lives.
+    /// @return a path under which this process can open the image during the lifetime of this object.
     [[nodiscard]] std::string openPath() const;
 
   private:

@@ -32,7 +32,7 @@ using core::Status;
 using core::StatusCode;
 using Clock = std::chrono::steady_clock;
 
-/// What the program has of its server. Set once, before there is a second thread.
+/// The program's connection to the import server. Set once, before the program starts a second thread.
 struct Server
 {
     Descriptor socket;
@@ -66,7 +66,7 @@ std::string inSeconds(double value)
     return core::shortNumber(value, 3) + " s";
 }
 
-/// What a reader that handed nothing back died of.
+/// Describes why a reader ended without a result.
 /// @param noun  "mesh" or "volume"
 Status death(int outcome, const std::string& file, const Budget& budget, const std::string& noun)
 {
@@ -120,7 +120,7 @@ enum class End : std::uint8_t
     TooLate
 };
 
-/// Waits for the reader's done byte, telling progress meanwhile.
+/// Waits for the reader's final byte and reports progress meanwhile.
 End follow(int progress, const std::function<bool(double)>& told, Clock::time_point deadline)
 {
     constexpr int kLook_ms = 50;    // a cancel takes effect within this
@@ -149,7 +149,7 @@ End follow(int progress, const std::function<bool(double)>& told, Clock::time_po
     }
 }
 
-/// Sends the task and its ends to the server. @return 0, or an errno
+/// Sends the task and its file descriptors to the server. @return 0, or an errno
 int ask(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
 {
     const std::string& name = path.native();
@@ -175,7 +175,7 @@ int ask(const ImportTask& task, const std::filesystem::path& path, const ImportE
     return sent < 0 ? errno : 0;
 }
 
-/// @return how the reader ended, as waitpid says it; -1 when it could not be started
+/// @return the reader's exit status as from waitpid; -1 if the reader could not be started
 int exitStatus(int control)
 {
     constexpr int kLongest_ms = 5000; // the keeper has nothing else to do
@@ -217,9 +217,9 @@ Status startImportServer(const ImportLimits& limits, ReaderHook hook)
 
 namespace {
 
-/// Has a file read in a child, and waits until the outcome lies in a memory file.
-/// @param task  but for its limits; @param size  by which they go: of the file, or files [bytes]
-/// @param noun  what it is, in messages
+/// Reads a file in a child process and waits until the result is in a memory file.
+/// @param task  without limits; @param size  of the file or files, from which the limits follow [bytes]
+/// @param noun  "mesh" or "volume", for messages
 Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_t size,
                              const std::filesystem::path& path, const std::function<bool(double)>& told,
                              const std::string& noun)
@@ -255,7 +255,7 @@ Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_
         error != 0) {
         return unstarted(error);
     }
-    toldEnd = Descriptor(); // only the reader has it now, so that its end is seen
+    toldEnd = Descriptor(); // now open only in the reader, so that the end of the reader closes the pipe
     keeper = Descriptor();
     switch (follow(progress.value(), told, deadline)) {
     case End::Done:
@@ -271,7 +271,7 @@ Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_
     return result;
 }
 
-/// @return the outcome, or that the person has cancelled while it was taken over
+/// @return the result, or Cancelled if the user cancelled during the transfer
 template<class T>
 Result<T> unlessCancelled(Result<T> outcome, const std::filesystem::path& path, const std::function<bool(double)>& told)
 {
@@ -291,7 +291,7 @@ Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& 
     task.frame = options.frame;
     task.readsScale = options.readsScale;
     const Result<Descriptor> result = outcomeOf(task, file, file.size, path, options.progress, "mesh");
-    // The reader gives its memory back meanwhile.
+    // The reader releases its memory in the meantime.
     return result.isOk() ? unlessCancelled(readOutcome(result.value().value(), path), path, options.progress)
                          : result.status();
 }
@@ -302,7 +302,7 @@ Result<VoxelGrid> readVolumeInChild(const OpenFile& file, const std::filesystem:
     ImportTask task;
     task.kind = ImportKind::Volume;
     task.frame = frame;
-    // The server stands where the program stood when it began.
+    // The server's working directory is the one in which the program was started.
     const std::filesystem::path whole = std::filesystem::absolute(path);
     const Result<Descriptor> result = outcomeOf(task, file, volumeBytes(path), whole, progress, "volume");
     return result.isOk() ? unlessCancelled(takeVolume(result.value().value(), path), path, progress) : result.status();

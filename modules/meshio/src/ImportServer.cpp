@@ -38,16 +38,16 @@ bool limit(__rlimit_resource resource, std::uint64_t soft, std::uint64_t hard)
     return ::setrlimit(resource, &both) == 0;
 }
 
-/// Takes away what a mesh has no use for, before the first byte of the file is seen.
+/// Drops all rights that reading a mesh does not need, before the first byte of the file is read.
 bool confine(const ImportTask& task)
 {
     return limit(RLIMIT_CORE, 0, 0) && limit(RLIMIT_AS, task.memory_bytes, task.memory_bytes) &&
-           limit(RLIMIT_FSIZE, task.memory_bytes, task.memory_bytes) && // of the outcome
+           limit(RLIMIT_FSIZE, task.memory_bytes, task.memory_bytes) && // size of the result
            limit(RLIMIT_CPU, task.cpu_s, task.cpu_s + 1) && limit(RLIMIT_NOFILE, task.files, task.files) &&
            ::prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
 }
 
-/// @return what tells the client of the share done
+/// @return a callback that reports progress to the client
 std::function<bool(double)> progressTo(int pipe)
 {
     return [pipe, newest = -1](double share) mutable {
@@ -55,7 +55,7 @@ std::function<bool(double)> progressTo(int pipe)
         if (step > newest && step < kDoneByte) {
             newest = step;
             const auto byte = static_cast<std::uint8_t>(step);
-            (void)!::write(pipe, &byte, 1); // a client that is behind misses a step
+            (void)!::write(pipe, &byte, 1); // a slow client misses a step
         }
         return true;
     };
@@ -97,8 +97,8 @@ Result<VoxelGrid> readVolumeFor(const ImportTask& task, const std::filesystem::p
     }
 }
 
-/// Makes the reader's heap one that grows in large steps, in huge pages where the system gives them, and keeps what is
-/// freed: a short life with large arrays spends a fifth of its time on page faults otherwise.
+/// Configures the reader's heap to grow in large steps, with huge pages where available, and to keep freed memory:
+/// otherwise a short process with large arrays spends a fifth of the time on page faults.
 void prepareHeap(const ImportTask& task)
 {
     const auto step = static_cast<int>(std::min<std::uint64_t>(task.memory_bytes / 4, 1 << 29));
@@ -114,7 +114,7 @@ void prepareHeap(const ImportTask& task)
     }
 }
 
-/// The reader, from its first step to its last.
+/// Main function of the reader process.
 [[noreturn]] void beReader(const ImportTask& task, const char* path, const ImportEnds& ends, ReaderHook hook)
 {
     if (!confine(task)) {
@@ -130,13 +130,13 @@ void prepareHeap(const ImportTask& task)
         ::_exit(kNotHandedBack);
     }
     (void)!::write(ends.progress, &kDoneByte, 1);
-    ::_exit(0); // nothing of this process is worth tidying up
+    ::_exit(0); // this process has nothing to clean up
 }
 
-/// Starts the reader, waits until it ends or the client hangs up, and tells how it ended.
+/// Starts the reader, waits until the reader ends or the client disconnects, and reports the exit status.
 [[noreturn]] void beKeeper(const ImportTask& task, const char* path, const ImportEnds& ends, ReaderHook hook)
 {
-    int life[2] = {-1, -1}; // the reader alone keeps one end open, so that its end is seen at the other
+    int life[2] = {-1, -1}; // only the reader keeps one end open, so that the other end detects the end of the reader
     int status = -1;
     if (::pipe2(life, O_CLOEXEC) == 0) {
         const pid_t reader = ::fork();
@@ -167,7 +167,7 @@ void prepareHeap(const ImportTask& task)
 
 void serveImports(int socket, ReaderHook hook)
 {
-    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) { // what libraries print there is dropped
+    for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) { // discards output of libraries
         const int nothing = ::open("/dev/null", O_RDWR);
         ::dup2(nothing, standard);
         ::close(nothing);
@@ -176,7 +176,7 @@ void serveImports(int socket, ReaderHook hook)
     socket = STDERR_FILENO + 1;
     ::closefrom(socket + 1);
     ::prctl(PR_SET_NAME, "palpate-import");
-    (void)std::signal(SIGINT, SIG_IGN); // meant for the program, whose end ends this one
+    (void)std::signal(SIGINT, SIG_IGN); // meant for the program; this process ends with it
     while (true) {
         alignas(ImportTask) char bytes[kMostTask + 1] = {};
         alignas(cmsghdr) char rights[CMSG_SPACE(sizeof(ImportEnds))] = {};
@@ -195,7 +195,7 @@ void serveImports(int socket, ReaderHook hook)
         const cmsghdr* head = CMSG_FIRSTHDR(&message);
         if (got <= static_cast<ssize_t>(sizeof(ImportTask)) || head == nullptr ||
             head->cmsg_len != CMSG_LEN(sizeof(ImportEnds))) {
-            while (::wait(nullptr) > 0) { // the client is gone, and the keepers see it as well
+            while (::wait(nullptr) > 0) { // the client has ended, and the child processes detect this too
             }
             ::_exit(0);
         }

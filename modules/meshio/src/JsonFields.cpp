@@ -21,7 +21,7 @@ std::string range(double low, double high)
     return brief(low) + " to " + brief(high);
 }
 
-/// @return what a value is, short enough for a message
+/// @return a short description of a value for messages
 std::string shown(const QJsonValue& value)
 {
     switch (value.type()) {

@@ -14,11 +14,11 @@
 
 namespace palpate::meshio::internal {
 
-/// @return a number as messages say it.
+/// @return a number formatted for messages.
 [[nodiscard]] std::string brief(double value);
 
-/// Reads one JSON object field by field. The first field that is not what it must be is kept as the error, with its
-/// path in the document; the fields that no call has read are the unknown ones.
+/// Reads one JSON object field by field. The first invalid field is kept as the error, with the path
+/// in the document. Fields that no call has read are unknown fields.
 class JsonFields
 {
   public:
@@ -33,23 +33,23 @@ class JsonFields
     /// Reads an array of at most `most` pairs of numbers; empty when the field is absent or wrong.
     std::vector<std::array<double, 2>> pairs(const char* name, std::size_t most);
     std::optional<QJsonObject> object(const char* name);
-    /// The fields of an object; nothing when it is absent or wrong.
+    /// The fields of an object; empty if absent or invalid.
     std::optional<JsonFields> fieldsOf(const char* name);
     /// The objects of an array; empty when the field is absent.
     std::vector<QJsonObject> objects(const char* name);
-    /// The fields of each of them.
+    /// The fields of each object in an array.
     std::vector<JsonFields> listOf(const char* name);
 
-    /// Counts the fields of an object that no call has read as unknown here. @param fields  as `unknown` says them
+    /// Adds the unread fields of an object to the unknown fields of this one. @param fields  from `unknown`
     void keepUnknown(const char* name, const std::string& fields);
 
     [[nodiscard]] bool has(const char* name) const { return m_object.contains(QLatin1String(name)); }
-    /// Fields not read so far, as JSON text; empty when there are none.
+    /// Fields not read so far, as JSON text; empty if all were read.
     [[nodiscard]] std::string unknown() const;
     /// @return "structures[2].opacity"
     [[nodiscard]] std::string pathOf(const char* name) const;
     void fail(const char* name, const std::string& found, const std::string& expected);
-    /// Keeps what is wrong with a field as the error. @param why  not ok
+    /// Keeps the error of a field. @param why  not ok
     void refuse(const char* name, const core::Status& why);
 
   private:

@@ -38,7 +38,7 @@ struct Source
     std::optional<Result<MeshFile>> file;
 };
 
-/// A structure on its way into the scene.
+/// A structure while the scene is being loaded.
 struct Pending
 {
     SceneStructure description;
@@ -154,7 +154,7 @@ Status Loader::addFolder(const std::filesystem::path& path)
 
 void Loader::readSources()
 {
-    constexpr unsigned kMostAtOnce = 8; // each is a process with memory of its own
+    constexpr unsigned kMostAtOnce = 8; // each is a separate process with separate memory
     std::atomic<std::size_t> done{0};
     const auto count = static_cast<double>(m_sources.size());
     const auto read = [&](std::size_t i, unsigned thread) {
@@ -182,7 +182,7 @@ void Loader::readSources()
     core::parallelFor(m_sources.size(), read, std::min(kMostAtOnce, core::coreCount()));
 }
 
-/// Mesh files without a scene: each of their structures, as it is.
+/// Mesh files without a scene: all structures, unchanged.
 void Loader::expandFiles()
 {
     for (Source& source : m_sources) {
@@ -223,7 +223,7 @@ void Loader::findChanged()
     }
 }
 
-/// A scene file's structures: the part that each names, or all parts of its file.
+/// The structures of a scene file: the named part, or all parts of the mesh file.
 void Loader::expandScene()
 {
     for (const SceneStructure& wanted : m_scene.scene.structures) {
@@ -418,7 +418,7 @@ Result<LoadedScene> Loader::load(SceneFile scene, const std::string& name)
     return status.isOk() ? open(name) : status;
 }
 
-/// Reads and repairs what was added.
+/// Reads and repairs the added files.
 Result<LoadedScene> Loader::open(const std::string& name)
 {
     readSources();
@@ -457,7 +457,7 @@ Result<LoadedScene> Loader::open(const std::string& name)
     return std::move(m_scene);
 }
 
-/// Turns what is too large for the memory into a message.
+/// Converts an allocation failure to a message.
 template<class Load>
 Result<LoadedScene> guarded(const std::string& name, Load&& load)
 {

@@ -20,7 +20,7 @@ using core::StatusCode;
 using core::Vec3;
 using geometry::Triangle;
 
-// Behind the head stand, for each structure, its vertices, its triangles and its arrays' values.
+// After the header follow, for each structure, the vertices, the triangles and the array values.
 static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12);
 
 WireHead headOf(const Result<MeshFile>& outcome)
@@ -87,8 +87,8 @@ struct MeshCounts
     std::uint64_t vertices, triangles;
 };
 
-/// Gets the structures' meshes, which stand one after the other. @param at  where the first begins
-/// @return what is wrong with them; null when nothing is
+/// Reads the meshes of the structures, which are stored consecutively. @param at  offset of the first
+/// @return the error; null if valid
 const char* moveMeshes(int descriptor, std::uint64_t at, const std::vector<MeshCounts>& counts, MeshFile& file)
 {
     for (std::size_t i = 0; i < counts.size(); ++i) {

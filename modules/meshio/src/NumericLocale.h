@@ -6,8 +6,9 @@
 
 namespace palpate::meshio::internal {
 
-/// Makes the calling thread read and write numbers with a decimal point while it lives, whatever the program's locale
-/// is: a Qt program inherits its user's, and VTK reads with strtod. Other threads are not touched.
+/// Makes the calling thread read and write numbers with a decimal point during the lifetime of this object, whatever
+/// the locale of the program: a Qt program uses the user's locale, and VTK reads with strtod. Other threads are
+/// unaffected.
 class NumericLocale
 {
   public:

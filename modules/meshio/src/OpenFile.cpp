@@ -35,7 +35,7 @@ core::Result<OpenFile> openFile(Descriptor descriptor, std::string_view file)
 
 core::Result<OpenFile> openFile(const std::filesystem::path& path)
 {
-    const std::filesystem::path name = path.filename(); // none of a path that ends in a slash
+    const std::filesystem::path name = path.filename(); // empty for a path that ends in a slash
     return openFile(Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)),
                     name.empty() ? path.string() : name.string());
 }

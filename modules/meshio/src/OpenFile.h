@@ -42,7 +42,7 @@ class Descriptor
     int m_value;
 };
 
-/// A regular file, open for reading from its start.
+/// A regular file, open for reading from the start.
 struct OpenFile
 {
     Descriptor descriptor;
@@ -54,7 +54,7 @@ struct OpenFile
 /// Same for an open descriptor. @param file  name for error messages
 [[nodiscard]] core::Result<OpenFile> openFile(Descriptor descriptor, std::string_view file);
 
-/// @return an error with the text `what` and the reason from errno
+/// @return an error with the given text and the reason from errno
 [[nodiscard]] core::Status systemFault(std::string_view file, std::string_view what);
 
 } // namespace palpate::meshio::internal

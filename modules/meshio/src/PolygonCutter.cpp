@@ -82,7 +82,7 @@ void PolygonCutter::cut(const std::vector<Vec3>& points, std::span<const std::ui
             ear = n == 3 || isEar((at + step) % n) ? (at + step) % n : n;
         }
         if (ear == n) {
-            // No ear: what is left has no area, or crosses itself.
+            // No ear: the rest has no area or intersects itself.
             ear = at % n;
             for (std::size_t i = 0; i < n; ++i) {
                 isSimple = isSimple && turnAt(i) == 0.0;

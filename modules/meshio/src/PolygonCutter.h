@@ -11,10 +11,10 @@
 
 namespace palpate::meshio::internal {
 
-/// Cuts polygons into triangles by ear clipping, concave ones included. A corner in the middle of a straight side stays
-/// a corner of a triangle, so that neighbours that have it, too, still fit without a gap.
+/// Triangulates polygons, including concave polygons, by ear clipping. A vertex in the middle of a straight side
+/// remains a corner of a triangle, so that no gap opens to neighbours that share this vertex.
 ///
-/// VTK's own cutting gives up on polygons with such corners and on small ones in metres.
+/// VTK's triangulation fails for polygons with such vertices and for small polygons in metres.
 class PolygonCutter
 {
   public:

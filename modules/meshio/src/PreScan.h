@@ -42,7 +42,7 @@ struct ScanContext
 {
     std::string file;                      ///< name in messages
     double unit_mm = 1.0;                  ///< for the limit on coordinates
-    FileFrame frame = FileFrame::Untagged; ///< chosen, whatever the tag says
+    FileFrame frame = FileFrame::Untagged; ///< chosen by the user, overrides the tag
     bool isPartial = false;                ///< keep the complete elements of a truncated file
     /// Progress callback (0 to 1, by bytes). Return false to cancel. May be empty.
     std::function<bool(double)> progress;

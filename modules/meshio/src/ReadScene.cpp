@@ -93,7 +93,7 @@ void readTissue(JsonFields& fields, core::Tissue& tissue)
     }
 }
 
-/// Reads a name out of a list of names; its place there.
+/// Reads a name from a fixed list and returns the index.
 template<class Enum, std::size_t N>
 void readName(JsonFields& fields, const char* name, const std::array<std::string_view, N>& names, Enum& value)
 {
@@ -130,7 +130,7 @@ core::TissueMapping readMapping(JsonFields& fields, const std::filesystem::path&
     if (known != core::kKnownMaps.end() && known->quantity == map.quantity) {
         map.unit = known->unit;
     } else if (!fields.has("unit") && map.quantity == core::MappedQuantity::Stiffness) {
-        // Young's or shear, or a scale: wrong by a factor of three and more where it is guessed.
+        // Young's modulus, shear modulus or a scale: a wrong guess is an error by a factor of three or more.
         fields.fail("unit", "nothing", "scale, N_per_mm, young_kPa or shear_kPa: what the numbers are");
     }
     readName(fields, "unit", core::kMapUnitNames, map.unit);
@@ -148,7 +148,7 @@ core::TissueMapping readMapping(JsonFields& fields, const std::filesystem::path&
     return map;
 }
 
-/// What makes a structure a lump, or an organ with lumps.
+/// The fields that make a structure a lump, or an organ with lumps.
 void readBuried(JsonFields& fields, SceneStructure& s)
 {
     fields.read("inside", s.inside);
@@ -297,7 +297,7 @@ core::Finding readFinding(JsonFields& entry, const std::filesystem::path& folder
     return finding;
 }
 
-/// What a JSON file is that is no scene; ok for one that may be.
+/// Names the format of a JSON file that is not a scene; ok if the file may be a scene.
 Status anotherPrograms(const QJsonObject& document, const std::string& file)
 {
     if (document.contains(QLatin1String("markups"))) {
@@ -345,8 +345,8 @@ void readShownMap(JsonFields& fields, SceneFile& scene)
     }
 }
 
-/// The organ of a lump must be one structure of the scene that lies in no other: a lump is felt through the outermost
-/// surface.
+/// The organ of a lump must be a structure of the scene that is not inside another: the response of a lump is
+/// transmitted to the outermost surface.
 void checkOrgans(const SceneFile& scene, JsonFields& fields)
 {
     std::map<std::string_view, std::vector<const SceneStructure*>> named;

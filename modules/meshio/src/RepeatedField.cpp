@@ -20,7 +20,7 @@ struct Level
     bool isObject;
     std::size_t element = 0;     ///< of an array
     std::set<std::string> names; ///< of an object, so far
-    std::string name;            ///< of its current field
+    std::string name;            ///< of the current field
 };
 
 /// @return the position after the string that begins with the quotation mark at `begin`
@@ -33,7 +33,7 @@ std::size_t endOfString(std::string_view json, std::size_t begin)
     return at + 1;
 }
 
-/// A string with its escapes resolved. @param quoted  with its quotation marks
+/// Resolves the escape sequences of a string. @param quoted  including the quotation marks
 std::string unescaped(std::string_view quoted)
 {
     if (quoted.find('\\') == std::string_view::npos) {

@@ -58,10 +58,11 @@ double valueAt(const VoxelGrid& grid, const Vec3& p_W)
 std::vector<Vec3> placesBelow()
 {
     // In spherical coordinates about the point c above the surface, where the weight is z^2 / R^6 and z = R cos - c:
-    // each is the middle of a cell of equal weight, found by halving its integrals by number.
+    // each sample is the centre of a cell of equal weight, computed by numerical bisection of the integrals.
     constexpr int kRings = 6, kTurns = 8, kDepths = 8;
     std::vector<Vec3> places;
-    // Weight over all r at depth z: integral of 2 pi r w = 3 c z^2 / (z + c)^4, whose integral is (z / (z + c))^3.
+    // Weight over all r at depth z: integral of 2 pi r w = 3 c z^2 / (z + c)^4, with the antiderivative (z / (z +
+    // c))^3.
     for (int i = 0; i < kDepths; ++i) {
         const double share = std::cbrt((i + 0.5) / kDepths);
         const double z = share / (1.0 - share); // in c

@@ -11,18 +11,18 @@
 
 namespace palpate::meshio::internal {
 
-/// Reads a volume (`.vti`, `.mha`, `.mhd`, `.nrrd`, `.nhdr`, `.nii`, `.nii.gz`; LPS, mm, NIfTI turned to it) and says
-/// for each vertex of a surface what a finger would feel there: not the voxel at the surface, which is half air, but
-/// the geometric mean of two means over the tissue below, weighted by the share of a press's energy at each place. A
-/// press on a half-space of varying modulus feels between its harmonic and its arithmetic mean.
+/// Reads a volume (`.vti`, `.mha`, `.mhd`, `.nrrd`, `.nhdr`, `.nii`, `.nii.gz`; LPS, mm, NIfTI converted to LPS) and
+/// computes the palpable value at each vertex of a surface: not the voxel at the surface, which is half air, but the
+/// geometric mean of two means over the tissue below, weighted by the local fraction of the press's energy. A press on
+/// a half-space of varying modulus responds between the harmonic and the arithmetic mean.
 ///
 /// `w(r, z) = (6c/pi) z^2 / (r^2 + (z + c)^2)^3`, c = a/pi, for a contact of radius a = `contactRadius_mm`.
-/// @return NaN where less than half of that weight lies on known values above 0
+/// @return NaN where less than half of the weight falls on known values above 0
 /// @par Source resources/docs/maps.md
-/// @param frame  chosen for the surface's mesh: a volume whose file says no axes (`.vti`, NRRD without `space`) is
+/// @param frame  chosen for the surface's mesh: a volume without axes in the file (`.vti`, NRRD without `space`) uses
 /// along
 ///               the same ones
-/// @param keepGoing  asked now and then, on the calling thread; false cancels
+/// @param keepGoing  called periodically, on the calling thread; false cancels
 [[nodiscard]] core::Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping,
                                                             const geometry::RepairedMesh& surface,
                                                             core::FileFrame frame = core::FileFrame::Untagged,

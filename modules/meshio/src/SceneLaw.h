@@ -9,12 +9,12 @@
 
 namespace palpate::meshio::internal {
 
-/// Reads a structure's field `law`: absent, linear. A curve in a file of its own (`"file"`) is read here and kept as
+/// Reads the field `law` of a structure; absent: linear. A curve in a separate file (`"file"`) is read and stored as
 /// points.
-/// @param folder  that the file's path is relative to
+/// @param folder  base of the relative path
 void readLaw(JsonFields& structure, const std::filesystem::path& folder, core::ForceLaw& law);
 
-/// Puts a law into a structure's object, beside its fields that this program does not know. A linear one is left out.
+/// Writes a law to a structure's object and keeps fields unknown to this version. A linear law is omitted.
 void writeLaw(const core::ForceLaw& law, QJsonObject& structure);
 
 } // namespace palpate::meshio::internal

@@ -31,7 +31,7 @@ struct MoveLimit
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
     Vec3 half_mm = Vec3::Zero();
 
-    /// @return the move itself, or what of it lies within the limit
+    /// @return the displacement, clamped to the limit
     [[nodiscard]] Vec3 limited(const Vec3& move_mm) const
     {
         return axes * (axes.transpose() * move_mm).cwiseMax(-half_mm).cwiseMin(half_mm);
@@ -73,7 +73,7 @@ MoveLimit limitFor(const geometry::TriangleMesh& mesh, const std::optional<geome
     return {Eigen::Matrix3d::Identity(), Vec3::Constant(0.5 * meanEdge_mm(mesh))};
 }
 
-/// @param unit_mm  what the filter, which calculates with floats, sees as 1
+/// @param unit_mm  length that becomes 1 in the filter, which computes in floats
 vtkSmartPointer<vtkPolyData> polyDataOf(const geometry::TriangleMesh& mesh, const Vec3& origin, double unit_mm)
 {
     vtkNew<vtkPoints> points;

@@ -55,7 +55,7 @@ bool hasArea(const std::vector<Vec3>& p, const std::vector<Triangle>& triangles)
     return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
         const Vec3 a = p[t[1]] - p[t[0]];
         const Vec3 b = p[t[2]] - p[t[0]];
-        // Relative to the edges: what is left of a product of parallel edges is rounding.
+        // Relative to the edge lengths: rounding residue of the product of parallel edges.
         return a.cross(b).norm() > 1e-14 * a.norm() * b.norm();
     });
 }
@@ -109,7 +109,7 @@ Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, con
 
     constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> user(points.size(), kNobody); // the last part that used a vertex
-    std::vector<std::uint32_t> place(points.size());         // and its index there
+    std::vector<std::uint32_t> place(points.size());         // and the index there
     std::vector<MeshStructure> structures;
     for (std::uint32_t part = 0; part < parts; ++part) {
         if (begin[part] == begin[part + 1]) {

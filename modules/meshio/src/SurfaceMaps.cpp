@@ -30,7 +30,7 @@ std::string namesOf(const geometry::TriangleMesh& mesh)
     return names.empty() ? "a mesh with arrays: this one has none" : "one of " + names;
 }
 
-/// A number of a file as the tick takes it; unknown where it can't be felt: a stiffness must be above 0.
+/// Converts a number of a file for the servo tick; unknown if not palpable: a stiffness must be above 0.
 float feltValue(const TissueMapping& mapping, float value)
 {
     if (!std::isfinite(value)) {

@@ -31,7 +31,7 @@ class LineReader
     std::size_t m_next = 0;
 };
 
-/// Takes the next word, a run of anything but blanks, off the front of `rest`. @return empty at its end
+/// Removes the next word, a run of non-blank characters, from the front of `rest`. @return empty at the end
 [[nodiscard]] std::string_view takeWord(std::string_view& rest);
 
 [[nodiscard]] std::string_view trimmed(std::string_view text);

@@ -132,14 +132,14 @@ void takeFieldData(vtkPolyData& data, PreScan& scan)
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-/// A number of VTK's as it is kept: what no float holds is not known.
+/// Converts a VTK number for storage: values outside the range of float become unknown.
 float known(double value)
 {
     return std::abs(value) <= double{std::numeric_limits<float>::max()} ? static_cast<float>(value) : kUnknown;
 }
 
-/// Takes over the arrays of one number each that VTK has read.
-/// @param cellOf  for each triangle its cell's position in VTK's cell data
+/// Takes over the single-component arrays that VTK has read.
+/// @param cellOf  for each triangle, the index of the cell in VTK's cell data
 void takeArrays(vtkPolyData& data, const PreScan& scan, const std::vector<std::uint32_t>& cellOf,
                 std::vector<geometry::MeshArray>& out)
 {
@@ -174,10 +174,10 @@ void takeArrays(vtkPolyData& data, const PreScan& scan, const std::vector<std::u
     }
 }
 
-/// Leaves out what is more than a mesh may bring.
+/// Omits arrays beyond the maximum per mesh.
 void bound(std::vector<std::string>& names, const char* each, PreScan& scan)
 {
-    // What means something comes first.
+    // Arrays with a known meaning come first.
     std::stable_partition(names.begin(), names.end(), [](const std::string& name) {
         return std::any_of(core::kKnownMaps.begin(), core::kKnownMaps.end(),
                            [&](const core::KnownMap& map) { return map.array == name; });

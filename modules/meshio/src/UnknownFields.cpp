@@ -14,7 +14,7 @@ namespace {
 /// Objects of which only the unknown fields are kept.
 constexpr std::array kGroups{"friction", "law", "camera", "recording"};
 
-/// @param path  of the object with a point behind it; empty for the document
+/// @param path  of the object, with a trailing dot; empty for the document
 void addFields(const QJsonObject& extra, const std::string& path, std::vector<std::string>& out)
 {
     for (auto field = extra.begin(); field != extra.end(); ++field) {

@@ -53,7 +53,7 @@ bool hasTextHeader(const std::filesystem::path& path)
     return ending == ".nrrd" || ending == ".nhdr" || ending == ".mha" || ending == ".mhd";
 }
 
-/// NIfTI says a matrix of its own, to RAS.
+/// NIfTI files contain a matrix to RAS.
 Eigen::Affine3d fromNifti(vtkNIFTIImageReader& reader)
 {
     Eigen::Affine3d X = Eigen::Affine3d::Identity();
@@ -73,15 +73,15 @@ Eigen::Affine3d fromNifti(vtkNIFTIImageReader& reader)
     return X;
 }
 
-/// A volume as VTK has it.
+/// A volume as read by VTK.
 struct Volume
 {
     vtkSmartPointer<vtkImageData> image;
     Eigen::Affine3d toVoxel = Eigen::Affine3d::Identity(); ///< from LPS [mm] to the image's own coordinates
 };
 
-/// Turns a volume as its text header says, and one that says no axes as `frame` does.
-/// @param header  there for MetaImage and NRRD
+/// Orients a volume by the axes in the text header, or by `frame` if the header contains none.
+/// @param header  present for MetaImage and NRRD
 void place(Volume& volume, const std::optional<TextHeader>& header, const std::string& file, core::FileFrame frame)
 {
     const bool isNrrd = file.ends_with(".nrrd") || file.ends_with(".nhdr");
@@ -103,7 +103,7 @@ Status oneNumber(int components, const std::string& file)
                                    "one number for each voxel");
 }
 
-/// What a header declares must be there before VTK asks for the memory.
+/// The declared data must exist before VTK allocates the memory.
 Status checkHeld(const int* extent, double bytesOfOne, bool isPacked, const std::filesystem::path& path,
                  const std::optional<TextHeader>& header)
 {
@@ -116,7 +116,7 @@ Status checkHeld(const int* extent, double bytesOfOne, bool isPacked, const std:
         }
         voxels *= along;
     }
-    constexpr std::uint64_t kNiftiHeader = 352; // the least
+    constexpr std::uint64_t kNiftiHeader = 352; // minimum
     const bool isNifti = file.ends_with(".nii");
     const std::uint64_t head = isNifti ? kNiftiHeader : header && header->dataFiles.empty() ? header->size : 0;
     const std::uint64_t all = volumeBytes(path);
@@ -129,7 +129,7 @@ Status checkHeld(const int* extent, double bytesOfOne, bool isPacked, const std:
     return {};
 }
 
-/// MetaImage's reader takes what it can unpack for the whole and leaves the rest as the memory was.
+/// VTK's MetaImage reader accepts partially decompressed data and leaves the rest of the memory uninitialised.
 Status checkUnpacks(const std::filesystem::path& path, const TextHeader& header, const int* extent, int bytesOfOne)
 {
     std::uint64_t bytes = static_cast<std::uint64_t>(bytesOfOne);
@@ -139,7 +139,7 @@ Status checkUnpacks(const std::filesystem::path& path, const TextHeader& header,
     const bool isHere = header.dataFiles.empty();
     std::ifstream in(isHere ? path : path.parent_path() / header.dataFiles.front(), std::ios::binary);
     in.seekg(isHere ? static_cast<std::streamoff>(header.size) : 0);
-    std::string packed(4, '\0'); // Qt wants the size in front, big-endian; it is no more than a first guess
+    std::string packed(4, '\0'); // Qt expects the size in front, big-endian, as an initial guess
     for (std::size_t i = 0; i < 4; ++i) {
         packed[i] = static_cast<char>((std::min<std::uint64_t>(bytes, 0x7fffffffU) >> (24 - 8 * i)) & 0xffU);
     }
@@ -155,7 +155,7 @@ Status checkUnpacks(const std::filesystem::path& path, const TextHeader& header,
     return {};
 }
 
-/// Reads with VTK. @return `volume.image` stays null where VTK's reader does not take it for its own
+/// Reads with VTK. `volume.image` stays null if VTK's reader does not recognise the format
 Status readWithVtk(const std::filesystem::path& path, const std::optional<TextHeader>& header,
                    const std::function<bool(double)>& progress, Volume& volume)
 {
@@ -224,7 +224,7 @@ Status readWithVtk(const std::filesystem::path& path, const std::optional<TextHe
     return status;
 }
 
-/// Takes the numbers out of what VTK has read, with all that may be wrong with them.
+/// Copies and validates the numbers that VTK has read.
 Result<VoxelGrid> gridOf(const Volume& volume, const std::string& file)
 {
     VoxelGrid grid;

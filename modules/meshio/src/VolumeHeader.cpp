@@ -55,7 +55,7 @@ bool isMetaImage(const std::filesystem::path& path)
     return path.extension() == ".mha" || path.extension() == ".mhd";
 }
 
-/// @return false where it is a direction that can't be read
+/// @return false for an unreadable direction
 bool takeField(TextHeader& header, bool isMeta, std::string_view key, const std::string& value)
 {
     const auto has = [&value](std::string_view word) { return value.find(word) != std::string::npos; };
@@ -86,7 +86,8 @@ bool takeField(TextHeader& header, bool isMeta, std::string_view key, const std:
     return true;
 }
 
-/// VTK's readers trust the names of the files of the voxels: they print numbers with them, and go on without the file.
+/// VTK's readers trust the names of the voxel files: they use the names as printf patterns and continue without the
+/// file.
 Status checkDataFiles(const std::filesystem::path& path, const TextHeader& header)
 {
     const std::string file = path.filename().string();
@@ -101,7 +102,7 @@ Status checkDataFiles(const std::filesystem::path& path, const TextHeader& heade
     }
     for (const std::string& name : header.dataFiles) {
         std::error_code error;
-        if (name.find('%') != std::string::npos) { // a pattern to print numbers with
+        if (name.find('%') != std::string::npos) { // a printf pattern
             return refuse(StatusCode::Unsupported, inQuotes(name),
                           "the name of one file, or LIST and one on each line");
         }
@@ -112,8 +113,8 @@ Status checkDataFiles(const std::filesystem::path& path, const TextHeader& heade
     return {};
 }
 
-/// What NRRD's reader trusts: it takes what is no number for 0, a field that comes twice for both, and the name of a
-/// data file with numbers behind it for a pattern to print them with.
+/// Checks input that VTK's NRRD reader trusts: the reader takes non-numbers for 0, merges repeated fields, and
+/// interprets the name of a data file followed by numbers as a printf pattern.
 Status checkNrrd(const std::filesystem::path& path)
 {
     const std::string file = path.filename().string();
@@ -161,7 +162,7 @@ Status checkNrrd(const std::filesystem::path& path)
     return {};
 }
 
-/// Takes a count from an element. @return 1 where it has none, nothing where it is no count
+/// Reads a count from an element. @return 1 if absent, nothing if invalid
 std::optional<std::uint64_t> countOf(const QXmlStreamReader& xml, const char* attribute)
 {
     const QStringView text = xml.attributes().value(QLatin1String(attribute));
@@ -172,7 +173,7 @@ std::optional<std::uint64_t> countOf(const QXmlStreamReader& xml, const char* at
     return value && *value >= 0 ? std::optional(static_cast<std::uint64_t>(*value)) : std::nullopt;
 }
 
-/// The XML of a VTI, without what is appended.
+/// The XML of a VTI file, without appended data.
 QByteArray xmlOf(const std::string& bytes)
 {
     const std::size_t tag = bytes.find("<AppendedData");
@@ -190,14 +191,14 @@ std::optional<TextHeader> textHeader(const std::filesystem::path& path)
     std::ifstream in(path, std::ios::binary);
     std::string line;
     bool wasCarriageReturn = false;
-    header.isText = isMeta; // unless it says otherwise
+    header.isText = isMeta; // default
     while (header.size < kMostHeader && std::getline(in, line)) {
         header.size += line.size() + 1;
         header.isPlain = header.isPlain && line.find('\0') == std::string::npos;
         header.longest = std::max(header.longest, line.size());
         const std::string_view words = trimmed(line);
         const std::size_t separator = words.find_first_of(isMeta ? "=:" : ":");
-        if (!isMeta && (line.empty() || (line == "\r" && wasCarriageReturn))) { // as NRRD's reader looks for it
+        if (!isMeta && (line.empty() || (line == "\r" && wasCarriageReturn))) { // as in VTK's NRRD reader
             header.isEnded = !in.eof();
             break;
         }
@@ -212,7 +213,7 @@ std::optional<TextHeader> textHeader(const std::filesystem::path& path)
             if (!takeField(header, isMeta, key, std::string(trimmed(words.substr(separator + 1))))) {
                 return std::nullopt;
             }
-            if (isMeta && key == "ElementDataFile") { // the last
+            if (isMeta && key == "ElementDataFile") { // the last field
                 header.isEnded = !in.eof();
                 if (!header.isList) {
                     break;
@@ -231,20 +232,20 @@ Status checkTextHeader(const std::filesystem::path& path, const std::optional<Te
         return fault(StatusCode::BadFormat, file, "header", "directions of its axes that can't be read",
                      "three vectors that are not in a plane");
     }
-    if (!header->isEnded) { // VTK's reader of NRRD looks for that end without one
+    if (!header->isEnded) { // VTK's NRRD reader searches for this end without a bound
         return fault(StatusCode::BadFormat, file, "header", "it does not end",
                      "a header that says where the voxels are");
     }
     if (!header->isPlain) {
         return fault(StatusCode::BadFormat, file, "header", "a byte of 0 in its text", "a header of text alone");
     }
-    if (header->dimensions < 1 || header->dimensions > 4) { // MetaImage's reader counts them all
+    if (header->dimensions < 1 || header->dimensions > 4) { // VTK's MetaImage reader accepts any number
         return fault(StatusCode::BadFormat, file, "header: NDims",
                      header->dimensions == 0 ? "what is not one number"
                                              : counted(static_cast<std::uint64_t>(header->dimensions), "dimension"),
                      "1 to 4");
     }
-    constexpr std::size_t kLongest = 254; // which MetaIO has the memory for
+    constexpr std::size_t kLongest = 254; // size of MetaIO's buffer
     if (isMetaImage(path) && header->longest > kLongest) {
         return fault(StatusCode::BadFormat, file, "header", "a line of " + counted(header->longest, "character"),
                      "at most 254");
@@ -252,7 +253,7 @@ Status checkTextHeader(const std::filesystem::path& path, const std::optional<Te
     if (Status status = isMetaImage(path) ? Status() : checkNrrd(path); !status.isOk()) {
         return status;
     }
-    if (header->isText) { // VTK 9.1 gives back the memory as it was (NRRD) or never ends (MetaImage)
+    if (header->isText) { // VTK 9.1 returns uninitialised memory (NRRD) or never ends (MetaImage)
         return fault(StatusCode::Unsupported, file, "header", "voxels in another encoding",
                      isMetaImage(path) ? "`BinaryData = True`" : "`raw` or `gzip`");
     }
@@ -266,7 +267,7 @@ Status checkNifti(const std::filesystem::path& path)
     constexpr std::int32_t kFirst = 348, kSecond = 540; // bytes of the header: NIfTI-1, NIfTI-2
     const std::string file = path.filename().string();
     std::array<unsigned char, kSecond> head{};
-    gzFile in = gzopen(path.c_str(), "rb"); // reads what is not packed as it is
+    gzFile in = gzopen(path.c_str(), "rb"); // also reads uncompressed files
     const int read = in == nullptr ? 0 : gzread(in, head.data(), static_cast<unsigned>(head.size()));
     if (in != nullptr) {
         (void)gzclose(in);
@@ -292,7 +293,7 @@ Status checkNifti(const std::filesystem::path& path)
     if (axes < 1 || axes > 7) {
         return fault(StatusCode::BadFormat, file, "header", std::to_string(axes) + " axes", "1 to 7");
     }
-    // NIfTI-2 has 64 bits for each; VTK's reader keeps 32 of them.
+    // NIfTI-2 stores 64-bit counts; VTK's reader keeps 32 bits.
     for (std::int64_t axis = 1; axis <= axes && size == kSecond; ++axis) {
         const std::int64_t count = numberAt(static_cast<std::size_t>(16 + 8 * axis), 8, isSwapped);
         if (count < 1 || count > std::numeric_limits<std::int32_t>::max()) {
@@ -314,10 +315,9 @@ Result<std::uint64_t> checkVti(const std::filesystem::path& source, std::uint64_
         return fault(StatusCode::BadFormat, file, "", "it does not end with its last tag", "`</VTKFile>` at the end");
     }
     QXmlStreamReader xml(xmlOf(bytes));
-    std::vector<QString> path; // of the element that is read
+    std::vector<QString> path; // of the current element
     std::uint64_t numbers = 0, components = 0;
-    while (!xml.atEnd() &&
-           (path.empty() || path.back() != QLatin1String("AppendedData"))) { // what follows need be no XML
+    while (!xml.atEnd() && (path.empty() || path.back() != QLatin1String("AppendedData"))) { // the rest need not be XML
         const QXmlStreamReader::TokenType token = xml.readNext();
         const std::string line = atLine(static_cast<std::uint64_t>(xml.lineNumber()));
         if (token == QXmlStreamReader::DTD || token == QXmlStreamReader::EntityReference) {

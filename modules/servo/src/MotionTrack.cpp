@@ -82,7 +82,7 @@ Vec3 MotionTrack::step(const Vec3& p) noexcept PALPATE_NONBLOCKING
     return m_moved;
 }
 
-/// The step of each axis; 0: exact. What one axis shows holds for others that have not shown anything else.
+/// Step of each axis; 0: exact. A step found on one axis is used for axes without a known step.
 Vec3 MotionTrack::resolutions(const Vec3& moved) noexcept
 {
     Vec3 found = Vec3::Constant(m_resolution_mm);

@@ -21,7 +21,7 @@ PassivityLimits PassivityLimits::forDevice(const device::DeviceInfo& info) noexc
 
 namespace {
 
-/// The most damping that a maker states for a device is for 1 kHz; at longer periods damping itself oscillates.
+/// The maximum damping stated by a manufacturer refers to 1 kHz; at longer periods damping itself causes oscillation.
 double dampingAt(double maxDamping_Ns_per_mm, double dt_s) noexcept
 {
     constexpr double kStated_s = 0.001;
@@ -136,7 +136,7 @@ double heldStiffness_N_per_mm(const device::DeviceInfo& info, double rate_Hz, bo
 int delayTicksOf(const core::TimingSummary& latency, double rate_Hz) noexcept
 {
     constexpr std::uint64_t kEnough = 1000;
-    constexpr double kBin = 0.01; // a percentile may be a bin above what was measured
+    constexpr double kBin = 0.01; // a percentile may exceed the measured value by one bin
     constexpr double kMost = 1000.0;
     if (latency.count < kEnough) {
         return 1;

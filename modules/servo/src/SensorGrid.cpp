@@ -13,7 +13,7 @@ constexpr double kCoarsest_mm = 0.5;
 constexpr double kTolerance = 0.01; // of a step: positions in files are rounded
 constexpr double kLongest = 64.0;   // steps in a tick; a longer move is a jump, and tells nothing
 
-/// Euclid's algorithm with a tolerance. @return a divisor of both, < kFinest_mm when there is none to speak of
+/// Euclid's algorithm with a tolerance. @return a common divisor; < kFinest_mm if there is no meaningful divisor
 double commonStep(double a, double b) noexcept
 {
     while (b >= kFinest_mm) {

@@ -55,7 +55,7 @@ Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& option
     if (isRunning()) {
         return {StatusCode::Internal, "the servo loop is already running"};
     }
-    stop(); // what is left of a thread that ended by an error
+    stop(); // cleans up after a thread that ended by an error
     if (Status status = checkOptions(options); !status.isOk()) {
         return status;
     }

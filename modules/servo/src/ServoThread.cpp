@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t kLongestSleep_ns = 5'000'000; // so that a stop is noticed within 10 ms at any rate
 
-/// Whatever ends the servo thread, the device is left without force.
+/// Ensures zero device force whichever way the servo thread ends.
 class ZeroForceAtExit
 {
   public:
@@ -111,8 +111,8 @@ void ServoLoop::Impl::run(std::latch& ready, bool& isReady)
             break;
         }
 
-        // Periods that were missed are left out, never made up for in a burst. One late tick may follow at once; after
-        // one that itself took longer than a period the thread sleeps, so that it never takes a whole CPU.
+        // Missed periods are skipped, never caught up in a burst. One late tick may follow immediately; after
+        // a tick that itself took longer than a period the thread sleeps, so that it never occupies a whole CPU.
         if (isOverrun) {
             const auto gone = static_cast<std::int64_t>(std::floor(static_cast<double>(end_ns - start_ns) / period_ns));
             const bool wasLong = static_cast<double>(end_ns - woke_ns) > period_ns;
@@ -128,7 +128,7 @@ void ServoLoop::Impl::run(std::latch& ready, bool& isReady)
     isRunning.store(false, std::memory_order_release);
 }
 
-/// What the owner has asked for since the last tick.
+/// Requests of the owner since the last tick.
 void ServoLoop::Impl::takeRequests(ServoCore& core) noexcept PALPATE_NONBLOCKING
 {
     if (isRearmRequested.exchange(false, std::memory_order_acq_rel)) {
@@ -199,7 +199,7 @@ void ServoLoop::Impl::beginRecording(const ServoCore& core) noexcept PALPATE_NON
         start.scene = core.sceneGeneration();
         start.state = core.palpatorState();
         if (!recordingStarts.push(start)) {
-            return; // 64 of them wait to be fetched: a recording needs its beginning, so try again
+            return; // 64 starts wait to be fetched; a recording needs its start, so try again in the next tick
         }
         hasDropped = false;
     }

@@ -25,14 +25,14 @@ struct SceneNode
     std::uint32_t generation = 0;
 };
 
-/// The newest ticks, and those that led to a fault.
+/// The newest ticks, and the ticks that led to a fault.
 struct History
 {
     std::array<TickRecord, kHistory> ticks;
     std::size_t count = 0; // ever added
 };
 
-/// What the owner of a loop and its thread share, and the thread's work.
+/// State shared by the owner of a loop and the servo thread, and the work of the thread.
 struct ServoLoop::Impl
 {
     // Set before the thread starts, read by both.
@@ -70,13 +70,13 @@ struct ServoLoop::Impl
     TimingHistogram solve;
     RealtimeReport realtime; // complete before start returns
 
-    // The servo thread's while it runs, else the owner's.
+    // Owned by the servo thread while running, otherwise by the owner of the loop.
     SceneNode* current = nullptr;
     SceneNode* retired = nullptr; // waits for room in `returned`
     History history;
     std::uint32_t epochSeen = 0;
     bool hasDropped = false;
-    ServoHand hand; // of the run before, once it has ended
+    ServoHand hand; // of the previous run, after its end
 
     // The owner's.
     bool isResumed = false; // the next run goes on with `hand`

@@ -24,8 +24,9 @@ struct MeshFormat
     /// @param bytes  of the whole file, not empty
     /// @return true when the content is this format's, valid or damaged
     bool (*looksLike)(std::string_view bytes);
-    /// Checks all bytes before VTK sees them: counts against the bytes that are there, and every number and index that
-    /// VTK's reader would trust. Where VTK misreads what is valid the image is rewritten, and the reason stands there.
+    /// Checks all bytes before VTK reads them: counts against the available bytes, and every number and index that
+    /// VTK's reader would trust. Where VTK misreads valid content, the image is rewritten, with the reason at that
+    /// place.
     core::Result<PreScan> (*guard)(FileImage& image, const ScanContext& context);
     /// @return VTK's reader, set up for the file at `path`, of which `scan` is known
     vtkSmartPointer<vtkAlgorithm> (*reader)(const std::string& path, const PreScan& scan);
@@ -40,11 +41,11 @@ extern const MeshFormat kObj;
 /// The table: all formats that can be opened, in the order in which a file's content is held against them.
 [[nodiscard]] std::span<const MeshFormat* const> formatTable();
 
-/// Tells what a file is from its bytes; the extension decides only where they leave it open.
-/// @return an error that names what it is instead: empty, a web page, a Git LFS pointer, another known format
+/// Detects the format of a file from the content; the extension decides only if the content is ambiguous.
+/// @return an error that names the actual content: empty, a web page, a Git LFS pointer, another known format
 [[nodiscard]] core::Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem::path& path);
 
-/// The first bytes of a file, as far as a format is told from them, without a byte order mark.
+/// The first bytes of a file, as many as format detection needs, without a byte order mark.
 [[nodiscard]] std::string_view startOf(std::string_view bytes);
 /// The same without blanks and empty lines before the first word.
 [[nodiscard]] std::string_view startOfText(std::string_view bytes);

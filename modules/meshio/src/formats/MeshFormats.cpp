@@ -60,7 +60,7 @@ std::string_view otherFormat(std::string_view head)
 
 std::span<const MeshFormat* const> formatTable()
 {
-    // OBJ last: it has no mark of its own, only words that a line may begin with.
+    // OBJ last: the format has no signature, only words that may begin a line.
     static constexpr std::array<const MeshFormat*, 5> kTable{&kStl, &kVtp, &kPly, &kLegacyVtk, &kObj};
     return kTable;
 }
@@ -106,7 +106,7 @@ Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem
                      "is " + std::string(other) + ", which Palpate does not read",
                      "an " + meshFormatNames("or") + " mesh: save it as one of these");
     }
-    // Damaged ones: let the format's own check say how.
+    // Damaged files: the check of the format reports the error.
     for (const MeshFormat* format : formatTable()) {
         if (format->isToldByExtension && hasExtension(*format, path)) {
             return format;

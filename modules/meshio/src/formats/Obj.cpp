@@ -45,7 +45,7 @@ class NameList
     std::vector<std::string> m_names;
 };
 
-/// Reads the text and writes what VTK needs of it: the vertices as they stand and the faces with plain indices from 1.
+/// Reads the text and writes the parts that VTK needs: the vertices unchanged and the faces with plain indices from 1.
 class ObjScan
 {
   public:
@@ -77,12 +77,12 @@ class ObjScan
     std::string m_plain;
     std::uint64_t m_line = 0;
     std::int64_t m_points = 0;
-    std::int64_t m_highest = 0; ///< largest vertex that a face uses, and its line
+    std::int64_t m_highest = 0; ///< largest vertex index used by a face, and the line of the face
     std::uint64_t m_highestLine = 0;
     NameList m_objects;
     NameList m_groups;
-    std::optional<std::uint32_t> m_object; ///< none before the first "o"
-    std::optional<std::uint32_t> m_group;  ///< none before the first "g"
+    std::optional<std::uint32_t> m_object; ///< empty before the first "o"
+    std::optional<std::uint32_t> m_group;  ///< empty before the first "g"
     std::vector<std::uint32_t> m_objectOfFace;
     std::vector<std::uint32_t> m_groupOfFace;
     std::uint64_t m_ignored = 0; ///< lines, points and free-form elements
@@ -269,7 +269,7 @@ bool looksLikeObj(std::string_view bytes)
     return false;
 }
 
-/// VTK takes group names and materials for its own ends, counts no negative indices, and reads lines of a bounded
+/// VTK interprets group names and materials itself, does not support negative indices, and reads lines of limited
 /// length: the image becomes vertices and faces alone.
 Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
 {

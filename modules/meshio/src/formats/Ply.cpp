@@ -39,7 +39,7 @@ class PlyBody
     {
     }
 
-    /// @return nothing at the end of the file, or when what stands there is not a number
+    /// @return nothing at the end of the file or if the next token is not a number
     std::optional<double> next(PlyType type)
     {
         return m_encoding == PlyEncoding::Ascii ? nextWord() : nextBinary(type);
@@ -54,7 +54,7 @@ class PlyBody
         return m_encoding == PlyEncoding::Ascii ? atLine(m_line) : atByte(offset());
     }
     [[nodiscard]] std::size_t offset() const { return m_bytes.size() - m_rest.size(); }
-    /// What stands where `next` gave nothing.
+    /// The token at which `next` failed.
     [[nodiscard]] std::string found() const
     {
         std::string_view rest = m_rest;
@@ -118,8 +118,8 @@ class PlyBody
     std::uint64_t m_line;
 };
 
-/// Walks over the body and writes its vertices and faces as the plainest PLY: VTK reads list counts as bytes, knows
-/// one name for the face list, and loses its place at elements that it does not know.
+/// Reads the body and writes the vertices and faces as minimal PLY: VTK reads list counts as bytes, supports
+/// one name for the face list, and loses its position at unknown elements.
 class PlyScan
 {
   public:
@@ -300,7 +300,7 @@ Status PlyScan::run(PreScan& scan)
     }
     scan.points = vertex->count;
     scan.cells = face->count;
-    // VTK keeps coordinates as floats, whatever the file has.
+    // VTK stores coordinates as floats, regardless of the type in the file.
     m_isExact = std::ranges::any_of(vertex->properties, [](const PlyProperty& p) {
         return isCoordinate(p) && (p.type == PlyType::Float64 || p.type == PlyType::Int32 || p.type == PlyType::UInt32);
     });

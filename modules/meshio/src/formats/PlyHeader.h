@@ -36,7 +36,7 @@ struct PlyElement
     std::string name;
     std::uint64_t count = 0;
     std::vector<PlyProperty> properties;
-    std::uint64_t line = 0; ///< where it is declared
+    std::uint64_t line = 0; ///< of the declaration
 };
 
 enum class PlyEncoding : std::uint8_t
@@ -54,7 +54,7 @@ struct PlyHeader
     std::uint64_t bodyLine = 0; ///< lines before the body
 };
 
-/// Reads a PLY header and checks that the declared counts fit into the bytes that follow; notes its `SPACE=` comment.
+/// Reads a PLY header and checks that the declared counts fit into the remaining bytes; records the `SPACE=` comment.
 [[nodiscard]] core::Result<PlyHeader> readPlyHeader(std::string_view bytes, const ScanContext& context, PreScan& scan);
 
 } // namespace palpate::meshio::internal

@@ -33,7 +33,7 @@ Status cancelled(const ScanContext& context)
     return {StatusCode::Cancelled, context.file + ": reading was cancelled"};
 }
 
-/// Cuts the image to its first `size` bytes, and puts `end` behind them.
+/// Truncates the image to `size` bytes and appends `end`.
 Status keepWhole(FileImage& image, std::size_t size, std::string_view end, const ScanContext& context)
 {
     std::string bytes(image.bytes().substr(0, size));
@@ -121,12 +121,13 @@ Result<PreScan> guardBinary(FileImage& image, const ScanContext& context)
     if (Status status = checkFacets(bytes, declared, context); !status.isOk()) {
         return status;
     }
-    // VTK tells binary from ASCII by the share of printable characters among the first bytes: leave no doubt.
+    // VTK distinguishes binary from ASCII by the share of printable characters among the first bytes: make this
+    // unambiguous.
     std::fill_n(image.writable().begin(), kHeader, '\x80');
     return scan;
 }
 
-/// Checks an ASCII file line by line, and keeps from VTK what it would stumble over.
+/// Checks an ASCII file line by line and removes content that VTK's reader cannot handle.
 class AsciiStl
 {
   public:
@@ -140,7 +141,7 @@ class AsciiStl
     Result<PreScan> scan();
 
   private:
-    /// What the next line that is not blank must be.
+    /// Expected kind of the next non-blank line.
     enum class Expect : std::uint8_t
     {
         Solid,
@@ -155,7 +156,7 @@ class AsciiStl
     {
         return fault(StatusCode::BadFormat, m_context.file, atLine(m_reader.number()), found, expected);
     }
-    /// Each takes a line's first word and what follows it.
+    /// Parameters: the first word of a line and the rest.
     Status takeLine(std::string_view word, std::string_view rest);
     Status takeSolid(std::string_view word, std::string_view rest);
     Status takeFacet(std::string_view word);
@@ -288,7 +289,7 @@ Status AsciiStl::takeLine(std::string_view word, std::string_view rest)
 
 Result<PreScan> AsciiStl::scan()
 {
-    // VTK reads lines of up to 254 characters, and takes what follows for the next line.
+    // VTK reads lines of up to 254 characters and treats the rest as the next line.
     constexpr std::size_t kLongest = 254;
     const std::span<char> writable = m_image.writable();
     if (m_image.bytes().starts_with("\xef\xbb\xbf")) { // byte order mark
@@ -312,8 +313,8 @@ Result<PreScan> AsciiStl::scan()
         if (Status status = takeLine(word, rest); !status.isOk()) {
             return status;
         }
-        // A few characters that are no text (in a blank line, too) and VTK takes the file for a binary one, and its
-        // text for a count. A name may have any, and any length: all of it is kept from VTK.
+        // With a few non-text characters, even in a blank line, VTK takes the file for binary and
+        // interprets text as a count. Names may contain any characters in any number, so names are hidden from VTK.
         const std::size_t textEnd =
             isName ? static_cast<std::size_t>(word.data() + word.size() - line.data()) : line.size();
         for (char& c : line.first(textEnd)) {
@@ -365,7 +366,7 @@ Result<PreScan> guardAscii(FileImage& image, const ScanContext& context)
         return status;
     }
     Result<PreScan> part = AsciiStl(image, context).scan();
-    if (!part.isOk()) { // it was damaged elsewhere
+    if (!part.isOk()) { // the file is damaged elsewhere
         return whole;
     }
     part.value().loss =
@@ -401,7 +402,7 @@ Result<PreScan> guardStl(FileImage& image, const ScanContext& context)
     if (isExactBinary(bytes) || !startsWithSolid(bytes)) {
         return guardBinary(image, context);
     }
-    // A binary file whose header says "solid" has a zero byte in its count, and no line before it.
+    // A binary file with a header that begins with "solid" has a zero byte in the count, and no line before that.
     const std::string_view text = startOfText(bytes);
     const std::size_t nul = text.substr(0, kFirstFacet).find('\0');
     const bool isBinary = nul != std::string_view::npos && text.find('\n') > nul;
@@ -412,7 +413,7 @@ vtkSmartPointer<vtkAlgorithm> stlReader(const std::string& path, const PreScan& 
 {
     auto made = vtkSmartPointer<vtkSTLReader>::New();
     made->SetFileName(path.c_str());
-    made->MergingOff(); // it would drop triangles silently; `repair` welds and counts
+    made->MergingOff(); // merging would drop triangles silently; `repair` welds and counts
     return made;
 }
 

@@ -48,7 +48,7 @@ class VtpScan
     {
         return {array.text.constData(), static_cast<std::size_t>(array.text.size())};
     }
-    /// How many numbers the array holds, each of its declared type.
+    /// Returns the number of values in the array, each of the declared type.
     Result<std::uint64_t> countValues(const VtpDataArray& array) const;
     Status checkCount(const VtpDataArray& array, std::uint64_t expected) const;
     Status checkPiece(const VtpPiece& piece);
@@ -68,10 +68,10 @@ class VtpScan
     PreScan& m_scan;
 };
 
-/// VTK's reader takes numbers off a stream, which fails where a type cannot hold one, and looks behind "nan" and "inf"
-/// for more letters of them, which fails where the array's text ends.
-/// @param word  a number; @param isAtEnd  nothing is behind it, not even a blank
-/// @return what it would have to be to be read; empty where it is read
+/// VTK's reader extracts numbers from a stream, which fails if the type cannot represent a number, and searches after
+/// "nan" and "inf" for further letters, which fails at the end of the array's text.
+/// @param word  a number; @param isAtEnd  nothing follows, not even a blank
+/// @return the expected form; empty if VTK reads the word correctly
 std::string unreadable(std::string_view word, const std::string& type, bool isAtEnd)
 {
     if (isVtpIntegerType(type)) {
@@ -294,7 +294,7 @@ Status VtpScan::checkFieldData() const
         const std::uint64_t tuples = array.tuples.value_or(0);
         const bool isTooMany =
             array.components == 0 || tuples > most || array.components > most + 1 || tuples * array.components > most;
-        // VTK writes every string that is there, wherever its memory ends.
+        // VTK copies every string without a bounds check.
         if (isTooMany || (isText && tuples * array.components != most)) {
             return wrong(array, StatusCode::OutOfRange,
                          counted(tuples, "tuple") + " of " + counted(array.components, "component") + " declared",
@@ -304,8 +304,8 @@ Status VtpScan::checkFieldData() const
     return {};
 }
 
-/// Lists the arrays of a piece that hold one number for each point or polygon. One whose name says how a tissue varies
-/// must be whole; another that is damaged is noted and not used.
+/// Lists the arrays of a piece with one number per point or polygon. An array with the name of a known map
+/// must be intact; any other damaged array is reported and ignored.
 Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples, const char* each,
                            std::vector<std::string>& usable)
 {
@@ -336,7 +336,7 @@ Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_
                                 : wrong(array, StatusCode::OutOfRange, counted(held.value(), "value"),
                                         grouped(tuples) + ", one for each " + each);
         }
-        // VTK follows a null pointer when it names cell data that do not unpack and there are no point data.
+        // VTK dereferences a null pointer if cell data fail to decompress and point data are absent.
         const bool isWhole =
             held.isOk() && held.value() == tuples * array.components &&
             (isText || array.components != 1 || array.format == VtpFormat::Ascii || unpacked(array).isOk());
@@ -349,7 +349,7 @@ Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_
             here.push_back(array.name);
         }
     }
-    // Of all pieces, what each of them has.
+    // Keep the arrays present in all pieces.
     if (m_scan.points == 0 && m_scan.cells == 0) {
         usable = std::move(here);
     } else {
@@ -388,7 +388,7 @@ Status VtpScan::checkPiece(const VtpPiece& piece)
             if (Status status = checkCount(array, cells); !status.isOk()) {
                 return status;
             }
-            // VTK follows a null pointer when it names cell data that do not unpack and there are no point data.
+            // VTK dereferences a null pointer if cell data fail to decompress and point data are absent.
             if (const Result<std::vector<std::int64_t>> numbers = integers(array); !numbers.isOk()) {
                 return numbers.status();
             }

@@ -24,7 +24,7 @@ using core::Result;
 using core::Status;
 using core::StatusCode;
 
-/// The most that a compressor can pack into one byte; a claim beyond it is not true.
+/// Maximum compression ratio; a larger claim is false.
 std::uint64_t mostRatio(VtpCompressor compressor)
 {
     switch (compressor) {
@@ -54,7 +54,7 @@ int base64Value(char c)
     return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/// Decodes up to `most` bytes from the start of a base64 stream; fewer when it ends before.
+/// Decodes up to `most` bytes from the start of a base64 stream; fewer if the stream ends earlier.
 std::string fromBase64(std::string_view text, std::uint64_t most)
 {
     std::string out;
@@ -81,7 +81,7 @@ std::uint64_t base64Length(std::uint64_t bytes)
     return (bytes + 2) / 3 * 4;
 }
 
-/// Word `i` of a block header. @pre it lies inside `data`
+/// Word `i` of a block header. @pre the word is inside `data`
 std::uint64_t headerWord(std::string_view data, std::uint64_t i, const VtpHeader& header)
 {
     std::array<unsigned char, 8> raw = {};
@@ -129,7 +129,7 @@ class VtpBlockFinder
     const ScanContext& m_context;
     bool m_isBase64;
     std::uint64_t m_width;   ///< of a word of the header [bytes]
-    std::string_view m_text; ///< as it stands in the file, from the header on
+    std::string_view m_text; ///< text of the file, from the header on
     std::string m_decoded;
     std::string_view m_head;
     VtpBlocks m_blocks;
@@ -142,7 +142,7 @@ Status VtpBlockFinder::readHead(std::uint64_t bytes)
     return m_head.size() < bytes ? wrong("the file ends in the header of its data", counted(bytes, "byte")) : Status();
 }
 
-/// One block, behind its size.
+/// One block, after the size field.
 Status VtpBlockFinder::findPlain(std::uint64_t size)
 {
     std::string_view data = m_text;
@@ -202,7 +202,7 @@ Status VtpBlockFinder::findPacked(std::uint64_t count)
     }
     const std::uint64_t blockSize = headerWord(m_head, 1, m_header);
     const std::uint64_t lastSize = headerWord(m_head, 2, m_header);
-    if (count > 0 && (blockSize == 0 || lastSize > blockSize)) { // VTK divides by it
+    if (count > 0 && (blockSize == 0 || lastSize > blockSize)) { // VTK uses this as a divisor
         return wrong("blocks of " + counted(blockSize, "byte") + ", the last of " + grouped(lastSize),
                      "blocks of at least one byte, none larger than the others");
     }
@@ -235,7 +235,7 @@ Result<VtpBlocks> VtpBlockFinder::run()
         }
         m_text = m_header.appended.substr(m_array.offset);
     }
-    // The part of the header whose length is known.
+    // The fixed-length part of the header.
     const bool isPacked = m_header.compressor != VtpCompressor::None;
     Status status = readHead((isPacked ? 3 : 1) * m_width);
     if (status.isOk()) {

@@ -13,13 +13,13 @@
 
 namespace palpate::meshio::internal {
 
-/// The numbers of an array as they are stored: in blocks, compressed or not, behind a header that says how long they
-/// are. Made only when the header fits the bytes that are there.
+/// The stored numbers of an array: in blocks, compressed or not, after a header with the lengths
+/// of the blocks. Created only if the header is consistent with the available bytes.
 class VtpBlocks
 {
   public:
-    /// Finds the array's data and checks its header: no block lies outside the bytes, none unpacks to more than its
-    /// compression can give.
+    /// Finds the array's data and checks the header: all blocks are inside the available bytes, and no block
+    /// decompresses to more than the maximum ratio permits.
     /// @param array  of format Binary or Appended
     [[nodiscard]] static core::Result<VtpBlocks> find(const VtpDataArray& array, const VtpHeader& header,
                                                       const ScanContext& context);
@@ -40,7 +40,7 @@ class VtpBlocks
 
     VtpCompressor m_compressor = VtpCompressor::None;
     std::string_view m_data;
-    std::shared_ptr<const std::string> m_decoded; ///< what m_data points into when the file has it as base64
+    std::shared_ptr<const std::string> m_decoded; ///< owner of m_data for base64 content
     std::vector<Block> m_blocks;
     std::uint64_t m_size = 0;
 };

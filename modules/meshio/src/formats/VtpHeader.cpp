@@ -53,13 +53,13 @@ class HeaderReader
     void startFile(VtpHeader& header);
     void startPiece(VtpHeader& header);
     void startArray(VtpHeader& header, const std::string& parent);
-    /// Where an array declared under `parent` belongs; nothing when it must not stand there.
+    /// Returns the role of an array declared under `parent`; nothing if arrays are not allowed there.
     VtpDataArray* place(VtpHeader& header, const std::string& parent, const std::string& name);
 
     QXmlStreamReader m_xml;
     const ScanContext& m_context;
     std::vector<std::string> m_path;
-    VtpDataArray* m_array = nullptr; ///< whose content is being read
+    VtpDataArray* m_array = nullptr; ///< array whose content is being read
     Status m_status;
 };
 
@@ -175,7 +175,7 @@ void HeaderReader::startElement(VtpHeader& header)
     const std::string& name = m_path.back();
     const std::string parent = m_path.size() > 1 ? m_path[m_path.size() - 2] : std::string();
     const bool isArray = name == "DataArray" || name == "Array";
-    if (!isArray && std::ranges::find(kOfArrays, parent) != kOfArrays.end()) { // VTK would take it for one
+    if (!isArray && std::ranges::find(kOfArrays, parent) != kOfArrays.end()) { // VTK would treat this as an array
         (void)fail(StatusCode::BadFormat, "an element " + inQuotes(name) + " under " + inQuotes(parent),
                    "\"DataArray\" or \"Array\"");
     } else if (m_path.size() == 1 && name != "VTKFile") {
@@ -191,7 +191,7 @@ void HeaderReader::startElement(VtpHeader& header)
         if (!encoding.empty() && encoding != "raw" && encoding != "base64") {
             (void)fail(StatusCode::BadFormat, "encoding=" + inQuotes(encoding), "\"raw\" or \"base64\"");
         }
-        header.isAppendedBase64 = encoding != "raw"; // as VTK takes it when it is not said
+        header.isAppendedBase64 = encoding != "raw"; // VTK's default
     }
 }
 
@@ -203,14 +203,15 @@ Status HeaderReader::run(VtpHeader& header)
         case QXmlStreamReader::EntityReference:
             return wrong(StatusCode::BadFormat, "a document type or an entity", "none in a VTP file");
         case QXmlStreamReader::StartElement:
-            m_array = nullptr; // VTK's reader takes an array's text to the first tag: information keys are none of it
+            m_array = nullptr; // VTK's reader takes an array's text up to the first tag: information keys do not belong
+                               // to the text
             m_path.push_back(m_xml.name().toString().toStdString());
             if (m_path.size() > kDeepest) {
                 return wrong(StatusCode::BadFormat, "elements nested more than 32 deep", "at most 6");
             }
             startElement(header);
             if (m_path.back() == "AppendedData") {
-                return m_status; // what follows need not be XML
+                return m_status; // the rest need not be XML
             }
             break;
         case QXmlStreamReader::Characters:

@@ -27,7 +27,7 @@ enum class VtpCompressor : std::uint8_t
     Lzma
 };
 
-/// A DataArray as it is declared.
+/// The declaration of a DataArray.
 struct VtpDataArray
 {
     std::string name;
@@ -58,7 +58,7 @@ struct VtpPiece
     std::uint64_t line = 0;
 };
 
-/// All that the XML of a VTP file says, without the appended data.
+/// Content of the XML of a VTP file, without the appended data.
 struct VtpHeader
 {
     bool isBigEndian = false;
@@ -67,7 +67,7 @@ struct VtpHeader
     std::vector<VtpDataArray> fieldData;
     std::vector<VtpPiece> pieces;
     bool isAppendedBase64 = false;
-    std::string_view appended;       ///< what follows the underscore, up to the end of the file
+    std::string_view appended;       ///< content after the underscore, up to the end of the file
     std::uint64_t appendedBegin = 0; ///< [bytes]
 };
 

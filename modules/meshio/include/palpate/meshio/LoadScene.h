@@ -40,7 +40,7 @@ struct LoadedStructure
     std::optional<SurfaceSmoothing> smoothing{};    ///< result of smoothing, when applied
 };
 
-/// A scene with its meshes.
+/// A scene with the meshes.
 struct LoadedScene
 {
     SceneFile scene; ///< one entry of `scene.structures` for each of `structures`

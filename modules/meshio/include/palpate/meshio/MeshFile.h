@@ -41,13 +41,13 @@ struct MeshFile
 
 struct ReadOptions
 {
-    double unit_mm = 1.0; ///< what one unit of the file's numbers is [mm]: 1000 for metres, 10 for cm
+    double unit_mm = 1.0; ///< size of one unit of the file [mm]: 1000 for metres, 10 for cm
     /// Progress callback (0 to 1). Return false to cancel. Called on the reading thread. May be empty.
     std::function<bool(double)> progress;
     /// Reads the complete elements of a truncated STL, OBJ or PLY instead of refusing the file, and reports the missing
     /// part in `loss`. A truncated VTP or VTK is always refused.
     bool isPartial = false;
-    /// The axes that the coordinates are along, whatever the file's tag says; Untagged: as the tag says, else LPS.
+    /// Axes of the coordinates, overriding the tag of the file; Untagged: by the tag, otherwise LPS.
     FileFrame frame = FileFrame::Untagged;
     /// Uses the unit from 3D Slicer's `SCALE=` in an STL header, if present and `unit_mm` is 1.
     bool readsScale = true;

@@ -30,7 +30,7 @@ inline constexpr std::array<std::string_view, 3> kSurfaceNames{"facets", "smooth
 /// 3D Slicer's own default, 0.5, leaves more ripple on voxels that are three times as high as wide.
 inline constexpr double kUsualSmoothing = 0.7;
 
-/// A structure as a scene file describes it.
+/// Description of a structure in a scene file.
 struct SceneStructure
 {
     std::filesystem::path mesh; ///< in memory absolute, in the file relative to the scene file
@@ -38,7 +38,7 @@ struct SceneStructure
     std::string part;           ///< name of the structure inside the mesh file; empty: the whole file
     double unit_mm = 1.0;       ///< size of one unit of the mesh file [mm]
     core::FileFrame frame =
-        core::FileFrame::Untagged; ///< chosen for the mesh file; Untagged: as its tag says, else LPS
+        core::FileFrame::Untagged; ///< chosen for the mesh file; Untagged: by the tag of the file, otherwise LPS
     std::string name;
     std::array<double, 3> colour{0.85, 0.6, 0.5}; ///< red, green, blue in 0 … 1
     double opacity = 1.0;                         ///< 0 … 1
@@ -52,9 +52,9 @@ struct SceneStructure
     std::uint32_t layer = 0;           ///< 0 is the outermost
     std::string inside;                ///< organ that contains this lump; empty: unspecified, and then `layer` is 0
     std::optional<double> young_ratio; ///< Young's modulus of a lump relative to the organ; > 0
-    std::optional<double> young_kPa;   ///< Young's modulus [kPa], of a lump and of its organ
+    std::optional<double> young_kPa;   ///< Young's modulus [kPa], of a lump and of the organ around
     std::optional<double> felt_contact_radius_mm; ///< contact radius of the palpating finger on an organ [mm]
-    /// How arrays or volumes vary the tissue over the surface; nothing: by the arrays whose names say it
+    /// How arrays or volumes vary the tissue over the surface; empty: by arrays with known names
     /// (core::kKnownMaps).
     std::optional<std::vector<core::TissueMapping>> maps{};
     core::Transform X_WM = core::Transform::Identity(); ///< pose: mesh (mm) to world
@@ -90,10 +90,10 @@ struct SceneFile
     static constexpr int kVersion = 1;
     std::vector<SceneStructure> structures;
     std::optional<SceneCamera> camera;
-    std::optional<ShownMap> shownMap; ///< empty: each structure has its own colour
+    std::optional<ShownMap> shownMap; ///< empty: each structure shows a uniform colour
     std::vector<core::Finding> findings;
     BuriedTouch buried = BuriedTouch::Layers;
-    std::string sha256; ///< of the file's bytes when it was read, 64 hex digits; empty: of no file. Not written
+    std::string sha256; ///< of the file's bytes at reading, 64 hex digits; empty: no file. Not written
     std::string extra;  ///< top-level fields that this version does not know, as a JSON object
 };
 
