@@ -12,7 +12,7 @@ namespace palpate::geometry {
 
 /// Transfers arrays to a welded mesh: each new vertex gets the mean of the known values.
 /// @param weldedTo  new index of each vertex of `input`, below `vertices`
-/// @param mixed  incremented for each merged value whose inputs differ by more than 10 %
+/// @param mixed  incremented for each merged value with inputs more than 10 % apart
 [[nodiscard]] std::vector<MeshArray> weldArrays(const std::vector<MeshArray>& input,
                                                 std::span<const std::uint32_t> weldedTo, std::size_t vertices,
                                                 std::size_t& mixed);

@@ -55,7 +55,7 @@ Found find(std::span<const Side> sides, std::uint32_t larger, bool isSorted)
     return found;
 }
 
-/// Connects the triangles at edges whose smaller vertex is in the range first to last - 1.
+/// Connects the triangles at edges with the smaller vertex in the range first to last - 1.
 void join(std::span<const Triangle> triangles, std::uint32_t first, std::uint32_t last,
           core::LargeArray<Triangle>& joined)
 {

@@ -5,8 +5,8 @@
 
 namespace palpate::meshio::internal {
 
-/// Collects what VTK says on this thread while it lives, instead of letting it reach the console or a window. Other
-/// threads' messages go where they went before.
+/// Collects VTK's messages of this thread during the lifetime of the object, instead of printing them to the console
+/// or a window. Messages of other threads are unaffected.
 class VtkMessages
 {
   public:
@@ -15,7 +15,7 @@ class VtkMessages
     VtkMessages(const VtkMessages&) = delete;
     VtkMessages& operator=(const VtkMessages&) = delete;
 
-    /// The first error, in one line without its source file; empty when there was none.
+    /// First error as one line without the source file; empty if no error occurred.
     [[nodiscard]] const std::string& firstError() const noexcept { return m_firstError; }
     void addError(const char* text);
 

@@ -8,7 +8,8 @@
 
 namespace palpate::meshio::internal {
 
-/// Stops a VTK algorithm when the caller asks for it, and does not ask again: VTK 9.3 tells of progress once more then.
+/// Aborts a VTK algorithm on request of the caller. The caller is not asked again, because VTK 9.3 reports progress
+/// once more after an abort.
 class ProgressObserver : public vtkCommand
 {
   public:

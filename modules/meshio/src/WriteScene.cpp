@@ -113,7 +113,7 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
         const double value = s.tissue.*term.member;
         if (term.group.empty()) {
             out[term.key.data()] = value;
-        } else if (value != 0.0) { // what a tissue lacks is not said
+        } else if (value != 0.0) { // terms that are zero are omitted
             QJsonObject group = out[term.group.data()].toObject();
             group[term.field.data()] = value;
             out[term.group.data()] = group;
@@ -144,7 +144,7 @@ void putView(QJsonObject& out, const core::ViewPose& view)
     out["viewAngle_deg"] = view.viewAngle_deg;
 }
 
-/// What a finding lacks is not said.
+/// Empty fields of a finding are omitted.
 QJsonObject finding(const core::Finding& finding, const std::filesystem::path& folder)
 {
     QJsonObject out = unknownFields(finding.extra);

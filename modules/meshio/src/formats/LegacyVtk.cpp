@@ -436,7 +436,8 @@ Status LegacyScan::readCells(std::string_view keyword)
                         : readCellLists(first.value(), second.value(), keyword);
 }
 
-/// Strings: a line each as text; behind their lengths as bytes, of which the first two bits say how long these are.
+/// Strings: one line each in ASCII files; in binary files each follows a length field, whose first two bits give the
+/// size of the field.
 Status LegacyScan::skipText(std::uint64_t count)
 {
     for (std::uint64_t i = 0; i < count; ++i) {

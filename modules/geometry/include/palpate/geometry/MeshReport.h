@@ -18,7 +18,7 @@ struct MeshReport
     std::size_t triangles = 0; ///< after repair
 
     std::size_t weldedVertices = 0;     ///< merged into another vertex with exactly the same coordinates
-    std::size_t mixedValues = 0;        ///< merged array values whose inputs differ by more than 10 %
+    std::size_t mixedValues = 0;        ///< merged array values with inputs more than 10 % apart
     std::size_t zeroAreaTriangles = 0;  ///< removed: the corners define no normal
     std::size_t duplicateTriangles = 0; ///< removed: same three vertices as another triangle, in any winding
     /// Edges of two triangles that both traverse in the same direction, before repair.
@@ -31,7 +31,7 @@ struct MeshReport
     std::size_t closedComponents = 0;        ///< watertight: contact from the front side only
     std::size_t openComponents = 0;          ///< not watertight: contact from both sides
     std::size_t nonOrientableComponents = 0; ///< open components without a consistent orientation
-    std::size_t insideOutComponents = 0;     ///< closed outermost components whose normals point inwards
+    std::size_t insideOutComponents = 0;     ///< closed outermost components with normals that point inwards
 
     Box bounds; ///< [mm]
     double area_mm2 = 0.0;
