@@ -29,19 +29,14 @@ struct Numbers
     std::uint32_t last = 0;
 };
 
-[[nodiscard]] std::span<const ActiveConstraint> planesOf(const GodObjectStep& step) noexcept
-{
-    return std::span(step.active).first(step.constraints);
-}
-
 /// Tells of a layer that is touched, all but the force.
 /// @pre the step ended in contact
-PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god, const GodObjectStep& step,
-                                         const HapticScene& scene, const Vec3& push_W, const law::Motion& hip) noexcept
+PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god, const HapticScene& scene,
+                                         const Vec3& push_W, const law::Motion& hip) noexcept
 {
-    const ActiveConstraint& touched = step.active[0];
+    const ActiveConstraint& touched = god.active()[0];
     const HapticStructure& structure = scene.structures()[touched.structure];
-    contact.p_WG = step.p_WG;
+    contact.p_WG = god.state().p_WG;
     contact.depth_mm = push_W.norm();
     contact.n_W = contact.depth_mm > 0.0 ? Vec3(push_W / contact.depth_mm) : touched.n_W;
     contact.friction = Friction::None;
@@ -49,7 +44,7 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
     contact.structure = touched.structure;
     contact.triangle = structure.surface->sourceTriangle(touched.triangle);
     return {structure, god.facets()[0], scene.fingertip_mm(),  contact.p_WG, push_W, contact.depth_mm, contact.n_W,
-            hip,       planesOf(step),  contact.stiffnessScale};
+            hip,       god.active(),    contact.stiffnessScale};
 }
 
 [[gnu::noinline]] Vec3 feltForce(const law::Touch& touch) noexcept
@@ -59,10 +54,10 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
 }
 
 // What a linear layer costs does not depend on what others can have.
-[[gnu::noinline]] void fillAny(Contact& contact, const GodObject& god, const GodObjectStep& step,
-                               const HapticScene& scene, const Vec3& push_W, const law::Motion& hip) noexcept
+[[gnu::noinline]] void fillAny(Contact& contact, const GodObject& god, const HapticScene& scene, const Vec3& push_W,
+                               const law::Motion& hip) noexcept
 {
-    const law::Touch touch = touchOf(contact, god, step, scene, push_W, hip);
+    const law::Touch touch = touchOf(contact, god, scene, push_W, hip);
     const HapticStructure& structure = touch.structure;
     if (!structure.maps.hasOfForce()) {
         contact.f_W = law::UnmappedLaw::force(touch);
@@ -73,38 +68,42 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
         contact.f_W = law::MappedLaw::force(law::MappedTouch{touch, foot});
     }
     if (structure.tissue.hasFriction()) { // the spring leans against it
-        contact.friction = step.slides ? Friction::Slides : Friction::Holds;
-        const double length = step.constraints > 1 ? step.push_W.norm() : 0.0;
-        contact.n_W = length > 0.0 ? Vec3(step.push_W / length) : step.active[0].n_W;
+        contact.friction = god.state().slides != 0 ? Friction::Slides : Friction::Holds;
+        const double length = god.state().constraints > 1 ? god.push_W().norm() : 0.0;
+        contact.n_W = length > 0.0 ? Vec3(god.push_W() / length) : god.active()[0].n_W;
     }
 }
 
 /// Adds a layer's contact, and reports it: further layers are outer ones.
-PALPATE_ALWAYS_INLINE void report(TickResult& result, const Contact& contact, const GodObjectStep& step) noexcept
+PALPATE_ALWAYS_INLINE void report(TickResult& result, const Contact& contact, const GodObject& god) noexcept
 {
-    result.contacts[result.contactCount++] = contact;
+    ++result.contactCount;
     result.f_W += contact.f_W;
     result.p_WG = contact.p_WG;
     result.n_W = contact.n_W;
     result.structure = static_cast<std::int32_t>(contact.structure);
     result.triangle = contact.triangle;
-    result.active = step.active;
-    result.constraints = step.constraints;
+    const std::span<const ActiveConstraint> active = god.active();
+    for (std::size_t i = 0; i < active.size(); ++i) {
+        result.active[i] = active[i];
+    }
+    result.constraints = god.state().constraints;
 }
 
 /// The same for a layer whose god-object several structures hold. @return false where nothing pushes
 [[gnu::noinline]] bool reportShared(TickResult& result, std::uint32_t layer, const GodObject& god,
-                                    const GodObjectStep& step, const HapticScene& scene, const Vec3& push_W,
-                                    const law::Motion& hip) noexcept
+                                    const HapticScene& scene, const Vec3& push_W, const law::Motion& hip) noexcept
 {
-    law::SharedContact shared = law::sharedContact(scene, planesOf(step), god.facets(), step.p_WG, push_W, hip);
+    law::SharedContact shared = law::sharedContact(scene, god.active(), god.facets(), god.state().p_WG, push_W, hip);
     bool isRough = false;
-    for (Contact& contact : std::span(shared.contacts).first(shared.count)) {
+    for (const Contact& one : std::span(shared.contacts).first(shared.count)) {
+        Contact& contact = result.contacts[result.contactCount];
+        contact = one;
         const bool hasFriction = scene.structures()[contact.structure].tissue.hasFriction();
         contact.layer = layer;
-        contact.friction = !hasFriction ? Friction::None : step.slides ? Friction::Slides : Friction::Holds;
+        contact.friction = !hasFriction ? Friction::None : god.state().slides != 0 ? Friction::Slides : Friction::Holds;
         isRough = isRough || hasFriction;
-        report(result, contact, step);
+        report(result, contact, god);
     }
     if (shared.count > 0) {
         // Without friction the pushes together are the spring.
@@ -279,40 +278,43 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s, const Vec3* v_WH) noexc
     for (std::size_t i = 0; me.hasLeft && i < kLayers; ++i) {
         me.left[i].age_s += dt_s;
     }
-    const law::Motion hip{me.p_WH, p_WH, me.started ? dt_s : 0.0, v_WH};
-    result.p_WG = p_WH;
     const std::size_t layers = me.scene == nullptr ? 0 : me.scene->layerCount();
+    if (layers == 0) {
+        result.p_WG = p_WH;
+    }
     // The innermost layer first: of the work that layers share it has what it would have alone.
     const bool isBall = me.scene != nullptr && me.scene->fingertip_mm() > 0.0;
     SharedWork work(isBall ? me.limits.ballWork : me.limits.work);
     for (std::size_t i = layers; i-- > 0;) {
         const HapticLayer& layer = me.scene->layer(i);
+        GodObject& god = me.gods[i];
         const GodObjectStep step =
-            me.gods[i].step(p_WH, dt_s, layer, {me.limits.iterations, work.next()}, isBall ? &(*me.balls)[i] : nullptr);
+            god.step(p_WH, dt_s, layer, {me.limits.iterations, work.next()}, isBall ? &(*me.balls)[i] : nullptr);
         work.spend(step.work);
         result.iterations += step.iterations;
         result.status = std::max(result.status, step.status);
-        if (i == 0 && result.contactCount == 0) {
-            result.p_WG = step.p_WG;
-        }
-        if (step.constraints == 0) {
-            // Free, or stopped at the iteration bound on the way: no surface, no force.
+        if (god.state().constraints == 0) {
+            // Free, or stopped at the iteration limit on the way: no active constraint, so no force.
+            if (i == 0 && result.contactCount == 0) {
+                result.p_WG = god.state().p_WG;
+            }
             continue;
         }
-        const Vec3 push_W = step.p_WG - p_WH;
-        Contact contact;
-        contact.layer = static_cast<std::uint32_t>(i);
-        if (step.constraints > 1 && law::isShared(planesOf(step)) &&
-            reportShared(result, contact.layer, me.gods[i], step, *me.scene, push_W, hip)) {
+        const law::Motion hip{me.p_WH, p_WH, me.started ? dt_s : 0.0, v_WH};
+        const Vec3 push_W = god.state().p_WG - p_WH;
+        const auto number = static_cast<std::uint32_t>(i);
+        if (god.state().constraints > 1 && law::isShared(god.active()) &&
+            reportShared(result, number, god, *me.scene, push_W, hip)) {
             continue;
         }
+        Contact& contact = result.contacts[result.contactCount];
+        contact.layer = number;
         if (layer.isPlain) {
-            contact.f_W = law::LinearLaw::force(touchOf(contact, me.gods[i], step, *me.scene, push_W, hip));
-            report(result, contact, step);
+            contact.f_W = law::LinearLaw::force(touchOf(contact, god, *me.scene, push_W, hip));
         } else {
-            fillAny(contact, me.gods[i], step, *me.scene, push_W, hip);
-            report(result, contact, step);
+            fillAny(contact, god, *me.scene, push_W, hip);
         }
+        report(result, contact, god);
     }
     if (result.contactCount > 1) {
         putOutermostFirst(result);

@@ -39,7 +39,7 @@ GodObjectStep GodObject::step(const Vec3& p_WH, double dt_s, const HapticLayer& 
     recallFacets(layer);
     if (m_state.constraints == 0 && layer.fingertip_mm == 0.0 && limits.work > NearPoint::kSweepPrice &&
         m_near.isFree(m_state.p_WG, p_WH)) {
-        m_state.p_WG = result.p_WG = p_WH;
+        m_state.p_WG = p_WH;
         m_state.slides = 0;
         result.iterations = 1;
         result.work = NearPoint::kSweepPrice; // as if it had been swept
@@ -68,26 +68,25 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
         isKnown = tryHold(point, planes, layer, friction);
     }
     if (isKnown) {
-        report(result);
-        for (std::size_t i = 0; i < result.constraints; ++i) {
-            result.active[i].n_W = planes[i].n; // a ball's are not the facets'
+        publish();
+        for (std::size_t i = 0; i < m_state.constraints; ++i) {
+            m_active[i].n_W = planes[i].n; // a ball's are not the facets'
         }
     } else if (layer.fingertip_mm > 0.0) {
         stepBall(p_WH, layer, limits, *ball, &friction, result);
     } else {
         stepPoint(p_WH, layer, limits, &friction, isOn, result);
     }
-    result.slides = result.constraints > 0 && friction.slides();
-    m_state.slides = result.slides ? 1 : 0;
-    if (result.constraints < 2) {
+    m_state.slides = m_state.constraints > 0 && friction.slides() ? 1 : 0;
+    if (m_state.constraints < 2) {
         return;
     }
     if (!isKnown) {
         point = withoutFriction(p_WH, layer, planes);
     }
-    result.push_W.setZero();
+    m_push_W.setZero();
     for (std::size_t i = 0; i < static_cast<std::size_t>(point.count); ++i) {
-        result.push_W += point.lambda_mm[i] * planes[point.active[i]].n;
+        m_push_W += point.lambda_mm[i] * planes[point.active[i]].n;
     }
 }
 
@@ -178,9 +177,9 @@ void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodOb
     result.work = limits.work - work.left();
     m_state.p_WG = tick.god();
     keep(tick.contacts());
-    report(result);
-    for (std::size_t i = 0; i < result.constraints; ++i) {
-        result.active[i].n_W = tick.contacts()[i].n; // from the contact point, not the facet's
+    publish();
+    for (std::size_t i = 0; i < m_state.constraints; ++i) {
+        m_active[i].n_W = tick.contacts()[i].n; // from the contact point, not the facet's
     }
 }
 
@@ -229,7 +228,7 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
     if (ended != Walk::Ended::OnFacet && friction == nullptr) {
         keepHeld(p_WH, layer, before);
     }
-    report(result);
+    publish();
     // Then it stands a skin above the facet; where friction holds it stands as it came.
     m_hasWalked = ended == Walk::Ended::OnFacet && (friction == nullptr || friction->lastSlid());
     lookAhead(layer, isClear && Walk::hasArrived(ended));
@@ -275,13 +274,11 @@ void GodObject::keep(const Contacts& contacts) noexcept
     }
 }
 
-PALPATE_ALWAYS_INLINE void GodObject::report(GodObjectStep& result) noexcept
+PALPATE_ALWAYS_INLINE void GodObject::publish() noexcept
 {
-    result.p_WG = m_state.p_WG;
-    result.constraints = m_state.constraints;
     for (std::size_t i = 0; i < m_state.constraints; ++i) {
         const Facet& facet = m_facets[i];
-        result.active[i] = {facet.structure, facet.triangle, m_state.side[i] * facet.n};
+        m_active[i] = {facet.structure, facet.triangle, m_state.side[i] * facet.n};
         m_state.structure[i] = facet.structure;
         m_state.triangle[i] = facet.triangle;
     }

@@ -9,20 +9,16 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace palpate::haptics::internal {
 
-/// What one step of a god-object gives.
+/// How one step of a god-object ended. Its position and contacts stay in the GodObject, which is read in place.
 struct GodObjectStep
 {
-    Vec3 p_WG = Vec3::Zero(); ///< [mm]
-    std::array<ActiveConstraint, 3> active{};
-    std::uint8_t constraints = 0; ///< how many of `active` are valid
+    std::uint32_t iterations = 0; ///< moves tried
+    std::uint32_t work = 0;       ///< spent, in units of TickWork
     TickStatus status = TickStatus::Converged;
-    std::uint32_t iterations = 0;
-    std::uint32_t work = 0; ///< that was spent, in units of TickWork
-    bool slides = false;    ///< friction lets it slide
-    Vec3 push_W; ///< sum of the multipliers times the normals [mm]; only with friction and two contacts or more
 };
 
 /// The god-object of one layer: the point that stays on the surface, where the HIP would be if device and tissue were
@@ -50,8 +46,16 @@ class GodObject
 
     [[nodiscard]] const GodObjectState& state() const noexcept { return m_state; }
     void restore(const GodObjectState& state) noexcept;
-    /// The facets of the last step's `active`, until the next.
+    /// Active constraints of the last step, 0 to 3. Valid until the next step, `restore` or `forgetContacts`.
+    [[nodiscard]] std::span<const ActiveConstraint> active() const noexcept
+    {
+        return std::span(m_active).first(m_state.constraints);
+    }
+    /// Facets of `active()`, in the same order.
     [[nodiscard]] const std::array<Facet, 3>& facets() const noexcept { return m_facets; }
+    /// Sum of the multipliers times the normals of the last step [mm]. Valid only in a layer with friction and with two
+    /// or more active constraints.
+    [[nodiscard]] const Vec3& push_W() const noexcept { return m_push_W; }
 
   private:
     void recallFacets(const HapticLayer& layer) noexcept;
@@ -71,12 +75,14 @@ class GodObject
     void lookAhead(const HapticLayer& layer, bool hasWalkedClear) noexcept;
     template<class Contacts>
     void keep(const Contacts& contacts) noexcept;
-    void report(GodObjectStep& result) noexcept;
+    void publish() noexcept;
 
     GodObjectState m_state;
     // The part of the layer that was used last; never changes a result.
     NearPoint m_near;
-    std::array<Facet, 3> m_facets; ///< of the state's constraints
+    std::array<Facet, 3> m_facets;            ///< of the state's constraints
+    std::array<ActiveConstraint, 3> m_active; ///< the same constraints after a step, with their normals
+    Vec3 m_push_W;
     bool m_hasFacets = false;
     bool m_hasWalked = false; ///< the last tick ended by walking: on the first of them, well inside
 };

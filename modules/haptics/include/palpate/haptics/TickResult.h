@@ -12,9 +12,9 @@ namespace palpate::haptics {
 /// A triangle's plane that limits the god-object: `n . (x - a) >= 0` with n the unit normal on the god-object's side.
 struct ActiveConstraint
 {
-    std::uint32_t structure = 0; ///< number in the scene
-    std::uint32_t triangle = 0;  ///< position in the structure's SurfaceIndex
-    Vec3 n_W = Vec3::Zero();     ///< unit, towards the god-object
+    std::uint32_t structure; ///< number in the scene
+    std::uint32_t triangle;  ///< position in the structure's SurfaceIndex
+    Vec3 n_W;                ///< unit, towards the god-object
 };
 
 /// How a tick of one god-object ended.
@@ -46,7 +46,7 @@ struct TickResult
                                  ///< layers in contact that of the outermost one, and where several structures hold
                                  ///< its god-object the one that pushes most
     std::uint32_t triangle = 0;  ///< touched triangle, index in the structure's mesh as given to `repair`
-    std::array<ActiveConstraint, 3> active{};  ///< planes that hold the god-object of the reported layer
+    std::array<ActiveConstraint, 3> active;    ///< planes that hold the god-object of the reported layer
     std::uint8_t constraints = 0;              ///< active constraints of the reported layer, 0 to 3
     TickStatus status = TickStatus::Converged; ///< worst over the layers
     std::uint32_t iterations = 0;              ///< summed over the layers
