@@ -22,15 +22,15 @@ namespace {
 
 constexpr std::size_t kLayers = HapticScene::kMaxLayers;
 
-/// The numbers of the layer that a god-object belongs to; none: first > last.
+/// Range of layer numbers of the layer that a god-object belongs to; empty: first > last.
 struct Numbers
 {
     std::uint32_t first = 1;
     std::uint32_t last = 0;
 };
 
-/// Tells of a layer that is touched, all but the force.
-/// @pre the step ended in contact
+/// Fills a contact except for its force and layer.
+/// @pre the god-object has an active constraint after its step
 PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god, const HapticScene& scene,
                                          const Vec3& push_W, const law::Motion& hip) noexcept
 {
@@ -53,7 +53,7 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
     return law::FeltLaw::force(law::MappedTouch{touch, foot});
 }
 
-// What a linear layer costs does not depend on what others can have.
+// Not inlined, so that the cost of a plain layer does not depend on the other laws.
 [[gnu::noinline]] void fillAny(Contact& contact, const GodObject& god, const HapticScene& scene, const Vec3& push_W,
                                const law::Motion& hip) noexcept
 {
@@ -67,14 +67,14 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
         const law::Foot foot(touch);
         contact.f_W = law::MappedLaw::force(law::MappedTouch{touch, foot});
     }
-    if (structure.tissue.hasFriction()) { // the spring leans against it
+    if (structure.tissue.hasFriction()) { // friction tilts the spring, so its direction is not the contact normal
         contact.friction = god.state().slides != 0 ? Friction::Slides : Friction::Holds;
         const double length = god.state().constraints > 1 ? god.push_W().norm() : 0.0;
         contact.n_W = length > 0.0 ? Vec3(god.push_W() / length) : god.active()[0].n_W;
     }
 }
 
-/// Adds a layer's contact, and reports it: further layers are outer ones.
+/// Counts the contact that was filled last and makes its layer the reported one: layers are computed innermost first.
 PALPATE_ALWAYS_INLINE void report(TickResult& result, const Contact& contact, const GodObject& god) noexcept
 {
     ++result.contactCount;
@@ -90,7 +90,8 @@ PALPATE_ALWAYS_INLINE void report(TickResult& result, const Contact& contact, co
     result.constraints = god.state().constraints;
 }
 
-/// The same for a layer whose god-object several structures hold. @return false where nothing pushes
+/// Adds the contacts of a layer whose god-object is constrained by several structures.
+/// @return false if no structure exerts a force
 [[gnu::noinline]] bool reportShared(TickResult& result, std::uint32_t layer, const GodObject& god,
                                     const HapticScene& scene, const Vec3& push_W, const law::Motion& hip) noexcept
 {
@@ -106,13 +107,14 @@ PALPATE_ALWAYS_INLINE void report(TickResult& result, const Contact& contact, co
         report(result, contact, god);
     }
     if (shared.count > 0) {
-        // Without friction the pushes together are the spring.
+        // Without friction the sum of the pushes equals the spring.
         result.n_W = isRough ? shared.n_W : Vec3(push_W / push_W.norm());
     }
     return shared.count > 0;
 }
 
-/// Of several contacts, found from the innermost layer on: puts the outermost first, and adds their forces up so.
+/// Reverses the contacts, which were computed innermost first, and sums the forces in the new order: floating-point
+/// sums depend on the order, and recordings contain this one.
 void putOutermostFirst(TickResult& result) noexcept
 {
     const std::span<Contact> contacts(result.contacts.data(), result.contactCount);
@@ -130,11 +132,11 @@ struct Palpator::Impl
     GodObjectLimits limits;
     const HapticScene* scene = nullptr;
     std::array<GodObject, kLayers> gods;
-    std::unique_ptr<std::array<NearBall, kLayers>> balls; ///< null: there is room for points alone
+    std::unique_ptr<std::array<NearBall, kLayers>> balls; ///< null with Fingertips::Points
     std::array<Numbers, kLayers> numbers;
     std::array<LeftContact, kLayers> left; ///< in any order
-    bool hasLeft = false;                  ///< one of them is kept
-    Vec3 p_WH = Vec3::Zero();              ///< of the last tick [mm]
+    bool hasLeft = false;                  ///< at least one entry is in use
+    Vec3 p_WH = Vec3::Zero();              ///< HIP of the previous tick [mm]
     bool started = false;
 
     void leaveContacts(const HapticScene* after) noexcept;
@@ -174,13 +176,13 @@ std::size_t Palpator::byteSize() const noexcept
     return sizeof(Palpator) + sizeof(Impl) + (m_impl->balls == nullptr ? 0 : sizeof *m_impl->balls);
 }
 
-/// Remembers the contacts whose structures the scene that comes does not have.
+/// Stores the contacts of structures that the next scene does not contain.
 void Palpator::Impl::leaveContacts(const HapticScene* after) noexcept
 {
     for (std::size_t i = 0; i < kLayers; ++i) {
         const LeftContact now = internal::contactLeft(*scene, after, gods[i].state(), p_WH);
         if (now.isKept != 0) {
-            // Layers move up when one is hidden, so a contact takes any free place, or that of the oldest.
+            // Hiding a layer shifts the others, so entries are not bound to layers: use a free or the oldest entry.
             *std::max_element(left.begin(), left.end(), [](const LeftContact& a, const LeftContact& b) {
                 return a.isKept != b.isKept ? a.isKept > b.isKept : a.age_s < b.age_s;
             }) = now;
@@ -189,11 +191,12 @@ void Palpator::Impl::leaveContacts(const HapticScene* after) noexcept
     noteLeft();
 }
 
-/// Gives god-objects the contacts of structures that are here again. @return true when one took one up
+/// Restores the stored contacts of structures that the scene contains again.
+/// @return true if a god-object took over a contact
 bool Palpator::Impl::giveBack() noexcept
 {
     constexpr double kLongest_s = 0.5;
-    constexpr double kRounding = 1.0 + 1e-9; // of a sum of periods
+    constexpr double kRounding = 1.0 + 1e-9; // rounding of a sum of tick periods
     bool isGiven = false;
     for (LeftContact& one : left) {
         const auto layer =
@@ -217,7 +220,7 @@ bool Palpator::Impl::giveBack() noexcept
 bool Palpator::setScene(const HapticScene* scene, Continuity continuity) noexcept
 {
     Impl& me = *m_impl;
-    // What contacts go along from; the same scene set again has nowhere to go.
+    // Contacts follow structures from this scene; setting the same scene again moves nothing.
     const bool keeps = continuity == Continuity::Contacts && me.scene != scene;
     const HapticScene* const old = keeps ? me.scene : nullptr;
     if (old != nullptr) {
@@ -282,7 +285,7 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s, const Vec3* v_WH) noexc
     if (layers == 0) {
         result.p_WG = p_WH;
     }
-    // The innermost layer first: of the work that layers share it has what it would have alone.
+    // Innermost layer first: its share of the work budget does not depend on outer layers.
     const bool isBall = me.scene != nullptr && me.scene->fingertip_mm() > 0.0;
     SharedWork work(isBall ? me.limits.ballWork : me.limits.work);
     for (std::size_t i = layers; i-- > 0;) {

@@ -13,13 +13,14 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-// A ball's tick in contact that has spent no more than so many units of TickWork prepares the next. With fewer, ticks
-// of several moves find nothing prepared; with more, the longest become longer (bench_touch, ball4: from 450 to 1,100).
+// A tick of a ball in contact prepares the caches of the next tick only if it spent at most this work [units of
+// TickWork]. A lower limit leaves ticks of several moves unprepared, a higher limit lengthens the longest ticks
+// (bench_touch, ball4: from 450 to 1,100).
 constexpr std::uint32_t kLight = 800;
 
 } // namespace
 
-/// How a tick found the god-object; `structure` and `triangle` of the state are still those.
+/// God-object at the start of a tick. `structure` and `triangle` of the state only change in `publish`.
 struct GodObject::Before
 {
     Vec3 p_WG;
@@ -42,7 +43,7 @@ GodObjectStep GodObject::step(const Vec3& p_WH, double dt_s, const HapticLayer& 
         m_state.p_WG = p_WH;
         m_state.slides = 0;
         result.iterations = 1;
-        result.work = NearPoint::kSweepPrice; // as if it had been swept
+        result.work = NearPoint::kSweepPrice; // the price of a sweep, so that the charge does not depend on the caches
         m_near.endFreeTick(layer, p_WH);
     } else if (layer.frictional != nullptr) {
         stepWithFriction(p_WH, dt_s, layer, limits, ball, result);
@@ -54,23 +55,23 @@ GodObjectStep GodObject::step(const Vec3& p_WH, double dt_s, const HapticLayer& 
     return result;
 }
 
-/// The general step, for a layer with friction: what that holds is not moved by a bit.
+/// Step in a layer with friction. A god-object held by static friction keeps every bit of its position.
 void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLayer& layer, const GodObjectLimits& limits,
                                  NearBall* ball, GodObjectStep& result) noexcept
 {
     CoulombFriction friction(layer, dt_s, m_state.slides != 0);
     std::array<HalfSpace, 3> planes;
     ConstrainedPoint point;
-    bool isKnown = false; // `planes` and `point` are those of the end of the tick
+    bool isKnown = false; // `planes` and `point` are valid for the end of the tick
     const bool isOn = m_state.constraints > 0 && (m_hasWalked || supports(0, layer));
-    if (isOn && m_state.slides == 0) { // what slides most likely slides on
+    if (isOn && m_state.slides == 0) { // sliding contacts most likely keep sliding: no test for holding
         point = withoutFriction(p_WH, layer, planes);
         isKnown = tryHold(point, planes, layer, friction);
     }
     if (isKnown) {
         publish();
         for (std::size_t i = 0; i < m_state.constraints; ++i) {
-            m_active[i].n_W = planes[i].n; // a ball's are not the facets'
+            m_active[i].n_W = planes[i].n; // the contact normal of a ball differs from the facet normal
         }
     } else if (layer.fingertip_mm > 0.0) {
         stepBall(p_WH, layer, limits, *ball, &friction, result);
@@ -90,11 +91,11 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
     }
 }
 
-/// Where the contacts of the state let the god-object go without friction, from where it is.
+/// Constrained point of the current contacts without friction, relative to the current position.
 ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer& layer,
                                             std::array<HalfSpace, 3>& planes) const noexcept
 {
-    double skin_mm = std::numeric_limits<double>::infinity(); // the thinnest
+    double skin_mm = std::numeric_limits<double>::infinity(); // minimum over the contacts
     for (std::size_t i = 0; i < m_state.constraints; ++i) {
         const Facet& facet = m_facets[i];
         skin_mm = std::min(skin_mm, facet.skin_mm);
@@ -109,7 +110,7 @@ ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer&
         }
     }
     const Vec3 wanted = p_WH - m_state.p_WG;
-    if (m_state.constraints == 1) { // most ticks
+    if (m_state.constraints == 1) { // closed form for most ticks
         const double lambda = planes[0].offset_mm - planes[0].n.dot(wanted);
         ConstrainedPoint point;
         point.count = lambda > allowance(skin_mm, wanted) ? 1 : 0;
@@ -121,15 +122,16 @@ ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer&
                             allowance(skin_mm, wanted));
 }
 
-/// @return true when the god-object is on the contact's triangle; a ball's plane goes through its contact point
+/// Returns true if the god-object is on the triangle of the contact. Always true for a ball, because its plane passes
+/// through the contact point.
 bool GodObject::supports(std::size_t contact, const HapticLayer& layer) const noexcept
 {
     return layer.fingertip_mm > 0.0 || PointContact{m_facets[contact], m_state.side[contact]}.supports(m_state.p_WG);
 }
 
-/// @param point,planes  of `withoutFriction`
-/// @return true when friction holds the god-object on its contacts. In a corner it has nothing to hold.
-/// @pre it is on the first contact
+/// Returns true if friction holds the god-object on its contacts. In a corner there is no free direction to hold.
+/// @param point,planes  result of `withoutFriction`
+/// @pre the god-object is on the triangle of the first contact
 bool GodObject::tryHold(const ConstrainedPoint& point, const std::array<HalfSpace, 3>& planes, const HapticLayer& layer,
                         CoulombFriction& friction) const noexcept
 {
@@ -151,6 +153,7 @@ bool GodObject::tryHold(const ConstrainedPoint& point, const std::array<HalfSpac
     return point.count > 0 && isOn && friction.remainingShare(r, rounding) == 1.0 && (point.count == 1 || r > rounding);
 }
 
+/// Reads the facets of a restored state from the surfaces.
 PALPATE_ALWAYS_INLINE void GodObject::recallFacets(const HapticLayer& layer) noexcept
 {
     for (std::size_t i = 0; i < m_state.constraints && !m_hasFacets; ++i) {
@@ -170,7 +173,7 @@ void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodOb
     if (result.iterations >= limits.iterations || work.isSpent()) {
         result.status = TickStatus::IterationLimit;
     }
-    // After the status: a tick that only lacks work for the next has come to its end.
+    // After the status is set: a tick that only lacks work for preparing the next one has converged.
     if (!tick.contacts().isEmpty() && limits.work - work.left() <= kLight) {
         ball.prepare(layer, tick.god(), 2.0 * tick.god() - m_state.p_WG, work);
     }
@@ -179,7 +182,8 @@ void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodOb
     keep(tick.contacts());
     publish();
     for (std::size_t i = 0; i < m_state.constraints; ++i) {
-        m_active[i].n_W = tick.contacts()[i].n; // from the contact point, not the facet's
+        m_active[i].n_W =
+            tick.contacts()[i].n; // towards the contact point; differs from the facet normal on edges and corners
     }
 }
 
@@ -194,7 +198,7 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
     const bool isInCrease =
         m_state.constraints == 2 && m_state.structure[0] == m_state.structure[1] && m_state.side[0] == m_state.side[1];
     if ((m_state.constraints == 1 || isInCrease) && mayWalk) {
-        // Most ticks: all there is to do is to walk on over the surface.
+        // Most ticks only slide over the surface, which the walk does without a general sweep.
         Walk walk(p_WH, layer, m_near, friction, {m_state.p_WG, m_facets[0], m_facets[1], m_state.side[0]});
         ended = walk.run(isInCrease    ? Walk::Start::InCrease
                          : m_hasWalked ? Walk::Start::WellInside
@@ -217,7 +221,8 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
         if (result.iterations >= limits.iterations || m_near.work().isSpent()) {
             result.status = TickStatus::IterationLimit;
         }
-        // Where many planes cross at shallow angles, keeping a skin from each may lead away: then it stays.
+        // Where many planes meet at shallow angles, keeping the skin distance to all of them can increase the distance
+        // to the HIP. The god-object then keeps its position.
         const double most = (p_WH - m_state.p_WG).norm() + kTouched * layer.skin_mm;
         if (m_state.constraints == 0 || (p_WH - tick.god()).norm() <= most) {
             m_state.p_WG = tick.god();
@@ -229,13 +234,14 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
         keepHeld(p_WH, layer, before);
     }
     publish();
-    // Then it stands a skin above the facet; where friction holds it stands as it came.
+    // After a walk the god-object is one skin above the facet, unless friction held it where it was.
     m_hasWalked = ended == Walk::Ended::OnFacet && (friction == nullptr || friction->lastSlid());
     lookAhead(layer, isClear && Walk::hasArrived(ended));
 }
 
-/// At an edge or a corner several sets of facets can hold the god-object in the same place: those that held it before
-/// the tick go on where they hold it still. So a hand at rest feels one force and is told of one triangle.
+/// Keeps the contacts of the previous tick if they still constrain the god-object to the same position. At an edge or a
+/// corner several sets of facets give the same position; without this rule a hand at rest would alternate between
+/// triangles, and forces that depend on the triangle with it.
 void GodObject::keepHeld(const Vec3& p_WH, const HapticLayer& layer, const Before& before) noexcept
 {
     if (before.constraints == 0 || m_state.constraints == 0) {
@@ -263,7 +269,7 @@ void GodObject::keepHeld(const Vec3& p_WH, const HapticLayer& layer, const Befor
     }
 }
 
-/// Keeps the contacts that hold the god-object now, three at most.
+/// Stores at most three contacts in the state.
 template<class Contacts>
 void GodObject::keep(const Contacts& contacts) noexcept
 {
@@ -274,6 +280,7 @@ void GodObject::keep(const Contacts& contacts) noexcept
     }
 }
 
+/// Sets `m_active` and the triangle numbers of the state from the facets.
 PALPATE_ALWAYS_INLINE void GodObject::publish() noexcept
 {
     for (std::size_t i = 0; i < m_state.constraints; ++i) {
@@ -285,7 +292,7 @@ PALPATE_ALWAYS_INLINE void GodObject::publish() noexcept
     m_hasFacets = true;
 }
 
-/// Gathers a part of the facets that the next ticks will need.
+/// Prefetches part of the facets that the following ticks will need.
 PALPATE_ALWAYS_INLINE void GodObject::lookAhead(const HapticLayer& layer, bool hasWalkedClear) noexcept
 {
     if (hasWalkedClear) {

@@ -21,27 +21,28 @@ struct GodObjectStep
     TickStatus status = TickStatus::Converged;
 };
 
-/// The god-object of one layer: the point that stays on the surface, where the HIP would be if device and tissue were
-/// infinitely stiff. resources/docs/god-object.md tells the method, fingertip.md beside it that of a ball.
+/// God-object of one layer: the point constrained to the outside of the surfaces, where the HIP would be if device and
+/// tissue were infinitely stiff. Methods: resources/docs/god-object.md for a point, resources/docs/fingertip.md for a
+/// ball.
 class GodObject
 {
   public:
-    /// Moves towards the HIP by moves that no triangle of `layer` blocks, until no further move brings it closer.
+    /// Moves towards the HIP by moves that no triangle of `layer` blocks, until no further move reduces the distance.
     ///
-    /// Minimises 0.5 |x - p_WH|^2 subject to n_i . (x - a_i) >= skin for the k <= 3 active constraints, found by
-    /// sweeping the god-object against the surfaces: k = 0 free space, 1 face, 2 edge, 3 corner.
+    /// Minimises 0.5 |x - p_WH|^2 subject to n_i . (x - a_i) >= skin for the k <= 3 active constraints, which are found
+    /// by sweeping the god-object against the surfaces: k = 0 free space, 1 face, 2 edge, 3 corner.
     ///
-    /// With friction each move ends where that lets it go: law/Friction.h.
-    /// @param p_WH  HIP [mm], within the scene's reach
-    /// @param dt_s  time since the last tick [s], > 0; for friction's drag
-    /// @param layer  what to touch; only read
-    /// @param ball  caches for a layer that is touched by a ball; not used by a point, and then may be null
+    /// With friction each move is shortened as law/Friction.h describes.
+    /// @param p_WH  HIP [mm], within HapticScene::reaches
+    /// @param dt_s  time since the previous tick [s], > 0; used by the drag of friction
+    /// @param layer  surfaces of the layer; only read
+    /// @param ball  caches for a ball-shaped probe; may be null for a point
     /// @par Real-time Wait-free, no allocation. Servo thread, or any one thread at a time.
     /// @par Source Zilles & Salisbury, IROS 1995, doi:10.1109/IROS.1995.525876. Differs: converges within the tick.
     [[nodiscard]] GodObjectStep step(const Vec3& p_WH, double dt_s, const HapticLayer& layer,
                                      const GodObjectLimits& limits, NearBall* ball) noexcept PALPATE_NONBLOCKING;
 
-    /// Forgets the contacts but not the position: triangle numbers of another scene mean nothing.
+    /// Discards the contacts but keeps the position. Needed after a scene change, which makes triangle indices invalid.
     void forgetContacts() noexcept PALPATE_NONBLOCKING;
 
     [[nodiscard]] const GodObjectState& state() const noexcept { return m_state; }
@@ -78,13 +79,13 @@ class GodObject
     void publish() noexcept;
 
     GodObjectState m_state;
-    // The part of the layer that was used last; never changes a result.
+    // Caches of the layer around the god-object; they never change a result.
     NearPoint m_near;
-    std::array<Facet, 3> m_facets;            ///< of the state's constraints
-    std::array<ActiveConstraint, 3> m_active; ///< the same constraints after a step, with their normals
-    Vec3 m_push_W;
+    std::array<Facet, 3> m_facets;            ///< facets of the constraints in m_state
+    std::array<ActiveConstraint, 3> m_active; ///< these constraints as planes; set by step()
+    Vec3 m_push_W;                            ///< see push_W()
     bool m_hasFacets = false;
-    bool m_hasWalked = false; ///< the last tick ended by walking: on the first of them, well inside
+    bool m_hasWalked = false; ///< the last tick ended by a walk, well inside m_facets[0]
 };
 
 } // namespace palpate::haptics::internal

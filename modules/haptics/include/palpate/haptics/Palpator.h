@@ -11,36 +11,45 @@
 
 namespace palpate::haptics {
 
-/// Bounds on the work of one tick, in counts and never in time, so that a replay is exact.
+/// Limits on the work of one tick. They are counts, not times, so that a replay reproduces every bit.
 struct GodObjectLimits
 {
-    std::uint32_t iterations = 512; ///< moves tried in a tick, for each layer; reaching it is reported
-    /// Units of about 10 ns (resources/docs/cost.md) for a point; reaching it is reported, too. Layers share it, the
-    /// innermost first, so that outer layers don't change the innermost one's result; each layer gets at least 1/32.
+    std::uint32_t iterations = 512; ///< moves per tick and layer; TickStatus::IterationLimit if reached
+    /// Work budget of a point in units of about 10 ns (resources/docs/cost.md), reported like `iterations`. Layers
+    /// share the budget, innermost first, so that outer layers do not change the result of inner ones. Each layer gets
+    /// at least 1/32.
     std::uint32_t work = 20000;
-    std::uint32_t ballWork = 22000; ///< the same for a ball
+    std::uint32_t ballWork = 22000; ///< work budget of a ball
 };
 
-/// What a Palpator has room for.
+/// Probe shapes that a Palpator allocates memory for.
 enum class Fingertips : std::uint8_t
 {
-    Points, ///< at most 64 KiB; a scene that is touched with a ball gives InvalidInput
-    Any,
+    Points, ///< points only, at most 64 KiB; a scene with a ball-shaped probe gives InvalidInput
+    Any,    ///< points and balls
 };
 
-/// What a change of scene does to contacts.
+/// Treatment of contacts when the scene changes.
 enum class Continuity : std::uint8_t
 {
-    Contacts, ///< they go along with what is touched, see Palpator::setScene
-    Places,   ///< god-objects stay where they are, whatever the new scene has there; as recordings before version 4 do
+    Contacts, ///< contacts follow the touched structures, see Palpator::setScene
+    Places,   ///< god-objects keep their positions whatever the new scene contains, as in recordings before version 4
 };
 
-/// Feels a scene with one HIP: moves each layer's god-object and adds up the layers' forces. The same code serves the
-/// servo thread, replays and reports.
+/// Computes contact forces of a scene for one HIP: moves the god-object of each layer and sums the forces of the
+/// layers. The servo thread, replays and reports share this code, and the same sequence of calls gives the same bits.
+///
+/// @code
+/// const HapticScene scene({liver}); // see HapticScene.h
+/// Palpator palpator;                // allocates; outside the servo thread
+/// palpator.setScene(&scene);
+/// const TickResult tick = palpator.step(p_WH, 1e-3); // at 1 kHz
+/// // tick.f_W is the force on the hand in N, tick.p_WG the god-object in mm.
+/// @endcode
 class Palpator
 {
   public:
-    /// Allocates all that the ticks will need, in the constructing thread.
+    /// Allocates all memory that later ticks need.
     explicit Palpator(Fingertips fingertips, const GodObjectLimits& limits = {});
     Palpator()
         : Palpator(Fingertips::Any)
@@ -50,46 +59,48 @@ class Palpator
     Palpator(Palpator&&) noexcept;
     Palpator& operator=(Palpator&&) noexcept;
 
-    /// How far a hand may have moved to count as being where it was. [mm]
+    /// Maximum distance between the HIP before and after an interruption for contacts to be restored [mm]
     static constexpr double kNear_mm = 5.0;
 
-    /// Lets the coming ticks feel another scene. God-objects stay where they are, each with the layer of its number (a
-    /// structure that appears around one lets it out freely); the god-object of a layer with a new number starts at the
-    /// HIP.
+    /// Sets the scene of the following ticks. God-objects keep their positions and are matched to layers by layer
+    /// number. A structure that appears around a god-object does not obstruct its way out. The god-object of a layer
+    /// with a new number starts at the HIP.
     ///
-    /// A structure is the same in both scenes when it has the same number and name. Where its surface is another one
-    /// (it was moved, smoothed or read anew), a god-object that touches it goes along, and one that it would have come
-    /// to lie around is put in front again if that is at most 1 mm away. A contact whose structure is taken out is
-    /// remembered and given back with it, while the HIP is within kNear_mm of where it was: for 0.5 s of ticks, and
-    /// without an end for a surface without an inside, of which the side would be lost.
-    /// @param scene  only read; must outlive its use here, which ends when another one has been set; null = nothing to
-    ///               touch
-    /// @return true when a contact was given back: its force comes at once, so ease it in
-    /// @par Real-time Wait-free; where surfaces were replaced, bounded by 4096 triangles of each that is near.
+    /// A structure is the same in both scenes if number and name are equal. If its surface was replaced (moved,
+    /// smoothed or reloaded), a god-object in contact moves with the structure. A god-object that would end up inside
+    /// the new surface is placed in front if the distance is at most 1 mm. The contact of a removed structure is
+    /// stored, and restored when the structure returns while the HIP is within kNear_mm of its earlier position: for
+    /// 0.5 s of ticks, and without a time limit for an open surface, because the touched side would be lost.
+    /// @param scene  only read; must stay alive until another scene is set; null = no scene
+    /// @param continuity  how contacts are carried over to the new scene
+    /// @return true if a contact was restored. The force then appears within one tick, so ramp it up
+    /// @par Real-time Wait-free; for replaced surfaces bounded by 4096 nearby triangles of each surface.
     bool setScene(const HapticScene* scene, Continuity continuity = Continuity::Contacts) noexcept PALPATE_NONBLOCKING;
-    /// @return true when a god-object touches a surface without an inside.
+    /// Returns true if a god-object touches an open surface.
     [[nodiscard]] bool isOnSheet() const noexcept PALPATE_NONBLOCKING;
     [[nodiscard]] const HapticScene* scene() const noexcept;
 
-    /// Forgets all contacts: the next tick starts every god-object at its HIP.
+    /// Discards all contacts. The next tick places every god-object at the HIP.
     /// @par Real-time Wait-free.
     void reset() noexcept PALPATE_NONBLOCKING;
 
-    /// Feels one servo tick.
-    /// @param p_WH  HIP [mm]; one that is not finite, or farther away than HapticScene::reaches, leaves everything as
-    ///              it was and gives zero force
-    /// @param dt_s  time since the previous tick [s], > 0
-    /// @param v_WH  the hand's velocity, for dampers [mm/s]; null: the difference from the HIP of the previous tick,
-    ///              zero on the first. That is right for exact positions; those of an encoder come in steps, and their
-    ///              differences are pulses: give what servo::MotionTrack makes of them
+    /// Computes one servo tick.
+    /// @param p_WH  HIP [mm]. If not finite or beyond HapticScene::reaches, no state changes and the force is zero
+    /// @param dt_s  time since the previous tick [s], > 0, typically 0.001
+    /// @param v_WH  velocity of the hand for dampers [mm/s]; null: backward difference of the HIP, zero in the first
+    ///              tick. A difference of exact positions is accurate. A difference of encoder counts is a sequence of
+    ///              pulses: pass the estimate of servo::MotionTrack
+    /// @return the result, constructed in the caller's variable; unused array entries are not initialised
     /// @par Real-time Wait-free, no allocation; bounded by GodObjectLimits.
     [[nodiscard]] TickResult step(const Vec3& p_WH, double dt_s,
                                   const Vec3* v_WH = nullptr) noexcept PALPATE_NONBLOCKING;
 
-    [[nodiscard]] std::size_t byteSize() const noexcept; ///< of all that it holds, without the scene
+    [[nodiscard]] std::size_t byteSize() const noexcept; ///< memory of the palpator without the scene, in bytes
 
+    /// State between ticks. Together with the scene and the next HIP it determines all following ticks.
     [[nodiscard]] PalpatorState state() const noexcept;
-    /// Continues from a recorded state. @pre the scene is the one the state was taken on
+    /// Restores a recorded state.
+    /// @pre the current scene equals the scene of the recorded state
     void restore(const PalpatorState& state) noexcept;
 
   private:

@@ -9,53 +9,57 @@
 
 namespace palpate::haptics {
 
-/// A triangle's plane that limits the god-object: `n . (x - a) >= 0` with n the unit normal on the god-object's side.
+/// Active constraint of a god-object: the plane of a triangle, `n . (x - a) >= 0`, with a a corner of the triangle and
+/// n the unit normal on the side of the god-object. A default-constructed constraint is not initialised.
 struct ActiveConstraint
 {
-    std::uint32_t structure; ///< number in the scene
-    std::uint32_t triangle;  ///< position in the structure's SurfaceIndex
-    Vec3 n_W;                ///< unit, towards the god-object
+    std::uint32_t structure; ///< index in HapticScene::structures
+    std::uint32_t triangle;  ///< index in the SurfaceIndex of the structure
+    Vec3 n_W;                ///< unit normal towards the god-object
 };
 
-/// How a tick of one god-object ended.
+/// Outcome of a tick.
 enum class TickStatus : std::uint8_t
 {
-    Converged, ///< at a local minimum of the distance to the HIP
-    /// Stopped at a bound of work (GodObjectLimits) before it was at rest: nothing was passed, the force is that of
-    /// where the god-object is, and the next tick goes on from there. Points seldom end so; of ticks with a ball that
-    /// is large for its facets some do (0.6 % with 8 and 20 mm on voxels of 1 mm), and a resting hand then feels its
-    /// force change for some ticks.
+    Converged, ///< every god-object is at a local minimum of its distance to the HIP
+    /// A work limit (GodObjectLimits) was reached before the god-object came to rest. No surface was crossed, the force
+    /// is valid for the current position of the god-object, and the next tick continues from this position. Rare for
+    /// points. With a ball much larger than the facets (8 and 20 mm on voxels of 1 mm) 0.6 % of the ticks end this way,
+    /// and the force on a resting hand then changes for some ticks.
     IterationLimit,
-    InvalidInput, ///< the HIP was not finite or too far away (HapticScene::reaches); nothing moved
+    InvalidInput, ///< the HIP is not finite or too far away (HapticScene::reaches); no state changed
 };
 
-/// Layers of a scene beyond this many are merged into the last one.
+/// Maximum number of layers. Further layers of a scene are merged into the last one.
 inline constexpr std::size_t kMaxLayers = 4;
 
-/// Contacts of a tick: in each layer up to three structures can hold the god-object.
+/// Maximum number of contacts in a tick: up to three structures can constrain the god-object of each layer.
 inline constexpr std::size_t kMaxContacts = 3 * kMaxLayers;
 
-/// What one servo tick gives.
+/// Result of one servo tick, in scene coordinates.
+///
+/// Entries of `active` and `contacts` beyond their counts are not initialised: neither read, compare nor record them.
+/// Clearing them would cost a tick more than 1,000 bytes of stores.
 struct TickResult
 {
-    Vec3 p_WG = Vec3::Zero();    ///< god-object of the layer that is reported (see `structure`); in free space the
-                                 ///< outermost's [mm]
-    Vec3 f_W = Vec3::Zero();     ///< force on the hand, summed over the layers, unbounded [N]
-    Vec3 n_W = Vec3::Zero();     ///< unit normal of the contact, from surface to free space; zero in free space
-    std::int32_t structure = -1; ///< number of the touched structure in the scene, -1 in free space; with several
-                                 ///< layers in contact that of the outermost one, and where several structures hold
-                                 ///< its god-object the one that pushes most
-    std::uint32_t triangle = 0;  ///< touched triangle, index in the structure's mesh as given to `repair`
-    std::array<ActiveConstraint, 3> active;    ///< planes that hold the god-object of the reported layer
-    std::uint8_t constraints = 0;              ///< active constraints of the reported layer, 0 to 3
-    TickStatus status = TickStatus::Converged; ///< worst over the layers
-    std::uint32_t iterations = 0;              ///< summed over the layers
-    /// Of each structure that pushes: the outermost layer first, in a layer the largest force first. Set up to
-    /// `contactCount`.
+    Vec3 p_WG = Vec3::Zero();    ///< god-object of the reported layer (see `structure`), in free space of the outermost
+                                 ///< layer [mm]
+    Vec3 f_W = Vec3::Zero();     ///< force on the hand, sum over all layers, before any limit of the device [N]
+    Vec3 n_W = Vec3::Zero();     ///< unit contact normal, from the surface to free space; zero in free space
+    std::int32_t structure = -1; ///< index of the touched structure in the scene, -1 in free space. With several layers
+                                 ///< in contact, the outermost layer is reported; if several structures constrain its
+                                 ///< god-object, the structure with the largest force
+    std::uint32_t triangle = 0;  ///< touched triangle, as an index in the mesh before `repair`
+    std::array<ActiveConstraint, 3> active;    ///< of the reported layer; valid up to `constraints`
+    std::uint8_t constraints = 0;              ///< number of active constraints of the reported layer, 0 to 3
+    TickStatus status = TickStatus::Converged; ///< maximum over the layers
+    std::uint32_t iterations = 0;              ///< moves tried, sum over the layers
+    /// One contact per structure that exerts a force: outermost layer first, within a layer the largest force first.
+    /// Valid up to `contactCount`.
     std::array<Contact, kMaxContacts> contacts;
-    std::uint8_t contactCount = 0; ///< how many of `contacts` are valid
+    std::uint8_t contactCount = 0; ///< number of valid entries of `contacts`
 
-    /// What friction does to the layer that is reported.
+    /// State of friction in the reported layer.
     [[nodiscard]] Friction friction() const noexcept
     {
         return contactCount == 0 ? Friction::None : contacts[0].friction;
