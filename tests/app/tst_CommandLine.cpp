@@ -36,7 +36,7 @@ struct Outcome
     QByteArray out, error;
 };
 
-/// One row of a tick table.
+/// A row of a tick table.
 struct Row
 {
     int tick = 0;
@@ -55,7 +55,7 @@ Vec3 vector(const QList<QByteArray>& fields, int first)
 
 } // namespace
 
-/// Runs the real executable in a folder of its own and looks at exit code, output and files.
+/// Runs the real executable in a separate folder and checks exit code, output and files.
 class CommandLine : public QObject
 {
     Q_OBJECT
@@ -85,7 +85,7 @@ class CommandLine : public QObject
         };
         put(static_cast<std::uint32_t>(mesh.triangles.size()));
         for (const auto& triangle : mesh.triangles) {
-            bytes.append(12, '\0'); // normals are computed, never read
+            bytes.append(12, '\0'); // normals are computed, not read
             for (const auto corner : triangle) {
                 for (const double value : mesh.vertices[corner]) {
                     put(static_cast<float>(value));
@@ -96,8 +96,8 @@ class CommandLine : public QObject
         write(name, bytes);
     }
 
-    /// The box of the other tests as VTP, with a stiffness that rises with x: 2 + x / 20 times its own; it is not
-    /// known at a corner of the bottom.
+    /// Writes the box of the other tests as VTP with a stiffness scale of 2 + x / 20; one corner of the bottom has no
+    /// value.
     void writeMappedBox(const char* name) const
     {
         const geometry::TriangleMesh box = test::box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 3);
@@ -133,7 +133,7 @@ class CommandLine : public QObject
         process.setWorkingDirectory(file(folder));
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
-            environment.remove(display); // no subcommand needs one
+            environment.remove(display); // no subcommand needs a display
         }
         process.setProcessEnvironment(environment);
         process.start(PALPATE_EXECUTABLE, arguments);
@@ -171,7 +171,7 @@ class CommandLine : public QObject
         return out;
     }
 
-    /// Down on the top of the box (z = 10), along it and up again.
+    /// Presses on the top of the box (z = 10), moves along the surface and lifts again.
     static QByteArray pressing()
     {
         QByteArray csv = "x,y,z\n";
@@ -183,7 +183,8 @@ class CommandLine : public QObject
         return csv;
     }
 
-    /// Writes r.palpate as c.palpate, as if `build` had made it with god-objects `off_mm` away from a tick on.
+    /// Copies r.palpate to c.palpate as if `build` had recorded the file with god-objects `off_mm` away from tick
+    /// `from` on.
     void writeAltered(const std::string& build, double off_mm, std::int64_t from) const
     {
         const auto reader = session::RecordingReader::open(file("r.palpate").toStdString());
@@ -205,14 +206,14 @@ class CommandLine : public QObject
         QVERIFY(writer.value()->finish().isOk());
     }
 
-    /// Turns the last bit of the HIP of tick 500 in r.palpate.
+    /// Flips the last bit of the HIP of tick 500 in r.palpate.
     void changeTick500() const
     {
         QByteArray bytes = read("r.palpate");
         const double x = 3.0 * 500 * 1e-3;
         const QByteArray text = QByteArray::number(x, 'g', 17);
         const double stored = text.toDouble();
-        QByteArray pattern(8, '\0'); // as SQLite keeps it: big-endian
+        QByteArray pattern(8, '\0'); // big-endian, as in SQLite
         std::memcpy(pattern.data(), &stored, 8);
         std::reverse(pattern.begin(), pattern.end());
         const qsizetype place = bytes.indexOf(pattern);
@@ -248,13 +249,13 @@ class CommandLine : public QObject
         QCOMPARE(outcome.exitCode, 0);
         QCOMPARE(outcome.error, QByteArray());
         QVERIFY(outcome.out.toLower().contains("palpate") || outcome.out.contains("--"));
-        if (arguments == QStringList{"--help"}) { // those of the program beside it as well
+        if (arguments == QStringList{"--help"}) { // includes the options of the companion program
             QVERIFY(outcome.out.contains("  evaluate ") && outcome.out.contains("  stability "));
         }
     }
 
-    /// A folder of two spheres, the inner one 8 mm below the surface of the outer: pressed 12 mm over it the force is
-    /// more than 1.3 times that beside it, with `--layers auto` alone.
+    /// A folder with two spheres, the inner one 8 mm below the surface of the outer. A press of 12 mm above the inner
+    /// sphere has more than 1.3 times the force beside it, but only with `--layers auto`.
     void layersFollowFromWhatLiesInWhat()
     {
         QVERIFY(QDir(m_folder->path()).mkpath("two"));
@@ -279,7 +280,7 @@ class CommandLine : public QObject
         const double beside_N = pressed_N(Vec3::UnitZ(), layered);
         QVERIFY(std::abs(beside_N - 6.0) < 0.1);
         QVERIFY(pressed_N(-Vec3::UnitY(), layered) > 1.3 * beside_N);
-        QVERIFY(std::abs(pressed_N(-Vec3::UnitY(), {}) - beside_N) < 0.05); // without it as ever
+        QVERIFY(std::abs(pressed_N(-Vec3::UnitY(), {}) - beside_N) < 0.05); // unchanged without the option
 
         const Outcome info = run({"info", "two", "--layers", "auto"});
         QCOMPARE(info.exitCode, 0);
@@ -482,7 +483,7 @@ class CommandLine : public QObject
         QCOMPARE(run({"session", "measure", "r.palpate", "--json", "measures.json"}).exitCode, 0);
         QVERIFY(read("measures.json").contains("\"box\""));
         QCOMPARE(run({"session", "export", "r.palpate", "--csv", "e.csv"}).exitCode, 0);
-        // The same bytes, then what a recording knows besides.
+        // The same bytes, followed by the columns that only a recording has.
         const QList<QByteArray> shown = withoutTimes(read("e.csv")).split('\n');
         const QList<QByteArray> plain = withoutTimes(read("t.csv")).split('\n');
         QCOMPARE(shown.size(), plain.size());
@@ -492,7 +493,8 @@ class CommandLine : public QObject
         }
     }
 
-    /// From anywhere, though the scene was named from where it was recorded; and where the pair was moved together.
+    /// The scene is found from any folder although its path was relative to the folder of the recording, and after both
+    /// files were moved together.
     void aRecordingFindsItsSceneFromAnotherFolder()
     {
         QVERIFY(QDir(m_folder->path()).mkpath("case/elsewhere"));
@@ -512,7 +514,7 @@ class CommandLine : public QObject
         QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate"}).exitCode, 0);
         const Outcome piped = run({"session", "measure", "r.palpate", "--json", "-"});
         QCOMPARE(piped.exitCode, 0);
-        const QJsonObject json = QJsonDocument::fromJson(piped.out).object(); // nothing else is there
+        const QJsonObject json = QJsonDocument::fromJson(piped.out).object(); // no other keys
         QCOMPARE(json["ticks"].toInt(), 1000);
         QCOMPARE(json["lost_ticks"].toInt(-1), 0);
         QCOMPARE(json["coverage_distance_mm"].toDouble(), 5.0);
@@ -533,7 +535,7 @@ class CommandLine : public QObject
         QTest::newRow("rounding") << false << 1e-11 << 0;
         QTest::newRow("different") << false << 1e-6 << 1;
         QTest::newRow("different, of this build") << true << 1e-6 << 1;
-        // With changes that no commit has, two builds may have one name.
+        // With uncommitted changes, two different builds may share a build ID.
         QTest::newRow("rounding, of this build")
             << true << 1e-11 << (session::isExactBuild(session::buildId()) ? 1 : 0);
     }
@@ -589,7 +591,8 @@ class CommandLine : public QObject
         QCOMPARE(again.exitCode, 0);
         QVERIFY(again.out.contains("the same bit for bit"));
         QCOMPARE(rows("t.csv").size(), 1000);
-        QCOMPARE(run({"replay", "r.palpate", "--motion", "m.csv", "--embed"}).exitCode, 2); // embed into what?
+        // --embed has no target file
+        QCOMPARE(run({"replay", "r.palpate", "--motion", "m.csv", "--embed"}).exitCode, 2);
     }
 
     void exportsOpenInVtk()
@@ -632,7 +635,7 @@ class CommandLine : public QObject
         surface->GetPointData()->GetArray("coverage")->GetRange(range);
         QVERIFY(range[0] == 0.0 && range[1] == 1.0);
         QVERIFY(surface->GetPointData()->GetArray("dwell_s") != nullptr);
-        QCOMPARE(run({"info", "p-surface.vtp"}).exitCode, 0); // and in Palpate
+        QCOMPARE(run({"info", "p-surface.vtp"}).exitCode, 0); // also in Palpate itself
         QCOMPARE(run({"session", "export", "r.palpate"}).exitCode, 2);
         QVERIFY(QFile::remove(file("box.stl")));
         const Outcome without = run({"session", "measure", "r.palpate", "--json", "measures.json"});
@@ -658,7 +661,7 @@ class CommandLine : public QObject
         QCOMPARE(whole.exitCode, 0);
         QByteArray bytes = read("r.palpate");
         const double stored = QByteArray::number(3.0 * 500 * 1e-3, 'g', 17).toDouble();
-        QByteArray pattern(8, '\0'); // the HIP of tick 500 as SQLite keeps it: big-endian
+        QByteArray pattern(8, '\0'); // the HIP of tick 500, big-endian as in SQLite
         std::memcpy(pattern.data(), &stored, 8);
         std::reverse(pattern.begin(), pattern.end());
         bytes[bytes.indexOf(pattern) + 7] ^= 1;
@@ -672,7 +675,8 @@ class CommandLine : public QObject
         QCOMPARE(run({"session", "recover", "r.palpate", "--out", "r.palpate"}).exitCode, 2);
     }
 
-    /// On a device a tissue is as stiff as the device holds, and the CSV says what was sent.
+    /// On a device the stiffness is limited to the stable range of the device, and the CSV contains the force that was
+    /// sent.
     void liveOnADeviceIsBoundByIt()
     {
         const Outcome live = run({"replay", "box.stl", "--motion", "m.csv", "--stiffness", "50", "--live", "--device",
@@ -710,7 +714,7 @@ class CommandLine : public QObject
     void badInputIsOneLineAndExitCode2_data()
     {
         QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QByteArray>("names"); // what the line must say
+        QTest::addColumn<QByteArray>("names"); // the expected text of the line
         const auto row = [](const char* name, const QStringList& arguments, const char* names) {
             QTest::newRow(name) << arguments << QByteArray(names);
         };
@@ -809,7 +813,7 @@ class CommandLine : public QObject
     {
         QProcess process;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) { // where Qt's own would ask for it
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) { // the variables that Qt would use for a display
             environment.remove(name);
         }
         environment.insert("QT_QPA_PLATFORM", "minimal");
@@ -842,7 +846,7 @@ class CommandLine : public QObject
         QVERIFY2(outcome.error.contains("r.palpate: ticks 500 to 749"), outcome.error.constData());
     }
 
-    /// What does not match its checksum is left out, named, and exit code 3; and no command writes to the recording.
+    /// Blocks that fail their checksum are skipped and named, with exit code 3; no command writes to the recording.
     void damagedTicksAreLeftOutAndNamed()
     {
         QCOMPARE(run({"replay", "box.stl", "--motion", "m.csv", "--record", "r.palpate"}).exitCode, 0);
@@ -864,7 +868,7 @@ class CommandLine : public QObject
         QCOMPARE(measures["damaged"].toArray().size(), 1);
         QCOMPARE(measures["duration_s"].toDouble(), 0.75);
         QCOMPARE(read("t.csv").count('\n'), 751);
-        QCOMPARE(run({"session", "info", "r.palpate"}).exitCode, 0); // which reads no tick of them
+        QCOMPARE(run({"session", "info", "r.palpate"}).exitCode, 0); // reads no ticks
         QCOMPARE(QDir(m_folder->path()).entryList({"r.palpate*"}, QDir::Files), QStringList{"r.palpate"});
     }
 };

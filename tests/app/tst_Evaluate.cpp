@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `palpate evaluate` as a person runs it: exit codes, the files it leaves, what it does on Ctrl-C.
+// `palpate evaluate` as run by a user: exit codes, output files, interruption by Ctrl-C.
 #include "../support/Shapes.h"
 #include "TestRunner.h"
 

@@ -18,7 +18,7 @@ using namespace palpate;
 using core::Finding;
 using core::FindingType;
 
-/// `palpate findings`: what was marked in a scene or a recording, as tables and point lists, and point lists taken.
+/// `palpate findings`: export of marked places as tables and point lists, import of point lists.
 class FindingsCommand : public QObject
 {
     Q_OBJECT
@@ -176,7 +176,7 @@ class FindingsCommand : public QObject
         }
     }
 
-    /// What is there stays, and one that is called by the same id gets another.
+    /// Existing findings stay, and an imported finding with the same id gets a new id.
     void whatIsTakenComesBesideWhatIsThere()
     {
         QCOMPARE(run({"s.palpate.json", "--markups", "m.mrk.json"}).exitCode, 0);

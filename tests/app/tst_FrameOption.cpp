@@ -128,7 +128,7 @@ class FrameOption : public QObject
         }
     }
 
-    /// A recording keeps what was chosen: its mesh is read the same way again.
+    /// A recording stores the chosen axes: the mesh is read the same way again.
     void recordingsKeepIt_data()
     {
         QTest::addColumn<QStringList>("arguments");

@@ -36,7 +36,7 @@ struct Ending
 /// Runs the real executable in `folder`, and waits for it and for all that it leaves behind.
 Ending run(const test::Folder& folder, std::vector<std::string> words, std::vector<std::string> environment = {})
 {
-    ::prctl(PR_SET_CHILD_SUBREAPER, 1); // what outlives the program becomes a child of this one
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1); // processes that outlive the program become children of this one
     words.insert(words.begin(), PALPATE_EXECUTABLE);
     environment.emplace_back("LANG=C.UTF-8");
     std::vector<char*> argv, envp;

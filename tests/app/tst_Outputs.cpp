@@ -55,7 +55,7 @@ QByteArray obj(const geometry::TriangleMesh& mesh)
 
 } // namespace
 
-/// What the command line writes, by the real program: whole or not at all, and over nothing that it has read.
+/// Tests the output files of the real program: complete or absent, and never over an input file.
 class Outputs : public QObject
 {
     Q_OBJECT
@@ -101,7 +101,7 @@ class Outputs : public QObject
         return QDir(m_folder->path()).entryList({".palpate-*"}, QDir::AllEntries | QDir::Hidden);
     }
 
-    /// Whether all of an output is there.
+    /// Returns whether an output is complete.
     bool isWhole(const QString& name) const
     {
         const QByteArray content = read(name);
@@ -258,7 +258,7 @@ class Outputs : public QObject
         QCOMPARE(scratch(), QStringList());
     }
 
-    /// A hard link is another name: the input stays what it is.
+    /// A hard link is another name of the input: the input stays unchanged.
     void aSecondNameOfTheInputKeepsIt()
     {
         QCOMPARE(::link(file("m.csv").toUtf8().constData(), file("m2.csv").toUtf8().constData()), 0);
@@ -311,7 +311,7 @@ class Outputs : public QObject
         QVERIFY2(prefix.isOk(), prefix.status().message().c_str());
         QVERIFY(!prefix.value()->extent().isComplete);
         QVERIFY2(prefix.value()->verify().isOk(), prefix.value()->verify().message().c_str());
-        // What nobody records into any more can be replaced.
+        // A recording without an active writer can be replaced.
         QVERIFY(QFile::remove(file("t.palpate-journal")) || !QFile::exists(file("t.palpate-journal")));
         QCOMPARE(run(second + QStringList{"--force"}).exitCode, 0);
         QVERIFY(isWhole("t.palpate"));
@@ -335,7 +335,7 @@ class Outputs : public QObject
                "--force"},
               [] {
                   for (const int one : {SIGTERM, SIGINT, SIGHUP}) {
-                      (void)std::signal(one, SIG_DFL); // a test's shell may ignore some
+                      (void)std::signal(one, SIG_DFL); // the test's shell may ignore some signals
                   }
               });
         QTRY_VERIFY_WITH_TIMEOUT(scratch().size() == 2, 30000);
@@ -346,7 +346,7 @@ class Outputs : public QObject
         QCOMPARE(read("o.csv"), QByteArray("old"));
         QCOMPARE(read("o.palpate"), read("older.palpate"));
         QCOMPARE(run({"findings", "s.palpate.json", "--csv", "f.csv"}).exitCode, 0);
-        QCOMPARE(scratch(), QStringList()); // the next start cleans up
+        QCOMPARE(scratch(), QStringList()); // the next start removes temporary files
     }
 
     void standardStreams()
@@ -373,7 +373,7 @@ class Outputs : public QObject
             }
         });
         QCOMPARE(none.exitCode, 1);
-        QVERIFY(isWhole("c.csv")); // and nothing of what the streams should have got
+        QVERIFY(isWhole("c.csv")); // and no output on the standard streams
         QCOMPARE(::mkfifo(file("fifo").toUtf8().constData(), 0600), 0);
         for (const QStringList& arguments : {replay + QStringList{"--record", "fifo"},
                                              QStringList{"session", "recover", "r.palpate", "--out", "fifo"}}) {
@@ -383,7 +383,7 @@ class Outputs : public QObject
         }
     }
 
-    /// One tick between two losses, or a hand that was there for one tick: a line of one point.
+    /// One tick between two losses, or a hand that was present for one tick: a line of one point.
     void aPathOfOnePointIsAVertex()
     {
         const Outcome outcome = run({"session", "export", "older.palpate", "--vtp", "p.vtp"});

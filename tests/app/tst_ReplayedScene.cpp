@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `palpate replay` of a recording on another scene than the recorded one: what it says of the difference.
+// `palpate replay` of a recording on a different scene: messages about the difference.
 #include "../meshio/Samples.h"
 #include "../support/Shapes.h"
 #include "TestRunner.h"

@@ -14,7 +14,7 @@
 using namespace palpate;
 using core::Vec3;
 
-/// `--smooth` and `--outwards`, and what `info`, `replay` and `felt` say of surfaces that need them.
+/// `--smooth` and `--outwards`, and the hints of `info`, `replay` and `felt` for surfaces that need these options.
 class SurfaceOptions : public QObject
 {
     Q_OBJECT

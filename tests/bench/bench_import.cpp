@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times what reading in a child process adds to reading in this one.
+// Measures the overhead of reading in a child process.
 //
 //   bench_import [FILE …] [--rounds N]
 //
@@ -81,7 +81,7 @@ int main(int argc, char** argv)
     std::printf("%-28s %14s %12s %10s %8s\n", "file", "in-process ms", "child ms", "extra ms", "extra");
     for (const std::filesystem::path& file : files) {
         std::vector<double> inside, outside, extra;
-        (void)read_ms(file, false); // the first one pays for what both share
+        (void)read_ms(file, false); // warms up shared state
         for (std::size_t i = 0; i < rounds; ++i) {
             inside.push_back(read_ms(file, false));
             outside.push_back(read_ms(file, true));

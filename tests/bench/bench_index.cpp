@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times what it takes to make a surface touchable, beside VTK's own tree in the same run.
+// Measures the preparation of a surface for touch, compared with VTK's own tree in the same run.
 //
 //   bench_index [--benchmark_filter=REGEX] [--benchmark_repetitions=5]
 //
@@ -36,7 +36,7 @@ void repair(benchmark::State& state)
 void index(benchmark::State& state)
 {
     const geometry::RepairedMesh mesh = geometry::repair(test::sphere(static_cast<int>(state.range(0)), 50.0));
-    (void)geometry::SurfaceIndex::build(mesh); // what a first build leaves behind is not the index's
+    (void)geometry::SurfaceIndex::build(mesh); // excludes one-time costs of the first build
     const double before = test::residentBytes();
     double grown = 0.0;
     {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times how long it takes to find out what lies in what (study/Layers.h), which the window does on opening files.
+// Times the search for enclosing structures (study/Layers.h), which the window runs on opening files.
 //
-//   bench_layers [STRUCTURES …]
+// bench_layers [STRUCTURES …]
 //
-// A row for each number of structures (30, 100 and 300 unless told): a body of 20,480 triangles, ten organs of 5,120 in
-// it, and lumps of 320 in those. Median of five rounds [ms], and how many structures lie below another. Wanted: 300 in
-// less than 500 ms.
+// A row for each number of structures (default 30, 100 and 300): a body of 20,480 triangles, ten organs of 5,120
+// inside, and lumps of 320 in the organs. Median of five rounds [ms], and the number of enclosed structures. Goal: 300
+// structures in less than 500 ms.
 #include "Shapes.h"
 
 #include <palpate/study/HapticCopy.h>
@@ -84,7 +84,7 @@ int main(int argc, char** argv)
 {
     std::vector<int> numbers;
     for (int i = 1; i < argc; ++i) {
-        if (!std::string_view(argv[i]).starts_with("--")) { // a smoke test's options mean nothing here
+        if (!std::string_view(argv[i]).starts_with("--")) { // options of a smoke test are ignored
             numbers.push_back(std::max(1, std::atoi(argv[i])));
         }
     }

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times single servo ticks of the god-object (Palpator::step) and reports them as percentiles, not means.
+// Times single servo ticks of the god-object (Palpator::step) and reports percentiles instead of means.
 //
-//   bench_touch [--benchmark_filter=REGEX]
+// bench_touch [--benchmark_filter=REGEX]
 //
-// PALPATE_BENCH_LARGE=1 in the environment adds slide and free on 10 M triangles, which take 2 GB to make.
+// PALPATE_BENCH_LARGE=1 in the environment adds slide and free on 10 M triangles, which need 2 GB to build.
 //
-// slide/T   a HIP 5 mm below a sphere of 50 mm radius with about T triangles, moving at 100 mm/s: one contact
-// cold/T    the same with the data flushed from the caches before each tick
-// free/T    the same path 5 mm above the surface: no contact
-// finger/T  the slide with a ball of 1 mm radius instead of a point
-// crowd/T   the slide on one of 300 spheres of T triangles each, 125 mm apart: the others should cost nothing
-// bumpy/T   hills and hollows of 2.5 mm on that sphere at 400 mm/s: several constraints, many facets a tick
-// ballR/T   a ball of R mm, 2 mm deep in hills of 1 mm on that sphere, at 100 mm/s
-// tissue/W/R/T  the slide with a point (R 0) or a ball of R mm on W: plain, friction (slides), stuck (1 mm to and fro
-//           within the cone), law, map (of the stiffness), felt (lumps below), both (lumps below, beside such a map),
-//           all (friction, law, maps of stiffness and damping), held (friction, lumps below), whole (all of these)
-// worst/N/R a ball of R mm where a tick is bounded by its work: N = fan, the apex of 10,000 facets; pile, a million
-//           triangles within 1e-9 mm; crowd, 300 spheres of 2,000 triangles through each other
+// slide/T: a HIP 5 mm below a sphere of 50 mm radius with about T triangles, moving at 100 mm/s: one contact.
+// cold/T: the same with the data flushed from the caches before each tick.
+// free/T: the same path 5 mm above the surface: no contact.
+// finger/T: the slide with a ball of 1 mm radius instead of a point.
+// crowd/T: the slide on one of 300 spheres of T triangles each, 125 mm apart: the other spheres should cost nothing.
+// bumpy/T: hills and hollows of 2.5 mm on that sphere at 400 mm/s: several constraints, many facets per tick.
+// ballR/T: a ball of R mm, 2 mm deep in hills of 1 mm on that sphere, at 100 mm/s.
+// tissue/W/R/T: the slide with a point (R 0) or a ball of R mm. W is plain, friction (slides), stuck (1 mm back and
+// forth within the friction cone), law, map (of the stiffness), felt (buried lumps), both (buried lumps and a stiffness
+// map), all (friction, law, maps of stiffness and damping), held (friction and buried lumps) or whole (all of the
+// above).
+// worst/N/R: a ball of R mm where the work bound ends a tick. N is fan (the apex of 10,000 facets), pile (a million
+// triangles within 1e-9 mm) or crowd (300 intersecting spheres of 2,000 triangles).
 //
-// Columns: p50, p99, p99_9 and max in ns of one tick, clock included (about 25 ns of each); iterations, the mean of
-// moves tried; limit, the share of ticks that ended at a bound; hash of all god-objects: when it changes, so has the
-// answer. Pin one core for numbers worth comparing:
-// taskset -c 1 bench_touch
+// Columns: p50, p99, p99_9 and max in ns per tick, including about 25 ns for the clock; iterations, the mean number of
+// attempted moves; limit, the fraction of ticks that ended at a bound; hash, over all god-objects: a changed hash means
+// changed results. For comparable numbers pin the process to one core: taskset -c 1 bench_touch
 //
-// PALPATE_BENCH_TICKS=N in the environment: N ticks of each row. count_instructions.sh beside this file counts what N
-// ticks execute, which a busy machine does not change.
+// PALPATE_BENCH_TICKS=N in the environment sets N ticks for each row. count_instructions.sh in this folder counts the
+// instructions of N ticks, which do not depend on the load of the machine.
 #include "Shapes.h"
 
 #include <palpate/core/Clock.h>
@@ -53,13 +53,13 @@ using core::Vec3;
 
 constexpr double kRadius_mm = 50.0;
 
-/// 20 n^2 triangles, indexed once and kept for the next benchmark.
+/// Returns a scene with 20 n^2 triangles, indexed once and kept for the next benchmark.
 const haptics::HapticScene& scene(int n, double bump, double fingertip_mm, int spheres)
 {
     static std::map<std::tuple<int, double, double, int>, haptics::HapticScene> scenes;
     const auto key = std::tuple(n, bump, fingertip_mm, spheres);
     if (scenes.find(key) == scenes.end()) {
-        scenes.clear(); // one at a time: the largest is nearly a gigabyte while it is built
+        scenes.clear(); // only one at a time: the largest needs nearly a gigabyte during the build
         const geometry::TriangleMesh mesh = test::bumpySphere(n, kRadius_mm, bump);
         std::vector<haptics::HapticStructure> structures;
         for (int i = 0; i < spheres; ++i) {
@@ -72,7 +72,7 @@ const haptics::HapticScene& scene(int n, double bump, double fingertip_mm, int s
     return scenes.at(key);
 }
 
-/// Writes and flushes more than any cache holds, so that the next tick finds nothing there.
+/// Evicts all cached data by writing and flushing more than any cache holds.
 void flushCaches()
 {
     static std::vector<char> larger(64 << 20);
@@ -87,7 +87,7 @@ Vec3 direction(double arc)
     return Vec3(std::cos(arc) * std::cos(0.37 * arc), std::sin(arc) * std::cos(0.37 * arc), std::sin(0.37 * arc));
 }
 
-// Between these two count_instructions.sh counts what Palpator::step executes.
+// count_instructions.sh counts the instructions of Palpator::step between these two functions.
 extern "C" [[gnu::noinline]] void beginRow()
 {
     benchmark::ClobberMemory();
@@ -97,14 +97,14 @@ extern "C" [[gnu::noinline]] void endRow()
     benchmark::ClobberMemory();
 }
 
-/// @return how many ticks a row has: `usual`, or as many as the environment asks for
+/// @return number of ticks in a row: `usual`, or the number from the environment
 int ticksOf(int usual)
 {
     const char* asked = std::getenv("PALPATE_BENCH_TICKS");
     return asked != nullptr ? std::max(1, std::atoi(asked)) : usual;
 }
 
-/// What the ticks of one row took and led to. Made when the ticks begin.
+/// Measured times and results of a row; create at the start of the ticks.
 class Ticks
 {
   public:
@@ -153,7 +153,7 @@ void slide(benchmark::State& state, int n, double bump, double distance_mm, doub
     haptics::Palpator palpator;
     palpator.setScene(&sphere);
     double arc = 0.0;
-    for (int i = 0; i < 300; ++i) { // arrive
+    for (int i = 0; i < 300; ++i) { // approach
         const double share = std::min(1.0, i / 200.0);
         (void)palpator.step(direction(0.0) * (kRadius_mm + 10 + (distance_mm - 10) * share), 1e-3);
     }
@@ -181,7 +181,7 @@ void add(const char* name, int n, double bump, double distance_mm, double speed_
         ->Unit(benchmark::kNanosecond);
 }
 
-/// The sphere with what a row is named after.
+/// Returns the sphere with the tissue of the named row.
 haptics::HapticScene tissueScene(const std::string& what, int n, double fingertip_mm)
 {
     haptics::HapticStructure on{"sphere", test::indexed(test::bumpySphere(n, kRadius_mm, 0.0)), {0.5, 0.0}, 0};
@@ -224,7 +224,7 @@ void addTissue(const std::string& what, double fingertip_mm)
         haptics::Palpator palpator;
         palpator.setScene(&scene);
         const double deep = kRadius_mm + fingertip_mm - 5.0;
-        for (int i = 0; i <= 100; ++i) { // arrive
+        for (int i = 0; i <= 100; ++i) { // approach
             (void)palpator.step(direction(0.0) * (deep + 0.1 * (100 - i)), 1e-3);
         }
         Ticks ticks;
@@ -287,7 +287,7 @@ std::vector<haptics::HapticStructure> crowdOf(int n)
     return structures;
 }
 
-/// @param name  of what: fan, pile or crowd
+/// @param name  fan, pile or crowd
 void addWorst(const std::string& name, double fingertip_mm)
 {
     const auto run = [=](benchmark::State& state) {

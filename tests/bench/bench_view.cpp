@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times frames of the 3D view with and without findings (view/FindingMarkers.h). Needs a display: on a server
+// Times frames of the 3D view with and without findings (view/FindingMarkers.h). Needs a display; on a server:
 // `xvfb-run -a bench_view`.
 //
-//   bench_view [--rounds N] [FINDINGS …]
+// bench_view [--rounds N] [FINDINGS …]
 //
-// A translucent organ of 81,920 triangles with two lumps of 20,480, 1280 x 800, the camera 1° further each frame, so
-// that markers are placed anew and hidden ones found anew as while a person turns the view. Numbers of findings (0, 10,
-// 200 and 1000 unless told) are drawn in turns, 20 frames each, 15 rounds unless told. A row a number: median frame
-// [ms], the part of it before drawing, and median, lowest and highest ratio to the first number's frames of the same
-// round. Wanted: 200 within 10 % of none.
+// A translucent organ of 81,920 triangles with two lumps of 20,480, 1280 x 800. The camera turns by 1° per frame, so
+// that markers are placed and tested for occlusion again as during interaction. The numbers of findings (default 0, 10,
+// 200 and 1000) alternate, 20 frames each, 15 rounds by default. Each row: median frame [ms], the part before
+// rendering, and median, lowest and highest ratio to the first number's frames of the same round. Goal: 200 findings
+// within 10 % of zero findings.
 #include "Shapes.h"
 
 #include <palpate/view/SceneView.h>
@@ -42,7 +42,7 @@ view::ViewStructure ball(int n, double radius_mm, const Vec3& at, double opacity
     return {view::StructureActor(view::makeSurface(geometry::repair(mesh)), look, true), test::indexed(mesh)};
 }
 
-/// Places spread over the organ, on its surface.
+/// Returns positions spread over the organ's surface.
 std::vector<view::FindingMark> marks(int count)
 {
     std::vector<view::FindingMark> out;
@@ -64,7 +64,7 @@ double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
-/// Medians of a block of frames. [ms]
+/// Median times of a block of frames [ms].
 struct Times
 {
     double frame_ms = 0.0, prepare_ms = 0.0;
@@ -75,7 +75,7 @@ Times frames(view::SceneView& scene, vtkRenderWindow& window)
     using Clock = std::chrono::steady_clock;
     using Milliseconds = std::chrono::duration<double, std::milli>;
     std::vector<double> whole, prepare;
-    for (int i = -3; i < kFrames; ++i) { // the first ones write the numbers' texture
+    for (int i = -3; i < kFrames; ++i) { // the first frames create the texture of the numbers
         scene.camera().Azimuth(1.0);
         const auto start = Clock::now();
         scene.prepareFrame(1.0);

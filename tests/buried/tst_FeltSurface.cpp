@@ -61,7 +61,7 @@ class FeltSurface : public QObject
     }
 
   private Q_SLOTS:
-    /// The hand feels the organ's own triangles: where these are too wide for a lump it is said by how much.
+    /// The haptic surface consists of the organ's triangles: if these are too wide for a lump, the error is reported.
     void aCoarseOrganSaysByHowMuchItIsFeltOtherwise()
     {
         const std::vector<BuriedLump> lumps{lumpAt(Vec3(0.0, 0.0, 48.0), 6.0)};
@@ -132,7 +132,7 @@ class FeltSurface : public QObject
         const double depth = 5.0;
         const auto slab = test::box(Vec3(-400.0, -400.0, -400.0), Vec3(400.0, 400.0, -depth));
         const double share = shareOf(slab, top());
-        // What is beyond 400 mm is missing: about 8 a / (pi 400) of the far field.
+        // The field beyond 400 mm is missing: about 8 a / (pi 400) of the far field.
         QVERIFY2(std::abs(share - buried::shareBelow(depth, kRadius_mm)) < 2e-2, qPrintable(QString::number(share)));
         const double less = shareOf(test::box(Vec3(-400.0, -400.0, -400.0), Vec3(400.0, 400.0, -50.0)), top());
         QVERIFY(std::abs(share - less -
@@ -177,7 +177,7 @@ class FeltSurface : public QObject
             QVERIFY(press == 0 || one.felt.estimate > m.lumps[0].press[press - 1].felt.estimate);
             QVERIFY(one.area_mm2[0] >= one.area_mm2[1] && one.area_mm2[1] >= one.area_mm2[2]);
         }
-        // A flat half-space would say shareOfSphere; the organ's curve takes a little away.
+        // For a flat half-space the result is shareOfSphere; the curvature of the organ reduces the value slightly.
         const double share = buried::shareOfSphere(10.0, 18.0, kRadius_mm);
         const double flat = buried::stiffening(share, 4.4).estimate;
         QVERIFY(std::abs(m.lumps[0].press[0].felt.estimate - flat) < 0.05 * (flat - 1.0));

@@ -25,7 +25,7 @@ using core::StatusCode;
 
 namespace {
 
-/// @return the exit code of what a child process does, or minus the signal that ended it
+/// @return the exit code of a child process that runs the function, or minus the signal that ended the child
 template<class Work>
 int inChild(Work work)
 {
@@ -40,7 +40,7 @@ int inChild(Work work)
 
 } // namespace
 
-/// Outputs: the old content or all of the new one, and nothing else left behind.
+/// Output files contain the old content or all of the new content, and no temporary files remain.
 class AtomicFileTest : public QObject
 {
     Q_OBJECT
@@ -70,7 +70,7 @@ class AtomicFileTest : public QObject
 
     void keepsTheOldFileAtAnyLimitOfSize()
     {
-        const std::string fresh(150'000, 'n'); // larger than its buffer
+        const std::string fresh(150'000, 'n'); // larger than the buffer
         for (const bool isThere : {false, true}) {
             for (std::size_t limit = 0; limit <= fresh.size() + 3; limit += limit < 149'990 ? 1'777 : 1) {
                 (void)::unlink(path("a").c_str());
@@ -95,7 +95,7 @@ class AtomicFileTest : public QObject
         }
     }
 
-    /// What fits into the buffer must not count as written.
+    /// Content that fits into the buffer must not count as written.
     void keepsTheOldFileOnAFullDisk()
     {
         QVERIFY(QDir(m_folder->path()).mkdir("disk"));
@@ -150,7 +150,7 @@ class AtomicFileTest : public QObject
         QVERIFY(!core::writeAtomically(path("round"), "4").isOk());
     }
 
-    /// Only the name that is written gets the new file; one that is a second name of the old one keeps it.
+    /// Only the name being written gets the new file; a hard link to the old file keeps the old content.
     void leavesASecondNameAlone()
     {
         QVERIFY(core::writeAtomically(path("a"), "old").isOk());
@@ -174,7 +174,7 @@ class AtomicFileTest : public QObject
         const int file = ::open(path("out").c_str(), O_WRONLY | O_CREAT, 0600);
         QVERIFY(file >= 0);
         QCOMPARE(::write(file, "a", 1), ssize_t{1});
-        QVERIFY(core::writeAtomically("/dev/fd/" + std::to_string(file), "b").isOk()); // as a shell's redirection
+        QVERIFY(core::writeAtomically("/dev/fd/" + std::to_string(file), "b").isOk()); // like a shell redirection
         QCOMPARE(::write(file, "c", 1), ssize_t{1});
         (void)::close(file);
         QCOMPARE(content("out"), std::string("abc"));
@@ -200,7 +200,7 @@ class AtomicFileTest : public QObject
             auto file = AtomicFile::create(path("a"));
             QVERIFY(file.isOk());
             file.value().write(std::string(200'000, 'x'));
-            QCOMPARE(files().size(), 1); // of its own
+            QCOMPARE(files().size(), 1); // a new file
         }
         QCOMPARE(files(), QStringList());
     }
@@ -238,7 +238,7 @@ class AtomicFileTest : public QObject
         QFETCH(const bool, isFolder);
         QVERIFY(core::writeAtomically(path("a"), "old").isOk());
         const int ended = inChild([&] {
-            (void)std::signal(signal, SIG_DFL); // Qt Test has its own
+            (void)std::signal(signal, SIG_DFL); // Qt Test installs its own handler
             core::removeScratchOnSignals();
             auto file = AtomicFile::create(path("a"));
             file.value().write(std::string(200'000, 'n'));
@@ -267,7 +267,8 @@ class AtomicFileTest : public QObject
                  0);
     }
 
-    /// What SIGKILL leaves goes when the next file is written in that folder; what is in use, or is not ours, stays.
+    /// Temporary files from a SIGKILL are removed on the next write in that folder; files in use and foreign files
+    /// stay.
     void cleansUpAfterSigkill()
     {
         QCOMPARE(inChild([&] {

@@ -71,7 +71,7 @@ class Parallel : public QObject
             },
             3);
         QVERIFY(isRight);
-        // No more than there is work for: one call stays here, whatever is allowed.
+        // No more threads than work items: a single call stays on this thread.
         core::parallelFor(
             1, [&](std::size_t, unsigned) { isRight = isRight && std::this_thread::get_id() == caller; }, 8);
         QVERIFY(isRight);

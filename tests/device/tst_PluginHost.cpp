@@ -76,7 +76,7 @@ class PluginHost : public QObject
         std::ofstream(path / "notes.txt") << "no plugin's name";
         auto all = host({m_found, path, "/nowhere"});
         QCOMPARE(all.plugins().size(), std::size_t{12});
-        for (const char* older : {"old", "copied"}) { // whatever the metadata of the second says
+        for (const char* older : {"old", "copied"}) { // regardless of the metadata of the second
             QVERIFY(problemOf(all, older).find("built for device API 1, this program has 2; rebuild it against") !=
                     std::string::npos);
             QCOMPARE(all.make(older).status().message(), problemOf(all, older));

@@ -99,7 +99,7 @@ class PointerDevice : public QObject
         QCOMPARE(torn, 0);
     }
 
-    /// Whatever the targets and whenever they change: no jump, no faster than the steepest cubic, never beyond.
+    /// For any targets and times of change: no jump, no faster than the steepest cubic, no overshoot.
     void easesWithoutJumpOrOvershoot()
     {
         std::mt19937 random(5);

@@ -41,7 +41,7 @@ class EmulatedBench
 /// The shipping plugins.
 std::unique_ptr<device::PluginHost> shippingPlugins();
 
-/// A block whose top is the plane z = 0, of this stiffness.
+/// A block with the top in the plane z = 0 and this stiffness.
 std::shared_ptr<const haptics::HapticScene> blockScene(double stiffness_N_per_mm);
 
 /// Sleeps, in virtual time when that is on.

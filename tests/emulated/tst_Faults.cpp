@@ -32,7 +32,7 @@ class Dice
     std::mt19937 m_random{7};
 };
 
-/// What is wrong for the next second: mostly something, one time in four nothing.
+/// Faults of the next second; none in one of four cases.
 standin::Faults randomFaults(Dice& dice, std::int64_t now_ns)
 {
     standin::Faults f;
@@ -82,7 +82,7 @@ class Faults : public QObject
         return made.isOk() ? std::move(made).value() : nullptr;
     }
 
-    /// What the arm's motors have pushed, second by second.
+    /// Force of the arm's motors per second.
     struct Pushed
     {
         double most_N = 0.0;
@@ -94,7 +94,7 @@ class Faults : public QObject
         m_bench->with([&](standin::Bench& b) {
             pushed.most_N = std::max(pushed.most_N, b.arm.largestForce_N);
             QVERIFY(std::isfinite(b.arm.largestForce_N));
-            // An arm that was calibrated in another pose pushes elsewhere than it is told, by no more current.
+            // An arm calibrated in a wrong pose pushes in a wrong direction, with the same current.
             const auto& offset = b.arm.counterOffset;
             const double aside = std::max({std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2])});
             if (aside + pushed.aside < 10.0) {
@@ -183,7 +183,7 @@ class Faults : public QObject
             }
         });
         pass(kUntilOff_s);
-        // A firmware that hangs drives on until it, or its power, comes back; all that the host asks of it is zero.
+        // A hanging firmware keeps driving until the firmware or the power returns; the host requests zero force.
         if (what != 0) {
             QCOMPARE(motorForce_N(), 0.0);
         }

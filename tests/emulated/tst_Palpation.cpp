@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shipping plugin against the emulated arm, with the servo loop of the product, in virtual time.
+// Tests the released plugin against the emulated arm, with the product's servo loop, in virtual time.
 #include "EmulatedArm.h"
 #include "TestRunner.h"
 
@@ -16,17 +16,17 @@ using namespace palpate::test;
 
 namespace {
 
-/// How near the forces of answers are to the spring's.
+/// Deviation of the response forces from the spring's.
 struct Compared
 {
-    double worst_N = 0.0; ///< of an answer in contact
+    double worst_N = 0.0; ///< of a response in contact
     int answers = 0;      ///< in contact
     double deepest_mm = 0.0;
-    double bound_N = 0.0; ///< what counts cannot say
-    double move_mm = 0.0; ///< of a tick, in the middle of kSpan: answers come one by one or in pairs
+    double bound_N = 0.0; ///< uncertainty due to encoder counts
+    double move_mm = 0.0; ///< motion per tick, averaged over kSpan: responses come one by one or in pairs
 };
 
-/// @param late  how many reports lie between a place and the answer to it
+/// @param late  number of reports between a position and the response
 Compared compareWithSpring(const std::vector<standin::Taken>& all, double stiffness, std::size_t late)
 {
     constexpr std::size_t kSpan = 10;
@@ -34,7 +34,7 @@ Compared compareWithSpring(const std::vector<standin::Taken>& all, double stiffn
     for (std::size_t i = kSpan + 4; i < all.size(); ++i) {
         const standin::V3& p = all[i - late].sampled_mm;
         if (p[2] > -1.0) {
-            continue; // deep enough for the force to have been eased in and the contact to be old
+            continue; // deep enough that the force ramp is over and the contact is old
         }
         ++compared.answers;
         compared.deepest_mm = std::min(compared.deepest_mm, p[2]);
@@ -58,7 +58,7 @@ class Palpation : public QObject
     std::unique_ptr<EmulatedBench> m_bench;
     std::unique_ptr<device::PluginHost> m_host;
 
-    /// Lets time pass and gathers what the firmware took meanwhile, before its ring goes round.
+    /// Advances time and collects the reports that the firmware received, before its ring buffer wraps.
     standin::ArmUnit passAndHear(double seconds, std::vector<standin::Taken>& all)
     {
         standin::ArmUnit unit;
@@ -84,7 +84,7 @@ class Palpation : public QObject
         standin_makeTimeVirtual();
     }
 
-    /// Fine encoders count more than 16 bits hold between the rest pose and the workspace.
+    /// Fine encoders count more than 16 bits between the rest pose and the workspace.
     void countersThatWrapLoseNoTurn()
     {
         constexpr int kCountsPerTurn = 20000;
@@ -110,7 +110,7 @@ class Palpation : public QObject
             const auto counts = standin::countsOf(b.arm.unit, b.arm.q);
             QVERIFY(std::max({std::abs(counts[0]), std::abs(counts[1]), std::abs(counts[2])}) > 32767.0);
             const standin::V3 p = standin::tipOf(b.arm.unit, b.arm.q);
-            QVERIFY((state.p_D - core::Vec3(p[0], p[1], p[2])).norm() < 0.05); // what the tremor moves in 2 ms
+            QVERIFY((state.p_D - core::Vec3(p[0], p[1], p[2])).norm() < 0.05); // tremor within 2 ms
         });
         made.value()->stop();
     }
@@ -161,8 +161,7 @@ class Palpation : public QObject
         loop.stop();
         QVERIFY2(!fault.isFaulted(), fault.message);
 
-        // The answer to a report is a fixed number of reports late; the bound is what counts and milliamperes cannot
-        // say.
+        // The response lags by a fixed number of reports; the bound is the resolution of counts and milliamperes.
         Compared best;
         std::size_t lateness = 0;
         double bound_N = 0.0, move_mm = 0.0;
@@ -175,10 +174,10 @@ class Palpation : public QObject
                 lateness = late;
             }
         }
-        // Half a milliampere in each motor, and the turn of the arm while the answer is under way (2 ms at 30 mm/s).
+        // Half a milliampere per motor, and the rotation of the arm during the latency (2 ms at 30 mm/s).
         const double currents_N = 0.5e-3 * unit.torqueConstant[0] * 16.0 / 0.15 * 2.0 + 2.0 * 0.06 / 200.0;
-        // The controller damps what a spring gains by its force being held for a tick and acting a tick late, (1/2 + 1)
-        // K T (PassivityController.h): that is there with an exact sensor too.
+        // The controller damps the energy that a spring gains by sample-and-hold and one tick of delay, (1/2 + 1) K T
+        // (PassivityController.h), with an exact sensor too.
         const double damping_N = isControlled ? 1.5 * stiffness * move_mm : 0.0;
         const double allowed_N = bound_N + currents_N + damping_N;
         qInfo(

@@ -136,7 +136,7 @@ class PuckView : public QObject
         hold({350, 0, 0, 0, 0, 0});
         QTRY_VERIFY(m_window->focus().x() < -1.0);
         m_bench->with([](standin::Bench& b) { standin::plugPuck(b, false); });
-        QTest::qWait(400); // what was pushed last is believed for 0.1 s
+        QTest::qWait(400); // the last push remains valid for 0.1 s
         const Vec3 there = m_window->focus();
         QTest::qWait(300);
         QVERIFY(m_window->focus() == there);

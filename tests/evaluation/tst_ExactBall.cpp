@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact solver for a fingertip where the answer is known in closed form, and the product against it.
+// Tests the exact solver for a fingertip against closed forms, and the engine against the exact solver.
 #include "TestRunner.h"
 
 #include <palpate/evaluation/ExactSolver.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kBound_mm = 1e-9;
 
-/// A hand that moves straight from place to place.
+/// A hand that moves in straight lines between positions.
 class Feel
 {
   public:
@@ -40,7 +40,7 @@ class Feel
         m_hip = end;
         return s;
     }
-    /// Every tick so far came to rest, and none nearer than its radius.
+    /// Returns whether every tick so far converged, with no facet nearer than the radius.
     bool isGood() const { return m_isConverged && m_worst_mm <= 1e-12; }
 
   private:
@@ -119,7 +119,7 @@ class ExactBall : public QObject
                 const Vec3 out(std::sin(angle), 0, std::cos(angle));
                 const SolverStep s = feel.to(Vec3(0, 1, 0) + (2.0 - depth) * out, 40);
                 QVERIFY(std::abs(s.spring_mm.norm() - depth) <= kBound_mm);
-                // The nearer the HIP is to the edge itself, the less the pull tells where on the circle.
+                // The nearer the HIP to the edge itself, the less the pull determines the position on the circle.
                 const double off = (s.p_WG - Vec3(0, 1, 0) - 2.0 * out).norm();
                 QVERIFY2(off <= 3e-8 / (2.0 - depth), qPrintable(QString("%1 deep: off by %2").arg(depth).arg(off)));
             }
@@ -140,7 +140,7 @@ class ExactBall : public QObject
 
     void liesOnTwoEdges()
     {
-        // Two boxes with a gap of 2 mm: a ball of 2 mm sits on both rims, its centre sqrt(3) above them.
+        // Two boxes with a gap of 2 mm: a ball of 2 mm rests on both rims, with its centre sqrt(3) above them.
         geometry::TriangleMesh mesh = shapes::box({-11, -10, -10}, {-1, 10, 0}, 2);
         shapes::append(mesh, shapes::box({1, -10, -10}, {11, 10, 0}, 2));
         Feel feel(mesh, 2.0, {0.3, 1, 6});
@@ -152,10 +152,10 @@ class ExactBall : public QObject
 
     void doesNotStandOnAnEdge()
     {
-        // The pull goes through the edge and out below: on its very top the ball could stand, and rolls off.
+        // The pull goes through the edge and out below: the ball could balance on the edge, but rolls off.
         Feel feel(shapes::prism({{0, 0}, {-10, -10}, {10, -10}}, 10.0), 1.0, {0, 0.3, 4});
         const SolverStep s = feel.to({0, 0.3, -3}, 60);
-        // On either wall, a radius away from it: x + z = sqrt(2), nearest to the HIP.
+        // On either wall at a distance of one radius: x + z = sqrt(2), nearest to the HIP.
         QVERIFY_AT(s, Vec3(std::copysign(1.5 + std::sqrt(0.5), s.p_WG.x()), 0.3, -1.5 + std::sqrt(0.5)));
         QVERIFY(feel.isGood());
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said of buried lumps against what is known of them: resources/docs/felt.md.
+// Compares the model of buried lumps with reference results: resources/docs/felt.md.
 #include "TestRunner.h"
 
 #include <palpate/evaluation/FeltComparison.h>
@@ -17,9 +17,9 @@ using palpate::buried::stiffening;
 namespace {
 
 constexpr double kRigidBelow = std::numeric_limits<double>::infinity();
-constexpr double kPlate = 1e4; // radius of a sphere that is as good as a half-space
+constexpr double kPlate = 1e4; // radius of a sphere that approximates a half-space
 
-/// k/k0 by the elements; both with the same grid.
+/// Returns k/k0 from the finite elements, with and without the lump on the same grid.
 double feltBy(const LumpElements& elements, Press how, double ratio)
 {
     return elements.press(how, ratio).stiffness / elements.press(how, 1.0).stiffness;
@@ -32,7 +32,7 @@ class Felt : public QObject
     Q_OBJECT
 
   private Q_SLOTS:
-    /// Computed once by another program; the digits that it printed.
+    /// Reference values from another program, with the digits as printed.
     void theLayeredReferenceGivesTheTable_data()
     {
         QTest::addColumn<double>("thickness");
@@ -63,7 +63,7 @@ class Felt : public QObject
         const double x = 0.1;
         const double polynomial = 1.0 + 1.133 * x + 1.283 * x * x + 0.598 * x * x * x - 0.291 * x * x * x * x;
         QVERIFY(std::abs(layeredPunch(1.0 / x, kRigidBelow) / polynomial - 1.0) < 1e-3);
-        // Gao, Chiu & Lee 1992: to the first order the punch's own share.
+        // Gao, Chiu & Lee 1992: first-order share of the layer under a punch.
         for (const double h : {0.5, 1.0, 2.0, 4.0}) {
             const double slope = (layeredPunch(h, 1.001) - layeredPunch(h, 0.999)) / 0.002;
             const double share = 1.0 - 2.0 / std::numbers::pi * std::atan(h) + h / (std::numbers::pi * (1.0 + h * h));
@@ -74,7 +74,8 @@ class Felt : public QObject
     void rippleComplianceHasItsLimits()
     {
         for (const double ratio : {1.0 / 3.0, 2.0, 10.0}) {
-            QVERIFY(std::abs(layerCompliance(1e-3, ratio) * ratio - 1.0) < 0.02); // long ripples: what is below
+            // long wavelengths: the lower layer dominates
+            QVERIFY(std::abs(layerCompliance(1e-3, ratio) * ratio - 1.0) < 0.02);
             QVERIFY(std::abs(layerCompliance(25.0, ratio) - 1.0) < 1e-9);
         }
         for (const double u : {0.009, 0.0101}) {
@@ -83,7 +84,8 @@ class Felt : public QObject
         QVERIFY(std::abs(layerCompliance(1.0, 1e9) - layerCompliance(1.0, kRigidBelow)) < 1e-6);
     }
 
-    /// Without a lump the elements give the stiffness of the half-space: the far edge is far, they don't lock.
+    /// Without a lump the elements give the stiffness of the half-space: the far boundary has no influence and there is
+    /// no locking.
     void elementsGiveTheHalfSpace()
     {
         const LumpElements elements(1.0, 1.0);
@@ -112,7 +114,7 @@ class Felt : public QObject
         }
     }
 
-    /// A rigid sphere is what ever stiffer ones come to: two different sets of equations.
+    /// A rigid sphere is the limit of increasingly stiff spheres: two different sets of equations.
     void aRigidSphereIsTheLimitOfStiffOnes()
     {
         const LumpElements elements(1.0, 0.5);
@@ -135,7 +137,7 @@ class Felt : public QObject
         }
     }
 
-    /// The coarse subset; all of it is `palpate evaluate --felt`.
+    /// A coarse subset; the full comparison is `palpate evaluate --felt`.
     void boundsHoldAndTheEstimateIsNear()
     {
         felt::Options options;

@@ -269,7 +269,7 @@ class References : public QObject
         QVERIFY2(worst <= 1e-6, qPrintable(QString("%1 mm").arg(worst)));
     }
 
-    /// What friction does is known on a plane and along a groove; the reference knows nothing of the product.
+    /// The effect of friction is known on a plane and along a groove; the reference is independent of the product.
     void exactFrictionIsCoulombs()
     {
         constexpr double kMu = 0.4;

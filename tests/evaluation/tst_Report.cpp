@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The evaluation on a small mesh: what it measures, and that its files are whole and say the same.
+// Tests the evaluation on a small mesh: the measurements, and that the report files are complete and consistent.
 #include "TestRunner.h"
 
 #include <palpate/evaluation/Report.h>
@@ -24,9 +24,9 @@ using namespace palpate::evaluation;
 
 namespace {
 
-constexpr double kLong_s = 1000.0; // nothing is left out for lack of time, however busy the machine is
+constexpr double kLong_s = 1000.0; // nothing is skipped for lack of time, even on a busy machine
 
-/// How many columns a line of comma-separated values has.
+/// Counts the columns of a CSV line.
 qsizetype columnsOf(const QByteArray& line)
 {
     qsizetype columns = 1;
@@ -38,7 +38,7 @@ qsizetype columnsOf(const QByteArray& line)
     return columns;
 }
 
-/// A soft cube around a stiffer ball in the layer below it, 2 mm under the top, and beside it a third tissue.
+/// A soft cube around a stiffer ball in the layer below, 2 mm under the top, beside a third tissue.
 meshio::LoadedScene layeredScene()
 {
     const auto structure = [](const char* name, const geometry::TriangleMesh& mesh, double stiffness,
@@ -57,7 +57,7 @@ meshio::LoadedScene layeredScene()
     return scene;
 }
 
-/// A soft floor and a stiff wall in one layer, which meet along x = z = 0.
+/// A soft floor and a stiff wall in one layer that meet along x = z = 0.
 meshio::LoadedScene floorAndWall(double lean_deg)
 {
     geometry::TriangleMesh wall = shapes::box({-40, -30, -40}, {0, 30, 40});
@@ -169,13 +169,14 @@ class Report : public QObject
             QCOMPARE(ball.popThroughs, std::size_t(0));
         }
         QVERIFY(trialOf(Knob::Decimated, 0.5).position_mm.p50 < trialOf(Knob::Decimated, 0.05).position_mm.p50);
-        // 100 mm/s: a force that is held for 2 ms lags by 0.2 mm of the hand's way.
+        // At 100 mm/s, a force held for 2 ms lags by 0.2 mm of hand motion.
         const double slow = trialOf(Knob::Rate, 500.0).position_mm.p50,
                      fast = trialOf(Knob::Rate, 4000.0).position_mm.p50;
         QVERIFY(slow > 4.0 * fast && slow < 12.0 * fast);
     }
 
-    /// One rule for all: what is run at one rate is judged in the same ticks, those in which either touches.
+    /// The same rule for all solvers: trials at one rate are compared over the same ticks, namely those in which either
+    /// is in contact.
     void everyTickInContactCounts()
     {
         std::size_t exactTicks = 0;
@@ -198,13 +199,13 @@ class Report : public QObject
         QCOMPARE(product.sameState.ticks, product.position_mm.count);
         const Trial paper = trialOf(Knob::Solver, 0.0, "paper (brute force)");
         QCOMPARE(paper.position_mm.count >= product.position_mm.count, true);
-        QVERIFY(paper.elsewhere > 0); // it needs two ticks for a convex edge
-        // Apart is apart, in whatever ticks: nothing that is far away is left out.
+        QVERIFY(paper.elsewhere > 0); // the method needs two ticks for a convex edge
+        // Deviations count in every tick: distant positions are included.
         QVERIFY(paper.position_mm.max >= paper.elsewhere_mm.max);
         QVERIFY(paper.elsewhere_mm.max >= paper.elsewhere_mm.p50 && paper.elsewhere_mm.p50 > 1e-3);
     }
 
-    /// At 1 kHz the hand's samples are the solver's own: its error is that of the solver, not of the rate.
+    /// At 1 kHz the hand samples coincide with the solver's: the error is due to the solver and not to the rate.
     void solverAndRateErrorsAreApart()
     {
         const Trial solver = trialOf(Knob::Solver, 0.0), rate = trialOf(Knob::Rate, 1000.0);
@@ -257,7 +258,7 @@ class Report : public QObject
             QVERIFY(t.pathPosition_mm.median <= t.pathPosition_mm.medianHigh);
             QVERIFY(t.pathPosition_mm.medianHigh <= t.pathPosition_mm.high);
         }
-        // The next seeds give other paths, and the same seed the same.
+        // Other seeds give other paths; the same seed gives the same path.
         options.seed = 14;
         options.seeds = 1;
         const Evaluation last = evaluate({subject}, {}, options);
@@ -297,10 +298,10 @@ class Report : public QObject
         }
     }
 
-    /// Each structure pushes with its own stiffness, also where errors are told from the truth.
+    /// Each structure responds with its own stiffness, also in the reference for the errors.
     void unequalStructuresAnswerAsTheEngineDoes_data()
     {
-        QTest::addColumn<double>("lean_deg"); // of the wall, away from the floor
+        QTest::addColumn<double>("lean_deg"); // lean of the wall, away from the floor
         for (const double lean : {-50.0, 0.0, 40.0}) {
             QTest::addRow("%g degrees", lean) << lean;
         }
@@ -354,7 +355,8 @@ class Report : public QObject
         QCOMPARE(subject->layers[1].springsAt(Vec3(0, 0, 18), up).force(up), Vec3(0.6 * up));
         HandMotion press{"press", {}};
         for (int i = 0; i <= 400; ++i) {
-            press.p_WH.emplace_back(1.0, 0.5, 22.0 - 0.02 * i); // to 14: 6 mm into the cube, 4 mm into the lump
+            // down to z = 14: 6 mm into the cube, 4 mm into the lump
+            press.p_WH.emplace_back(1.0, 0.5, 22.0 - 0.02 * i);
         }
         EvaluateOptions options;
         options.isQuick = true;
@@ -369,7 +371,7 @@ class Report : public QObject
         QVERIFY(product != e.trials.end());
         QCOMPARE(product->triangles, subject->triangleCount());
         QVERIFY(product->position_mm.max <= 1e-6 && product->force_N.max <= 1e-6);
-        // A force held over 2 ms lags by 0.16 mm of both springs once the lump is touched.
+        // A force held over 2 ms lags by 0.16 mm of both springs while the lump is touched.
         const auto slow =
             std::find_if(e.trials.begin(), e.trials.end(), [](const Trial& t) { return t.rate_Hz == 500.0; });
         QVERIFY(std::abs(slow->force_N.max - 0.16 * (0.2 + 0.6)) < 1e-6);
@@ -384,9 +386,9 @@ class Report : public QObject
         options.seconds = 1e-3;
         const Evaluation e = evaluate({subject}, {}, options);
         QVERIFY(!e.isCancelled);
-        QVERIFY(e.leftOut.size() > 5); // nearly all of it, each named
+        QVERIFY(e.leftOut.size() > 5); // nearly all trials, each with its name
         QVERIFY(reportHtml(e).find("Left out: ") != std::string::npos);
-        QCOMPARE(e.trials.back().solver, std::string("Palpate")); // what is asked about is measured all the same
+        QCOMPARE(e.trials.back().solver, std::string("Palpate")); // the requested trials are measured nevertheless
     }
 
     void cancellingEndsIt()
@@ -442,7 +444,7 @@ class Report : public QObject
         QVERIFY(!html.contains("<script") && !html.contains("src=") && !html.contains("@import"));
         QVERIFY(!html.contains("nan") && !html.contains("inf "));
         QVERIFY(html.contains("ball &lt;&amp; co&gt;"));
-        // What HTML lets stand open is closed for an XML reader; the rest must nest.
+        // Close the void elements of HTML for the XML reader; the rest must nest.
         html.replace("<meta charset='utf-8'>", "");
         html.replace("<meta name='viewport' content='width=device-width, initial-scale=1'>", "");
         html.replace("<br>", "<br/>");

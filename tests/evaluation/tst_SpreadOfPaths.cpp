@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said of several paths: held against known quantiles and against simulated samples.
+// Statistics over several paths: compared with known quantiles and simulated samples.
 #include "TestRunner.h"
 
 #include <palpate/evaluation/Spread.h>
@@ -62,7 +62,7 @@ class SpreadOfPaths : public QObject
     }
 
     /// Of log-normal values one more falls into the spread in 95 % of cases, and the median's interval holds the median
-    /// as often as it says.
+    /// with the stated frequency.
     void coversWhatItSays_data()
     {
         QTest::addColumn<int>("paths");

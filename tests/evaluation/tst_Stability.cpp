@@ -36,7 +36,7 @@ const std::vector<Shape>& touchedShapes()
     return kShapes;
 }
 
-/// A wall whose map rises from half to all between two lines of its triangles.
+/// A wall with a map that rises from one half to one between two lines of triangles.
 /// @param isRound  as an S on triangles of 0.5 mm; else straight between its two corners
 Shape stepOver(double width_mm, bool isRound)
 {
@@ -44,7 +44,7 @@ Shape stepOver(double width_mm, bool isRound)
     const int cells = isRound ? 120 : 6;
     const double cell_mm = 60.0 / cells;
     auto box = palpate::evaluation::shapes::box(Vec3(-30, -30, -30), Vec3(30, 30, 0), cells);
-    if (!isRound) { // the line at 10 mm goes to where the step ends, those beyond it follow
+    if (!isRound) { // moves the line at 10 mm to the end of the step, and the further lines by the same distance
         for (Vec3& v : box.vertices) {
             v.x() = v.x() < 0.5 * cell_mm ? v.x() : width_mm + (v.x() - cell_mm) * (30.0 - width_mm) / (30.0 - cell_mm);
         }
@@ -71,7 +71,7 @@ Shape stepOver(double width_mm, bool isRound)
 }
 
 /// The same rise by lumps that are felt below instead of by a map, from 1 to 2 where the hand presses deep.
-/// @param light  share of it at the lightest press
+/// @param light  fraction at the lightest press
 Shape lumpsOver(double width_mm, bool isRound, double light)
 {
     Shape shape = stepOver(width_mm, isRound);
@@ -146,7 +146,7 @@ class Stability : public QObject
         }
     }
 
-    /// What the window lets a device hold is held, at every rate it runs at and however late its force acts.
+    /// The stiffness that the window permits is stable at every rate and delay of the device.
     void whatTheWindowAllowsIsHeld_data() { everyPresetHoldsItsStatedStiffnessOnEveryShape_data(); }
     void whatTheWindowAllowsIsHeld()
     {
@@ -186,7 +186,7 @@ class Stability : public QObject
         isHeld({0});
     }
 
-    /// A map that gives back what it took, and friction, take nothing from what is held.
+    /// A conservative map and friction do not reduce the stable stiffness.
     void aMapAndFrictionHoldNoLessThanTheWall_data()
     {
         QTest::addColumn<QByteArray>("id");
@@ -212,8 +212,8 @@ class Stability : public QObject
         }
     }
 
-    /// What the formula says of a map's edge is what the loop does there: above the bound it swings, by about as much;
-    /// below it, it rests.
+    /// The formula for a map's edge predicts the behaviour of the loop: above the bound the loop oscillates by about
+    /// the predicted amplitude; below it, it rests.
     void aMapsEdgeSwingsAsFar_data()
     {
         QTest::addColumn<QByteArray>("id");
@@ -254,7 +254,7 @@ class Stability : public QObject
         }
     }
 
-    /// Lumps felt below push aside as a map does, by what they make of the law at the depth where the hand rests.
+    /// Transmitted lumps cause lateral forces like a map, by their effect on the law at the depth of the resting hand.
     void lumpsFeltBelowSwingAsFar_data()
     {
         QTest::addColumn<QByteArray>("id");
@@ -306,7 +306,7 @@ class Stability : public QObject
     }
 
     /// A number per triangle steps without a push aside: where a hand rests on the step it comes to rest, and nothing
-    /// is said of it.
+    /// is reported.
     void aNumberPerTriangleKeepsNothingSwinging_data()
     {
         QTest::addColumn<QByteArray>("id");
@@ -329,9 +329,9 @@ class Stability : public QObject
         }
     }
 
-    /// Near the top of an S of 5 mm an arm holds what it holds on the wall, but for what its sensor's counts do to
-    /// both: with counts of half the size the wall gains a step of the search sooner (measured: 0.82 of the wall), with
-    /// a tenth the S holds more. What the arm is stated to hold it holds by far.
+    /// Near the top of an S of 5 mm an arm is stable up to the stiffness of the wall, except for the effect of sensor
+    /// counts on both: with counts of half the size the wall gains a step of the search sooner (measured: 0.82 of the
+    /// wall), with a tenth the S permits more. The stated stiffness of the arm is stable by a wide margin.
     void aRoundStepHoldsWhatTheWallDoesButForTheSensor_data()
     {
         QTest::addColumn<double>("counts");
@@ -346,7 +346,7 @@ class Stability : public QObject
         QFETCH(const double, share);
         constexpr double kSearch = 1.04;
         Shape step = stepOver(5.0, true);
-        step.holds.erase(step.holds.begin(), step.holds.begin() + 2); // at 0.9 of it
+        step.holds.erase(step.holds.begin(), step.holds.begin() + 2); // at 0.9 of the height
         Setup setup = setupOf(*findDevicePreset("woodenhaptics"));
         setup.preset.mechanics.resolution_mm *= counts;
         const double held = largestStiffness(step, setup), wall = largestStiffness(touchedShapes()[0], setup);
@@ -417,7 +417,7 @@ class Stability : public QObject
         QVERIFY(restlessness_mm(touchedShapes().front(), 1.15 * bound, setup) > 0.5);
     }
 
-    /// Down on the soft side, up on the stiff one: the border makes energy, whatever the rate.
+    /// Down on the soft side, up on the stiff side: the border generates energy at any rate.
     void theBorderOfALumpOscillatesWithoutTheController()
     {
         const Shape& lump = touchedShapes()[4];
@@ -427,8 +427,8 @@ class Stability : public QObject
         QVERIFY(restlessness_mm(lump, 1.0, setupOf(delta)) < kLimitCycle_mm);
     }
 
-    /// Layers add up: what one holds alone oscillates where it is felt through another as stiff, unless the two share
-    /// it.
+    /// Layers add up: a stable stiffness oscillates through another layer of the same stiffness, unless the layers
+    /// share it.
     void theLimitHoldsForTheSumOfTheLayers()
     {
         const Setup setup = setupOf(*findDevicePreset("omega"), false);
@@ -455,7 +455,7 @@ class Stability : public QObject
         QCOMPARE(shape.own_N_per_mm, 2.0);
         QCOMPARE(shape.share[0], 0.1);
         QCOMPARE(shape.share[1], 1.0);
-        // Both layers push where the one lies on the other: the two together are what the wall alone is.
+        // Both layers push at the same place: together they equal the wall alone.
         const Setup setup = setupOf(*findDevicePreset("touch"));
         const double wall = largestStiffness(touchedShapes().front(), setup), both = largestStiffness(shape, setup);
         QVERIFY2(std::abs(1.1 * both / wall - 1.0) < 0.1, qPrintable(QString("%1 and %2 N/mm").arg(both).arg(wall)));
@@ -465,11 +465,12 @@ class Stability : public QObject
     {
         for (const DevicePreset& preset : devicePresets()) {
             const Cost cost = controllerCost(touchedShapes().front(), 0.3, setupOf(preset));
-            QVERIFY2(cost.mean_percent < 0.7, preset.id.data()); // a tenth of what a hand can tell
+            QVERIFY2(cost.mean_percent < 0.7, preset.id.data()); // a tenth of the perception threshold
         }
     }
 
-    /// A hand that ends at rest in the air, slipped off or beside the surface, is no limit cycle and hides none.
+    /// A hand that ends at rest in the air, slipped off or beside the surface, is not a limit cycle and does not hide a
+    /// limit cycle.
     void aHandInTheAirCountsForNothing()
     {
         using palpate::core::Vec3;

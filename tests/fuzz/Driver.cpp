@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs a target without libFuzzer: its seeds, then changes of them that are the same in every run.
+// Runs a target without libFuzzer: the seeds, then reproducible mutations of the seeds.
 //
 //   fuzz_meshio TARGET [--mutations N] [FILE …]     N changes of each seed; with files, those alone
 #include "Fuzz.h"
@@ -84,7 +84,7 @@ std::string changed(std::string text, const std::vector<std::string>& seeds, std
         case 4:
             text.insert(at, kWords[below(kWords.size())]);
             break;
-        case 5: { // a number, or what stands in its place
+        case 5: { // a number or replacement text
             const std::size_t digit = text.find_first_of("0123456789", at);
             if (digit != std::string::npos) {
                 const std::size_t end = std::min(text.find_first_not_of("0123456789.", digit), text.size());

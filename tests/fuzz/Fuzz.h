@@ -12,31 +12,30 @@
 
 namespace palpate::fuzz {
 
-/// What inputs are made for.
+/// A function under fuzzing.
 struct Target
 {
     std::string_view name;
-    std::size_t mutations; ///< of each seed, where CTest tries it
-    /// Inputs to start from. What was once found to go wrong is among them and stays.
+    std::size_t mutations; ///< per seed, in the CTest run
+    /// Returns the inputs to start from, including all earlier findings.
     std::vector<std::string> (*seeds)();
-    /// Feeds one input. Whatever it is, it must end here: with a value that keeps its promises, or with an error of one
-    /// line.
+    /// Processes one input, which must end in a value that meets its guarantees or an error of one line.
     void (*tryInput)(std::string_view bytes);
 };
 
-/// Those of this program.
+/// Returns the targets of this program.
 std::span<const Target* const> targets();
 
-/// Its target of that name; without one the program says which there are and ends.
+/// Returns the target with that name; otherwise prints the available names and exits.
 const Target& target(std::string_view name);
 
-/// Ends the program, as a finding, unless `isTrue`.
+/// Aborts the program, as a finding, unless `isTrue`.
 void require(bool isTrue, const char* what);
 
-/// A refusal is one line that begins with the input's name.
+/// Requires an error message of one line that starts with the input's name.
 void requireOneLine(const core::Status& status, std::string_view name);
 
-/// A file of this process in memory-backed storage, for what can only be read by name; it holds the newest input.
+/// A file of this process in memory-backed storage that holds the newest input, for readers that need a file name.
 class InputFile
 {
   public:

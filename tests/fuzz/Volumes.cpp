@@ -68,7 +68,7 @@ std::vector<std::string> volumeSeeds(std::string_view ending)
 
 void tryVolume(std::string_view bytes, const char* name)
 {
-    static std::map<std::string, std::unique_ptr<InputFile>> files; // read by name: their ending says what they are
+    static std::map<std::string, std::unique_ptr<InputFile>> files; // read by name: the extension determines the format
     std::unique_ptr<InputFile>& file = files[name];
     if (file == nullptr) {
         file = std::make_unique<InputFile>(name);
@@ -87,7 +87,7 @@ void tryVolume(std::string_view bytes, const char* name)
         require(taken.isOk() == grid.isOk(), "an outcome arrives as it was");
         require(!taken.isOk() || isSame(taken.value(), grid.value()), "a volume arrives as it was");
         require(taken.isOk() || taken.status().message() == grid.status().message(), "an error arrives as it was");
-    } catch (const std::bad_alloc&) { // said in one line by who asked for it
+    } catch (const std::bad_alloc&) { // reported in one line by the caller
     }
 }
 

@@ -5,14 +5,14 @@
 
 namespace palpate::fuzz {
 
-/// The samples of tests/meshio whose name ends so, with their numbers in the same file.
+/// Returns the samples of tests/meshio with that name extension, with their voxels in the same file.
 std::vector<std::string> volumeSeeds(std::string_view ending);
 
-/// Reads a volume in this process, by its name, and hands the outcome over as the import process does.
-/// @param name  its ending says what it is read as
+/// Reads a volume by name in this process and passes the result on as the import process does.
+/// @param name  its extension selects the format
 void tryVolume(std::string_view bytes, const char* name);
 
-/// Takes what an import process could have handed back.
+/// Parses a possible reply of an import process.
 void tryHandedBack(std::string_view bytes);
 
 } // namespace palpate::fuzz

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An input is a database file as it is, or, behind an S, choices: which good recording to take, then what to change in
-// its schema, its rows and its pages, and whether to make the checksums right again, as any program can. So changes
-// get past the first checksum and to every reader.
+// An input is either a raw database file or, after an 'S', a list of choices: the valid recording to start from, the
+// changes to schema, rows and pages, and whether to restore the checksums, as any program can. Changes thus get past
+// the first checksum and reach every reader.
 #include "Fuzz.h"
 #include "HostileRecordings.h"
 
@@ -53,7 +53,7 @@ std::string recording(std::int64_t ticks)
     return contentOf(file.path());
 }
 
-/// With two scenes, an embedded surface, a note and a finding.
+/// Writes a recording with two scenes, an embedded surface, a note and a finding.
 std::string richRecording(int ticks)
 {
     const InputFile file("seed.palpate");
@@ -61,7 +61,7 @@ std::string richRecording(int ticks)
     return contentOf(file.path());
 }
 
-/// The first page, which leads to all others, is gone.
+/// Removes the first page, which leads to all others.
 std::string headless(std::string recording)
 {
     constexpr std::size_t kPage = 4096;
@@ -69,14 +69,14 @@ std::string headless(std::string recording)
     return recording;
 }
 
-/// A quote within the text of a table, which has more than one line: SQLite quotes the rest of it.
+/// Adds a quote to the text of a table with more than one line: SQLite quotes the rest.
 std::string openQuote(std::string recording)
 {
     recording.at(recording.find("part TEXT") + 3) = '\'';
     return recording;
 }
 
-/// What comes out of a damaged recording is a sound one.
+/// Checks that the recovery of a damaged recording is a valid recording.
 void recover(const std::filesystem::path& path)
 {
     const std::filesystem::path copy = path.parent_path() / "copy.palpate";
@@ -94,7 +94,7 @@ void recover(const std::filesystem::path& path)
     require(reader.value()->verify().isOk(), "its checksums hold");
 }
 
-/// What an input says, number by number; zeros once it is used up.
+/// Reads the input number by number; returns zeros after the end.
 class Choices
 {
   public:
@@ -179,7 +179,7 @@ constexpr std::array kColumns{"ticks.tick",
                               "embedded.source",
                               "embedded.all_sha256"};
 
-/// What a column becomes; %c is the column itself.
+/// New values for a column; %c is the column.
 constexpr std::array kValues{"NULL",
                              "0",
                              "1",
@@ -265,7 +265,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
     return text;
 }
 
-/// One change by SQL: a value in some rows, rows, or the schema.
+/// Returns one change in SQL: a value in some rows, whole rows, or the schema.
 std::string statement(Choices& in)
 {
     const std::string table = in.of(kTables);
@@ -288,7 +288,7 @@ std::string statement(Choices& in)
     }
 }
 
-/// Changes the bytes of pages: what SQLite's own trees are made of.
+/// Changes bytes of pages, which hold SQLite's B-trees.
 void changePages(std::string& file, Choices& in)
 {
     constexpr std::size_t kPage = 4096;
@@ -304,7 +304,7 @@ void changePages(std::string& file, Choices& in)
     case 1:
         file.resize(page + in.below(kPage));
         break;
-    case 2: // a pointer in the header of a page or in its list of cells
+    case 2: // a pointer in a page header or in the cell list
         file[page + in.below(64)] = static_cast<char>(in.number());
         break;
     case 3: { // a pointer to another page
@@ -319,7 +319,7 @@ void changePages(std::string& file, Choices& in)
     }
 }
 
-/// Makes the file that an input's choices stand for, and perhaps a journal beside it.
+/// Builds the file for an input's choices, possibly with a journal.
 void build(const InputFile& file, std::string_view bytes)
 {
     static const std::array<std::string, 4> kGood{richRecording(60), richRecording(600), recording(300), recording(0)};
@@ -350,7 +350,7 @@ void build(const InputFile& file, std::string_view bytes)
     }
     if ((how & 8U) != 0) {
         std::string journal = test::superJournal(file.path(), (how & 16U) != 0 ? "" : file.path().string() + "-victim");
-        if ((how & 32U) != 0) { // a page of before
+        if ((how & 32U) != 0) { // a page of the earlier state
             journal.replace(8, 4, std::string("\0\0\0\1", 4));
             journal += contentOf(file.path()).substr(0, 4096);
         }
@@ -373,7 +373,7 @@ void requireFinite(const session::SessionMeasures& m)
     }
 }
 
-/// Reads all of a recording in each way that a command does.
+/// Reads the whole recording in each way that a command does.
 void read(const session::RecordingReader& r)
 {
     std::int64_t last = -1;
@@ -412,7 +412,7 @@ void read(const session::RecordingReader& r)
     }
 }
 
-/// Choices that once broke a promise, as hexadecimal digits.
+/// Choices that once exposed a bug, in hexadecimal.
 constexpr std::array kFindings{
     "2a01002300026000fefc8804990445670404044466550404770488049d9904aa",
     "00000032026465766963655f73656e06cb06dc06ed06fe060f0620063106420653066406750686069706a806b9",
@@ -434,7 +434,7 @@ std::vector<std::string> seeds()
     for (const char* finding : kFindings) {
         seeds.push_back("S" + QByteArray::fromHex(finding).toStdString());
     }
-    // Choices: which recording, what is made right again, then statements and pages.
+    // Choices: the recording, the checksums to restore, then statements and pages.
     for (char good = 0; good < 2; ++good) {
         for (char how = 0; how < 64; how = static_cast<char>(how + 5)) {
             std::string choices{'S', 0, good, 0, how, 0, 2};

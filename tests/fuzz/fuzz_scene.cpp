@@ -59,7 +59,7 @@ void tryInput(std::string_view bytes)
         require(core::check(structure.tissue.law).isOk(), "a law is a possible one");
         require(structure.X_WM.matrix().allFinite(), "a pose is of numbers");
     }
-    // What was read can be written, and reads as the same number of everything.
+    // A scene that was read can be written, and reads back with the same counts.
     again.set("");
     require(meshio::writeScene(again.path(), scene.value()).isOk(), "a scene that was read can be written");
     const auto back = meshio::readScene(again.path());

@@ -122,7 +122,7 @@ class BoxHierarchyTest : public QObject
         QVERIFY(count < 3000 || size == 0.0 || found > 100);
     }
 
-    /// What a ball touches at the start of a move and sees at a cosine to it that is asked for is not left out.
+    /// Facets touched by a ball at the start of a move, at the requested cosine, are not omitted.
     void aBallFindsWhatStandsAgainstIt()
     {
         for (const double offset : {0.0, -1e4}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Neighbours and clear triangles against brute force: what SurfaceIndex says about a triangle's surroundings is true.
+// Neighbours and clear triangles of SurfaceIndex, compared with brute force.
 #include "Shapes.h"
 #include "TestRunner.h"
 
@@ -347,7 +347,7 @@ class ClearTriangles : public QObject
         append(mesh, moved(sphere(8, 10.0), Vec3(1000, 0, 0)));
         const RepairedMesh repaired = geometry::repair(mesh);
         for (const unsigned threads : {1u, 2u, 8u}) {
-            // Even of a sphere far away nothing is said then.
+            // No triangle is clear then, even for a distant sphere.
             QCOMPARE(clearCount(SurfaceIndex::build(repaired, threads)), std::size_t{0});
         }
     }

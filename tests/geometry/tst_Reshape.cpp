@@ -20,7 +20,7 @@ TriangleMesh flipped(TriangleMesh mesh)
     return mesh;
 }
 
-/// Each triangle has the corners of its source, turned where `turned` says so.
+/// Each triangle has the corners of the source, reversed where `turned` is set.
 bool refersToItsSource(const RepairedMesh& surface, const TriangleMesh& input)
 {
     for (std::size_t i = 0; i < surface.mesh.triangles.size(); ++i) {
@@ -55,7 +55,7 @@ class Reshape : public QObject
         QVERIFY(std::abs(after->report.volume_mm3 - 6.0) < 1e-12);
         QCOMPARE(after->report.inputVertices, before.report.inputVertices);
         QCOMPARE(after->report.weldedVertices, before.report.weldedVertices);
-        QCOMPARE(after->report.reorientedTriangles, std::size_t{0}); // none was turned to agree with the rest
+        QCOMPARE(after->report.reorientedTriangles, std::size_t{0}); // no triangle was reversed to match the others
         QVERIFY(refersToItsSource(*after, input));
     }
 
@@ -68,7 +68,7 @@ class Reshape : public QObject
         QVERIFY(!turnedOutwards(repair(flipped(sheet(1.0, 3))))); // open: has no inside
     }
 
-    /// A shell that was written inside out keeps its cavity, and what is beside it stays.
+    /// A shell written inside out keeps the cavity, and adjacent components are unchanged.
     void turnsACavityWithItsShell()
     {
         TriangleMesh mesh = flipped(sphere(6, 10.0));

@@ -54,7 +54,7 @@ Map moved(const Vec3& by)
     return [by](const Vec3& p) { return Vec3(p + by); };
 }
 
-/// About the y axis, positive angles raising +x.
+/// Returns a rotation about the y axis; positive angles raise +x.
 Map turned(double angle)
 {
     return [angle](const Vec3& p) {
@@ -87,7 +87,7 @@ double force(Palpator& palpator, double z = -3.0)
 
 } // namespace
 
-/// Contacts that outlast a change of scene.
+/// Tests contacts that persist across a change of scene.
 class CarryOver : public QObject
 {
     Q_OBJECT
@@ -102,7 +102,7 @@ class CarryOver : public QObject
         QTest::newRow("0.1 mm away") << moved(Vec3(0, 0, -0.1)) << 2.9;
         QTest::newRow("0.1 mm towards the hand") << moved(Vec3(0, 0, 0.1)) << 3.1;
         QTest::newRow("1e-6 mm towards the hand") << moved(Vec3(0, 0, 1e-6)) << 3.0;
-        QTest::newRow("4 mm towards the hand") << moved(Vec3(0, 0, 4)) << 7.0; // more than 1 mm: by its triangle
+        QTest::newRow("4 mm towards the hand") << moved(Vec3(0, 0, 4)) << 7.0; // more than 1 mm: matched by triangle
         QTest::newRow("4 mm and sideways") << moved(Vec3(-2, 1, 3)) << 6.0;
         QTest::newRow("turned by 0.1 degrees") << turned(0.1 * 3.14159265358979 / 180.0) << 3.0 + 0.0174533;
         QTest::newRow("turned by 3 degrees")
@@ -125,17 +125,18 @@ class CarryOver : public QObject
                 press(palpator, radius_mm - 3.0);
                 QVERIFY(!palpator.setScene(after.get()));
                 if (isOpen && std::abs(depth_mm - 4.2) < 1e-9) {
-                    continue; // a sheet through z = 0 grows otherwise
+                    continue; // a sheet through z = 0 scales differently
                 }
                 const auto tick = palpator.step(Vec3(10, 2, radius_mm - 3.0), kTick_s);
-                const double turn = std::abs(tick.n_W.z() - 1.0) > 1e-3 ? 0.02 : 0.001; // a ball touches elsewhere
+                // the contact point of a ball differs
+                const double turn = std::abs(tick.n_W.z() - 1.0) > 1e-3 ? 0.02 : 0.001;
                 QVERIFY2(std::abs(tick.f_W.norm() - kStiffness_N_per_mm * depth_mm) <= turn,
                          qPrintable(QString("%1 N, radius %2").arg(tick.f_W.norm()).arg(radius_mm)));
             }
         }
     }
 
-    /// A surface of another mesh, as smoothing to another density gives it: no triangle tells where it went.
+    /// A surface with another mesh, as after smoothing at another density: no triangle correspondence.
     void isPutInFrontOfASurfaceOfAnotherMesh()
     {
         for (const double radius_mm : {0.0, 2.0}) {
@@ -151,13 +152,13 @@ class CarryOver : public QObject
                     QVERIFY2(std::abs(felt - kStiffness_N_per_mm * (3.0 + rise_mm)) < 1e-3,
                              qPrintable(QString::number(felt)));
                 } else if (radius_mm == 0.0) {
-                    QCOMPARE(felt, 0.0); // farther than 1 mm: let out
+                    QCOMPARE(felt, 0.0); // farther than 1 mm: released
                 }
             }
         }
     }
 
-    /// A hand that hovers just above is not swallowed either.
+    /// A hand just above the surface is not enclosed either.
     void aHandAboveIsPutInFront()
     {
         const Scene before = sceneOf({structure(gridBlock(4))}),
@@ -183,14 +184,15 @@ class CarryOver : public QObject
                 palpator.setScene(after.get());
                 QVERIFY(std::abs(force(palpator) - 0.5 * (3.0 + by)) < 1e-3);
                 for (int i = 0; i < 60; ++i) {
-                    QVERIFY(force(palpator, -3.0 + 0.1 * i) >= 0.0); // never a pull inwards
+                    QVERIFY(force(palpator, -3.0 + 0.1 * i) >= 0.0); // never an inward pull
                 }
                 QCOMPARE(force(palpator, 3.0), 0.0);
             }
         }
     }
 
-    /// What is new around a god-object, or was around it before, lets it out as ever.
+    /// A structure that newly encloses the god-object, or enclosed it before, exerts no force until the god-object
+    /// leaves.
     void whatItWasInsideOfLetsItOut()
     {
         const Scene before = sceneOf({structure(gridBlock(4))}),
@@ -198,7 +200,7 @@ class CarryOver : public QObject
         const Scene other = sceneOf({structure(gridBlock(4), "another")});
         Palpator palpator;
         palpator.setScene(before.get());
-        (void)palpator.step(Vec3(10, 2, -0.5), kTick_s); // begins inside
+        (void)palpator.step(Vec3(10, 2, -0.5), kTick_s); // starts inside
         palpator.setScene(after.get());
         QCOMPARE(force(palpator, -0.5), 0.0);
         palpator.setScene(nullptr);
@@ -229,7 +231,7 @@ class CarryOver : public QObject
         QFETCH(const bool, isBack);
         const HapticStructure touched = structure(isOpen ? sheet(50.0, 4) : gridBlock(), "touched");
         const HapticStructure other = structure(box(Vec3(100, 0, 0), Vec3(110, 10, 10)), "other");
-        for (const bool isAlone : {true, false}) { // its layer goes with it, or stays
+        for (const bool isAlone : {true, false}) { // removed with or without its layer
             const Scene shown = sceneOf({other, touched});
             const Scene without =
                 isAlone ? sceneOf({hidden(other), hidden(touched)}) : sceneOf({other, hidden(touched)});
@@ -243,7 +245,7 @@ class CarryOver : public QObject
             resumed.setScene(without.get());
             resumed.restore(palpator.state());
             QCOMPARE(palpator.setScene(shown.get()), isBack);
-            QCOMPARE(resumed.setScene(shown.get()), isBack); // a recording may begin in between
+            QCOMPARE(resumed.setScene(shown.get()), isBack); // a recording may start in between
             const double felt = force(palpator, z);
             QVERIFY(std::abs(felt - (isBack ? -0.5 * z : 0.0)) < 1e-3);
             QVERIFY(felt == force(resumed, z));

@@ -242,7 +242,7 @@ class ClosedForms : public QObject
         const auto map = [&](const Vec3& v) { return Vec3(scale * (q * v) + offset * Vec3(1, -1, 1)); };
         const geometry::TriangleMesh mesh = bumpySphere(24, 40.0, 0.03);
         Feel here(mesh), there(transformed(mesh, map));
-        const double own = 8 * 2.2e-16 * offset + 1e-9 * 40.0 * scale; // what the coordinates themselves can hold
+        const double own = 8 * 2.2e-16 * offset + 1e-9 * 40.0 * scale; // resolution of the coordinates
         int contacts = 0;
         for (int i = 0; i < 800; ++i) {
             const double a = 1.7e-3 * i;

@@ -64,7 +64,7 @@ class ConstrainedPointTest : public QObject
                 isFeasible = isFeasible && plane.n.dot(p.u) >= plane.offset_mm - 1e-9;
             }
             if (!isFeasible) {
-                continue; // four planes may leave nothing, or only what is badly conditioned
+                continue; // four planes may leave no point, or only an ill-conditioned point
             }
             for (int i = 0; i < p.count; ++i) {
                 active.push_back(planes[p.active[static_cast<std::size_t>(i)]]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What floats rule out before the exact tests: they must never lose a facet that the exact tests would find.
+// Tests the float filters in front of the exact tests: a filter must never drop a facet that the exact tests would
+// find.
 #include "Shapes.h"
 #include "TestRunner.h"
 #include "nearby/DistanceLanes.h"
@@ -55,7 +56,7 @@ Corners cornersOf(const std::vector<Facet>& facets, const Vec3& origin)
     return corners;
 }
 
-/// Triangles of all shapes near `origin`: fair, slivers, and some seen edge-on.
+/// Returns triangles of all shapes near `origin`: well-shaped, slivers, and some seen edge-on.
 std::vector<Facet> someFacets(std::mt19937_64& random, const Vec3& origin)
 {
     std::normal_distribution<double> normal;
@@ -86,7 +87,7 @@ class Filters : public QObject
             const std::vector<Facet> facets = someFacets(random, origin);
             FacetGroup group;
             const float reach = derive(cornersOf(facets, origin), group);
-            // Half of the moves go through a point of a facet, some of them starting in its plane or along its edge.
+            // Half of the moves pass through a point of a facet; some start in the facet's plane or along an edge.
             const Facet& aimed = facets[static_cast<std::size_t>(round % kCount)];
             const double s = std::abs(std::fmod(normal(random), 1.0)),
                          t = (1 - s) * std::abs(std::fmod(normal(random), 1.0));
@@ -117,7 +118,7 @@ class Filters : public QObject
         }
         qInfo("%d blocking, %d kept of %d", blocking, kept, offered);
         QVERIFY(blocking > 5000);
-        QVERIFY(kept < offered / 2); // it does rule out
+        QVERIFY(kept < offered / 2); // the filter does reject facets
     }
 
     void noFacetThatBlocksAChainIsRuledOut()
@@ -130,7 +131,7 @@ class Filters : public QObject
             const std::vector<Facet> facets = someFacets(random, origin);
             FacetGroup group;
             const float reach = derive(cornersOf(facets, origin), group);
-            // Short moves near one facet, through a place on it or on its edge.
+            // Short moves near a facet, through a point in its interior or on its edge.
             const Facet& aimed = facets[static_cast<std::size_t>(round % kCount)];
             const Vec3 on = aimed.a + (round % 4 == 0 ? 0.0 : 0.4) * (aimed.b - aimed.a) + 0.3 * (aimed.c - aimed.a);
             std::vector<Vec3> path;
@@ -160,7 +161,7 @@ class Filters : public QObject
         }
         qInfo("%d blocking, %d kept of %d", blocking, kept, offered);
         QVERIFY(blocking > 2000);
-        QVERIFY(kept < offered / 2); // it does rule out
+        QVERIFY(kept < offered / 2); // the filter does reject facets
     }
     void noBoxIsNearerThanItsDistance()
     {
@@ -205,7 +206,8 @@ class Filters : public QObject
             distances(&group, kCount, at, still, distance);
             for (int i = 0; i < kCount; ++i) {
                 const double exact = (p - nearestOn(facets[static_cast<std::size_t>(i)], p).q).norm();
-                // Never more than the truth beyond its rounding; and the truth, but for what is too flat.
+                // Never above the exact distance by more than the rounding; and close to it, except for very flat
+                // triangles.
                 QVERIFY2(distance[i] <= exact + kDistanceRounding * reach,
                          qPrintable(QString("round %1: %2, exactly %3").arg(round).arg(distance[i]).arg(exact)));
                 QVERIFY(distance[i] == 0.0f || distance[i] >= exact - 1e-3 * reach);
@@ -213,7 +215,7 @@ class Filters : public QObject
         }
     }
 
-    /// A sliver's normal is far off in floats: no distance from it may be told too large.
+    /// A sliver's normal is inaccurate in floats: the distance must never be overestimated.
     void noSliverIsToldFartherThanItIs()
     {
         std::mt19937_64 random(11);
@@ -228,8 +230,8 @@ class Filters : public QObject
                 const Vec3 along = Vec3(normal(random), normal(random), normal(random)).normalized();
                 const Vec3 aside = along.cross(Vec3(normal(random), normal(random), normal(random))).normalized();
                 const double length = std::pow(10.0, 1.5 * share(random) - 0.5);
-                const double width = length / (i % 2 == 0 ? 950.0 : 70.0); // the second is told
-                // Above a place inside it.
+                const double width = length / (i % 2 == 0 ? 950.0 : 70.0); // the second width counts as a sliver
+                // Above a point in the interior.
                 const Vec3 a = origin + 0.5 * along.cross(aside) - 0.4 * length * along - 0.3 * width * aside;
                 std::array<Vec3, 3> c{a, a + length * along, a + share(random) * length * along + width * aside};
                 std::rotate(c.begin(), c.begin() + round % 3, c.end());
@@ -259,7 +261,7 @@ class Filters : public QObject
             TriangleGroup group;
             const float reach = derive(cornersOf(facets, origin), group);
             Vec3 p = origin + 2.0 * Vec3(normal(random), normal(random), normal(random));
-            if (round % 2 == 0) { // above the face of one
+            if (round % 2 == 0) { // above the face of a sliver
                 const Facet& f = facets[static_cast<std::size_t>(round / 2 % kCount)];
                 p = f.a + 0.4 * (f.b - f.a) + 0.3 * (f.c - f.a) + std::abs(normal(random)) * f.n;
             }
@@ -284,11 +286,11 @@ class Filters : public QObject
                 close += distance[i] > 0.9 * least ? 1 : 0;
             }
         }
-        QVERIFY(close > 20000); // it does rule out
+        QVERIFY(close > 20000); // the filter does reject facets
     }
 
-    /// Above an edge, so near its end that floats may take the end for the nearest place: what the move gains towards
-    /// the edge, it gains across the direction to that place.
+    /// Above an edge, so near to the end point that floats may pick the end point as the nearest feature: the gain
+    /// towards the edge is then perpendicular to the direction to that end point.
     void noMoveBesideTheEndOfAnEdgeComesNearerThanItsLeastDistance()
     {
         std::mt19937_64 random(8);
@@ -303,7 +305,7 @@ class Filters : public QObject
             TriangleGroup group;
             const float reach = derive(cornersOf(facets, Vec3::Zero()), group);
             const Vec3 p(beside, -share(random) * high, high);
-            // Down by as much as the end's direction turns away from the edge's.
+            // Down by as much as the direction to the end point deviates from the direction to the edge.
             const Vec3 up = Vec3(0, p[1], p[2]).normalized();
             const Vec3 half = 0.25 * high * (Vec3::UnitX() - beside / p.norm() * up);
             float at[3], along[3], distance[kCount];
@@ -355,7 +357,7 @@ class Filters : public QObject
         int blocked = 0, passed = 0;
         for (int round = 0; round < 20000; ++round) {
             const Facet facet = someFacets(random, Vec3::Zero())[static_cast<std::size_t>(round % kCount)];
-            // In front, a radius off it or more, towards it or almost beside it.
+            // In front of the facet, a radius away or more, moving towards the facet or almost parallel.
             const double radius = std::abs(normal(random)) + 0.01,
                          gap = std::pow(10.0, -2.0 * std::abs(normal(random)));
             Vec3 away = point().normalized();
@@ -401,8 +403,8 @@ class Filters : public QObject
             const std::vector<Facet> facets = someFacets(random, origin);
             TriangleGroup group;
             const float reach = derive(cornersOf(facets, origin), group);
-            // Half of the moves go almost straight beside a facet, as where it holds the ball; a third begin next to
-            // the plane through the end of an edge, where floats may take another feature for the nearest.
+            // Half of the moves are almost parallel to a facet, as when the facet holds the ball; a third start next to
+            // the plane through the end of an edge, where floats may pick another nearest feature.
             const Facet& aimed = facets[static_cast<std::size_t>(round % kCount)];
             Vec3 x = origin + 2.0 * point();
             if (round % 3 == 0) {
@@ -429,7 +431,7 @@ class Filters : public QObject
                 const bool isKept = (lanes >> i & 1u) != 0;
                 ++offered;
                 kept += isKept ? 1 : 0;
-                // Of a radius that reaches them all: each touches already.
+                // With a radius that reaches all facets: each facet already touches.
                 if (blocksBall(facets[static_cast<std::size_t>(i)], x, Vec3(x + move), 50.0, 1.0, crossing,
                                cosine * move.norm())) {
                     ++blocking;
@@ -439,12 +441,12 @@ class Filters : public QObject
         }
         qInfo("%d blocking, %d kept of %d", blocking, kept, offered);
         QVERIFY(blocking > 20000);
-        QVERIFY(kept < offered * 7 / 10); // it does rule out
+        QVERIFY(kept < offered * 7 / 10); // the filter does reject facets
     }
 
     void aPitHoldsWhatASaddleLetsGo()
     {
-        // Six facets around the origin, their rims lifted by the given heights.
+        // Six facets around the origin, with the rim vertices raised by the given heights.
         const auto fan = [](const std::vector<double>& height) {
             std::vector<Facet> facets;
             const auto rim = [&](std::size_t i) {
@@ -459,9 +461,10 @@ class Filters : public QObject
         const Vec3 from(0, 0, 1e-7), down(0.02, 0.01, -1);
         const double enough = down.norm() - 1e-6;
         QVERIFY(isHeldByRing(fan({.2, .2, .2, .2, .2, .2}), from, down, enough));
-        QVERIFY(!isHeldByRing(fan({-.2, .2, .2, .2, .2, .2}), from, down, enough)); // down a gutter
+        QVERIFY(!isHeldByRing(fan({-.2, .2, .2, .2, .2, .2}), from, down, enough)); // down a groove
         QVERIFY(!isHeldByRing(fan({-.2, -.2, -.2, -.2, -.2, -.2}), from, down, enough));
-        QVERIFY(!isHeldByRing(fan({.2, .2, .2, .2, .2, .2}), from, Vec3(0, 0, 1), enough)); // pulled off
+        // pulled away from the surface
+        QVERIFY(!isHeldByRing(fan({.2, .2, .2, .2, .2, .2}), from, Vec3(0, 0, 1), enough));
         std::vector<Facet> open = fan({.2, .2, .2, .2, .2, .2});
         open.pop_back();
         QVERIFY(!isHeldByRing(open, from, down, enough));

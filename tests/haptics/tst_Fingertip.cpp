@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ball as god-object: closed forms, and the definition by brute force: never nearer to a surface than its radius, and
-// no small legal move brings it closer to the HIP.
+// Tests the ball god-object against closed forms and by brute force against the definition: never nearer to a surface
+// than the radius, and no small legal move brings the ball closer to the HIP.
 #include "Known.h"
 #include "Shapes.h"
 #include "TestRunner.h"
@@ -54,7 +54,8 @@ double toSegment(const Vec3& p, const Vec3& a, const Vec3& b)
     return (p - a - std::clamp((p - a).dot(e) / e.squaredNorm(), 0.0, 1.0) * e).norm();
 }
 
-/// Smallest distance from p to the mesh, by its plane where p is over a triangle and its edges elsewhere.
+/// Returns the smallest distance from p to the mesh: to the plane where p projects into a triangle, to the edges
+/// elsewhere.
 double clearance(const geometry::TriangleMesh& mesh, const Vec3& p)
 {
     double least = 1e300;
@@ -99,7 +100,7 @@ class Fingertip : public QObject
         const double half = degrees * std::numbers::pi / 360;
         const double radius = std::min(0.5, 10 * std::tan(half));
         BallFeel feel(groove(2 * half, 20.0, 12.0), radius);
-        // groove() opens upwards from the y axis; the ball sits where both walls are a radius away.
+        // groove() opens upwards from the y axis; the ball rests where both walls are one radius away.
         const double height = radius / std::sin(half);
         TickResult r = feel.move(Vec3(0, 0, 19), Vec3(0, 0, -5), 400);
         QVERIFY_AT(r, Vec3(0, 0, height));
@@ -111,7 +112,7 @@ class Fingertip : public QObject
     void rollsRoundAnEdgeAndACorner()
     {
         BallFeel feel(box(Vec3(-10, -10, -10), Vec3(0, 10, 0), 2), 2.0);
-        // Over the edge along y at x = 0, z = 0: on the quarter circle the pull decides where it stands.
+        // Over the edge along y at x = 0, z = 0 the pull direction decides where on the quarter circle the ball rests.
         feel.move(Vec3(-3, 1, 5), Vec3(-3, 1, 1), 50);
         for (const double angle : {0.2, 0.6, 1.0, 1.4}) {
             const Vec3 out(std::sin(angle), 0, std::cos(angle));
@@ -136,7 +137,7 @@ class Fingertip : public QObject
 
     void aThinPlateHitFastIsNotPassed()
     {
-        // 2 m/s: 2 mm a tick, four times the plate's thickness.
+        // 2 m/s is 2 mm per tick, four times the thickness of the plate.
         BallFeel feel(box(Vec3(-10, -10, -0.5), Vec3(10, 10, 0), 4), 0.3);
         const TickResult r = feel.move(Vec3(0.1, 0.2, 20), Vec3(0.1, 0.2, -20), 20);
         QVERIFY_AT(r, Vec3(0.1, 0.2, 0.3));
@@ -147,7 +148,7 @@ class Fingertip : public QObject
         BallFeel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 3), 2.0);
         TickResult r = feel.at(Vec3(0, 0, 0.5));
         QVERIFY(r.f_W.norm() == 0.0);
-        r = feel.at(Vec3(0, 0, 0.3)); // no deeper than it is
+        r = feel.at(Vec3(0, 0, 0.3)); // no deeper than at the start
         QVERIFY((r.p_WG - Vec3(0, 0, 0.5)).norm() < 1e-6);
         r = feel.move(Vec3(0, 0, 0.3), Vec3(0, 0, 5), 50);
         QVERIFY(r.f_W.norm() == 0.0);
@@ -155,8 +156,8 @@ class Fingertip : public QObject
         QCOMPARE(feel.at(Vec3(0, 0, std::nan(""))).status, TickStatus::InvalidInput);
     }
 
-    /// It rolls around an edge that it stands over far too near, and each step lets it out for good: the less it gains,
-    /// the sooner it has arrived, and where the hand rests, it does.
+    /// The ball starts far too deep and rolls around an edge; each step pushes the ball out for good. The gains shrink,
+    /// so the ball must converge while the hand rests.
     void aBallThatStartsTooDeepComesToRest()
     {
         BallFeel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 3), 4.0);
@@ -175,7 +176,7 @@ class Fingertip : public QObject
         QVERIFY(r.p_WG == before);
     }
 
-    /// Four organs through each other, each in a layer of its own, and a ball that has too much to do in all of them.
+    /// Four intersecting organs, each in a separate layer, with too much work for the ball in all of them.
     void layersShareTheWorkAndTheInnermostHasItAll()
     {
         std::vector<HapticStructure> organs;
@@ -209,7 +210,8 @@ class Fingertip : public QObject
         QVERIFY(bounded > boundedAlone);
     }
 
-    /// What a tick prepares for the next is charged, but a tick that only lacked the work for that has come to its end.
+    /// Preparation for the next tick is charged, but a tick that lacks work only for this preparation still counts as
+    /// complete.
     void whatTheNextTickNeedsDoesNotBoundThisOne()
     {
         using namespace haptics::internal;
@@ -247,7 +249,7 @@ class Fingertip : public QObject
     }
     void aTouchedFloorHidesNoWall()
     {
-        // The floor is touched and would stop the move far along it, well behind the wall.
+        // The floor is touched and would stop the move only far behind the wall.
         QFETCH(double, gap);
         QFETCH(double, depth);
         geometry::TriangleMesh corner = box(Vec3(-10, -10, -10), Vec3(10, 10, 0), 4);
@@ -278,7 +280,7 @@ class Fingertip : public QObject
 
     void aTinyBallStaysOffALongEdge()
     {
-        // An edge of 2 m: what it is away from is seven digits below the distances to the edge's ends.
+        // An edge of 2 m: the distance to the edge is seven digits smaller than the distances to its ends.
         const double size = 1000.0, radius = 0.001;
         BallFeel feel(box(Vec3(-size, -size, -size), Vec3(size, size, size)), radius);
         const double skin = feel.scene.layer(0).skin_mm;
@@ -297,7 +299,7 @@ class Fingertip : public QObject
 
     void withoutContactItIsAtTheHip()
     {
-        // HIPs on edges and vertices to the last bit, and steps of up to a hundred extents.
+        // HIPs exactly on edges and vertices, and steps of up to a hundred extents.
         const geometry::TriangleMesh mesh = sphere(6, 10.0);
         BallFeel feel(mesh, 4.0);
         std::mt19937_64 random(3);
@@ -315,7 +317,7 @@ class Fingertip : public QObject
 
     void atTheCentreOfCurvatureItComesToRest()
     {
-        // As deep as its radius at a vertex: the ball may roll around the HIP without coming nearer.
+        // One radius deep at a vertex: the ball may roll around the HIP without coming nearer.
         const geometry::TriangleMesh mesh = sphere(20, 20.0);
         for (const double radius : {1.0, 4.0}) {
             BallFeel feel(mesh, radius);
@@ -338,7 +340,8 @@ class Fingertip : public QObject
 
     void farFromTheOriginItRestsAtOnce()
     {
-        // There a step is seldom nothing: the rounding of positions turns the contact point's plane to and fro.
+        // At this distance a step is seldom exactly zero: rounding of positions tilts the plane of the contact point
+        // back and forth.
         geometry::TriangleMesh mesh = sphere(10, 30.0);
         const Vec3 far(-282557.4, 9611.3, 277752.6);
         for (Vec3& v : mesh.vertices) {
@@ -362,11 +365,11 @@ class Fingertip : public QObject
 
     void whereTheHipIsAVertexItStays()
     {
-        // All around the vertex is as near to the HIP: whatever the ball's way there, it then goes nowhere.
+        // All positions around the vertex are equally near to the HIP: after any approach the ball must come to rest.
         const geometry::TriangleMesh mesh = bumpySphere(6, 10.0, 0.1);
         const double radius = 8.0;
         geometry::TriangleMesh both = mesh;
-        append(both, box(Vec3(-20, -20, -40), Vec3(20, 20, -40 + 1e-7))); // its slivers make the skin a micrometre
+        append(both, box(Vec3(-20, -20, -40), Vec3(20, 20, -40 + 1e-7))); // slivers that make the skin a micrometre
         BallFeel feel(both, radius);
         std::mt19937_64 random(11);
         std::normal_distribution<double> normal;
@@ -377,7 +380,7 @@ class Fingertip : public QObject
             (void)feel.at(40.0 * Vec3(normal(random), normal(random), normal(random)).normalized());
             const Vec3 g = feel.at(vertex).p_WG;
             if ((g - vertex).norm() > radius + 2.0 * feel.scene.layer(0).skin_mm) {
-                continue; // others keep it away
+                continue; // held off by other facets
             }
             for (int j = 0; j < 20; ++j) {
                 const TickResult r = feel.at(vertex);
@@ -392,7 +395,8 @@ class Fingertip : public QObject
 
     void aBallPutDownOnAnEdgeMeetsItOnce()
     {
-        // Behind the lower face, too, by less than their rounding: it is on both, whichever way that little leads.
+        // The lower face is nearer than the rounding: the ball touches both faces, whatever the sign of the small
+        // offset.
         BallFeel feel(box(Vec3(-10, -10, -1e-8), Vec3(10, 10, 0), 4), 2.0);
         QVERIFY(feel.scene.layer(0).skin_mm > 1e-6);
         for (const Vec3& at : {Vec3(0, 0, 1e-9), Vec3(5, 1, 1e-9), Vec3(5, 5, 1e-9)}) {
@@ -409,7 +413,7 @@ class Fingertip : public QObject
 
     void theWorkOfATickIsBounded()
     {
-        // 4,000 facets that meet in one point: more than a tick can ask for often.
+        // 4,000 facets that share a vertex: too many to query often within a tick.
         geometry::TriangleMesh fan;
         const int n = 4000;
         fan.vertices = {Vec3(0, 0, 5), Vec3(0, 0, -10)};
@@ -432,7 +436,7 @@ class Fingertip : public QObject
             QVERIFY2(r.p_WG == other.p_WG && r.iterations == other.iterations && r.status == other.status,
                      qPrintable(QString("tick %1").arg(i)));
             limited += r.status == TickStatus::IterationLimit ? 1 : 0;
-            // Wherever the bound was met it is legal, and what holds it is felt.
+            // The state is legal wherever the bound stopped the tick, and the contact produces a force.
             if (i % 10 == 0) {
                 QVERIFY2(clearance(fan, r.p_WG) > 4.0 - 1e-8, qPrintable(QString("tick %1").arg(i)));
             }
@@ -444,7 +448,7 @@ class Fingertip : public QObject
 
     void aLargeBallSlidesWithinItsWork()
     {
-        // In hollows as wide as itself: hundreds of facets' boxes are near, whichever small cell is asked.
+        // In hollows as wide as the ball: every small cell has hundreds of nearby facet boxes.
         BallFeel feel(bumpySphere(81, 50.0, 0.02), 20.0);
         int limited = 0;
         for (const int first : {3650, 9780, 11350}) {
@@ -478,7 +482,7 @@ class Fingertip : public QObject
         QFETCH(geometry::TriangleMesh, mesh);
         QFETCH(double, radius);
         QFETCH(double, size);
-        BallFeel feel(mesh, radius, {.ballWork = 40000}); // each tick comes to its end: the bound has tests of its own
+        BallFeel feel(mesh, radius, {.ballWork = 40000}); // no tick is cut short: the bound has separate tests
         std::mt19937_64 random(7);
         std::normal_distribution<double> normal;
         const auto direction = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
@@ -509,7 +513,7 @@ class Fingertip : public QObject
             const double spring = (hip - r.p_WG).norm();
             for (int attempt = 0; attempt < 60; ++attempt) {
                 const double length = std::pow(10.0, -4 + 2.5 * (attempt % 10) / 9.0);
-                // Straight on, or aside of the normal: where a better place would be.
+                // Straight towards the HIP, or to the side of the normal, where a better position would be.
                 Vec3 d = direction();
                 d += (attempt % 3) * (hip - r.p_WG) / spring;
                 const Vec3 to = r.p_WG + length * d.normalized();
@@ -549,7 +553,7 @@ class Fingertip : public QObject
 
     void rollsOnFromFacetToFacet()
     {
-        // Where it falls from each facet to the next instead, it needs 2.1 moves a tick.
+        // A ball that fell from facet to facet instead would need 2.1 moves per tick.
         BallFeel feel(sphere(32, 12.5), 1.0);
         std::uint32_t moves = 0, contacts = 0;
         for (int i = 0; i < 5000; ++i) {
@@ -571,7 +575,7 @@ class Fingertip : public QObject
     {
         BallFeel ball(bumpySphere(10, 10.0, 0.08), 0.0);
         HapticScene scene({HapticStructure{"it", indexed(bumpySphere(10, 10.0, 0.08)), {0.5, 0.0}, 0}});
-        Palpator point(haptics::Fingertips::Points); // which has no ball at all
+        Palpator point(haptics::Fingertips::Points); // point mode, without a ball
         point.setScene(&scene);
         for (int i = 0; i < 500; ++i) {
             const Vec3 hip = Vec3(std::sin(0.01 * i), std::cos(0.013 * i), 0.3) * (12 - 0.01 * i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tables of force laws against the laws themselves in long double, and what they refuse.
+// Tables of force laws compared with the laws in long double, and rejected input.
 #include "Shapes.h"
 #include "TestRunner.h"
 

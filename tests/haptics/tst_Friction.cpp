@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coulomb friction where the answer is known in closed form, and what must hold on any surface.
+// Tests Coulomb friction against closed forms, and properties that hold on any surface.
 #include "Known.h"
 #include "Shapes.h"
 #include "TestRunner.h"
@@ -74,7 +74,8 @@ bool isBitEqual(const Vec3& a, const Vec3& b)
     return std::memcmp(a.data(), b.data(), sizeof(double) * 3) == 0;
 }
 
-/// |g - g*| where the planes that hold g let it go without friction; and R. For planes through the reported normals.
+/// |g - g*|, where g* is the frictionless position with the planes that hold g, and R. For planes with the reported
+/// normals.
 struct FrictionCone
 {
     double r_mm, radius_mm;
@@ -82,8 +83,8 @@ struct FrictionCone
 
 FrictionCone coneOf(const TickResult& t, const Vec3& hip, double mu)
 {
-    // n_W is the direction of the frictionless push, so its length along the spring tells the rest: for a crease of
-    // equal walls, and for one plane.
+    // n_W is the direction of the frictionless force, so its component along the spring determines the rest: for a
+    // crease of equal walls, and for a plane.
     const Vec3 push = t.p_WG - hip;
     const double depth = push.dot(t.n_W);
     double sum = depth;
@@ -146,7 +147,7 @@ class TestFriction : public QObject
         const TickResult t = feel.move(from, from + 25.0 * ahead, 400);
         const double normal = t.f_W.z();
         QVERIFY(std::abs(along(t.f_W).norm() / (mu * normal) - 1.0) < 1e-12);
-        QVERIFY((along(t.f_W).normalized() + ahead).norm() < 1e-7); // an edge's half skin is all that turns it
+        QVERIFY((along(t.f_W).normalized() + ahead).norm() < 1e-7); // deviation only by the half skin of an edge
         QVERIFY(std::abs(normal - kStiffness * depth) < 1e-8);
         QCOMPARE(t.friction(), Friction::Slides);
         QVERIFY((t.n_W - Vec3::UnitZ()).norm() < 1e-12); // no longer the direction of the spring
@@ -191,7 +192,7 @@ class TestFriction : public QObject
         stroke(0, A);
         stroke(A, -A);
         stroke(-A, A);
-        work = 0.0; // begun: now a whole cycle
+        work = 0.0; // settled: now a whole cycle
         stroke(A, -A);
         stroke(-A, A);
         const double step = 2.0 * A / n, off = work - 4.0 * kStiffness * R * (A - R);
@@ -202,7 +203,7 @@ class TestFriction : public QObject
     {
         const double mu = 0.4, r = 7.0, step = 0.01;
         Rough feel(box(Vec3(-50, -50, -50), Vec3(50, 50, 0)), rough(mu, mu));
-        const Vec3 about(25, 0, 0); // in one facet, whichever the diagonal
+        const Vec3 about(25, 0, 0); // within one facet, for either diagonal
         (void)feel.at(about + Vec3(r, 0, 1));
         TickResult t;
         Vec3 hip;
@@ -210,7 +211,7 @@ class TestFriction : public QObject
             hip = about + Vec3(r * std::cos(i * step), r * std::sin(i * step), -5.0);
             t = feel.at(hip);
         }
-        // At rest in the turning frame: |hip(i) - g(i)| = R, g(i) on the line from hip(i) to g(i - 1).
+        // At rest in the rotating frame: |hip(i) - g(i)| = R, g(i) on the line from hip(i) to g(i - 1).
         const double R = mu * (t.p_WG.z() - hip.z());
         const double expected = std::sqrt(r * r - R * R * std::pow(std::cos(0.5 * step), 2)) - R * std::sin(0.5 * step);
         const double off = along(t.p_WG - about).norm() / expected - 1.0;
@@ -250,7 +251,7 @@ class TestFriction : public QObject
     }
     void narrowGrooveLetsGo()
     {
-        // Narrower than 2 atan mu: two cones together would hold the hand by squeezing themselves in.
+        // Narrower than 2 atan mu: two cones together would hold the hand by wedging.
         QFETCH(double, mu);
         Rough feel(groove(20.0 * std::numbers::pi / 180.0), rough(mu, mu));
         (void)feel.move(Vec3(0, 0, 15), Vec3(0, 0, -3), 100);
@@ -281,14 +282,14 @@ class TestFriction : public QObject
         QVERIFY(std::abs(g + out - t.p_WG.x() - sliding * felt) < 1e-12);
         const double rim = t.p_WG.x();
         const auto pullFrom = [&](double by) { return feel.at(Vec3(rim + by, 0.3, -depth)); };
-        t = pullFrom(0.7 * sliding * felt); // within, but not caught
+        t = pullFrom(0.7 * sliding * felt); // inside the cone, but not yet static
         QCOMPARE(t.friction(), Friction::Slides);
         QCOMPARE(t.p_WG.x(), rim);
-        t = pullFrom(sliding * felt * 1.001); // slides on at once
+        t = pullFrom(sliding * felt * 1.001); // continues to slide at once
         QVERIFY(t.p_WG.x() > rim);
         const double again = t.p_WG.x();
         t = feel.at(Vec3(again + 0.5 * sliding * felt, 0.3, -depth));
-        QCOMPARE(t.friction(), Friction::Holds); // caught
+        QCOMPARE(t.friction(), Friction::Holds); // static
         t = feel.at(Vec3(again + 0.99 * atRest * felt, 0.3, -depth));
         QCOMPARE(t.friction(), Friction::Holds);
         QCOMPARE(t.p_WG.x(), again);
@@ -326,7 +327,7 @@ class TestFriction : public QObject
             Rough feel(on);
             (void)feel.at(Vec3(-10, 0.3, 1), dt);
             TickResult t;
-            const int ticks = static_cast<int>(1.5 / dt); // e^-37 from its steady state
+            const int ticks = static_cast<int>(1.5 / dt); // e^-37 from the steady state
             for (int i = 0; i <= ticks; ++i) {
                 t = feel.at(Vec3(-10 + speed * dt * i, 0.3, -depth), dt);
             }
@@ -449,7 +450,7 @@ class TestFriction : public QObject
                     goal = 28.0 * Vec3(normal(random), normal(random), normal(random)).normalized();
                 }
                 hip += 0.1 * (goal - hip).normalized();
-                hip *= 28.5 / std::max(28.5, hip.norm()); // never deep: where two ways are as near, rounding decides
+                hip *= 28.5 / std::max(28.5, hip.norm()); // never deep: for equally near paths rounding decides
                 hip *= std::max(27.5, hip.norm()) / hip.norm();
                 const TickResult a = here.at(hip), b = there.at(map(hip, scale));
                 const double off = (map(a.p_WG, scale) - b.p_WG).norm() / scale;
@@ -460,7 +461,8 @@ class TestFriction : public QObject
 
     void ballSaysWhereItIsHeld()
     {
-        // On the edge of a block: the plane that holds a ball goes through the contact point, not along the facet.
+        // On the edge of a block: the plane that holds a ball passes through the contact point and is not parallel to
+        // the facet.
         Rough feel(block(), rough(2.0, 2.0), 4.0);
         (void)feel.at(Vec3(54, 0, 6));
         TickResult t = feel.at(Vec3(51, 0, 1));

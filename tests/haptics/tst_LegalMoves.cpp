@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The god-object against the definition itself, by brute force in long double: what no legal move can better, and what
-// never goes where no legal move leads.
+// Tests the god-object by brute force in long double against its definition: no legal move improves the position, and
+// the god-object never reaches a place that no legal move leads to.
 #include "Shapes.h"
 #include "TestRunner.h"
 
@@ -28,7 +28,7 @@ namespace {
 
 using Long3 = Eigen::Matrix<long double, 3, 1>;
 
-/// As god-object.md defines it: against the normal, from the front or the plane, to behind it, through the closed
+/// Definition in god-object.md: a move against the normal, from the front or the plane to behind, through the closed
 /// triangle.
 bool isBlocked(const RepairedMesh& r, const Vec3& from, const Vec3& to)
 {
@@ -62,7 +62,7 @@ bool isBlocked(const RepairedMesh& r, const Vec3& from, const Vec3& to)
     return false;
 }
 
-/// Winding number around `p`: 1 inside a closed surface that faces outwards.
+/// Returns the winding number around `p`: 1 inside a closed surface that faces outwards.
 double winding(const RepairedMesh& r, const Vec3& p)
 {
     double angle = 0.0;
@@ -76,7 +76,8 @@ double winding(const RepairedMesh& r, const Vec3& p)
 
 using Voxel = std::array<int, 3>;
 
-/// The surface of some voxels of 1 mm as a label map gives it: two triangles for each face that only one has.
+/// Returns the surface of some 1 mm voxels as from a label map: two triangles for each face that belongs to only one
+/// voxel.
 geometry::TriangleMesh voxels(const std::vector<Voxel>& all)
 {
     geometry::TriangleMesh mesh;
@@ -112,7 +113,7 @@ geometry::TriangleMesh voxels(const std::vector<Voxel>& all)
     return mesh;
 }
 
-/// Puts the one god-object to a place, in touch with nothing.
+/// Sets the god-object to a position, without contacts.
 void putTo(Palpator& palpator, const Vec3& p_WG)
 {
     haptics::PalpatorState state;
@@ -163,7 +164,7 @@ class LegalMoves : public QObject
             Vec3 hip = 2.5 * size * Vec3(normal(random), normal(random), normal(random)).normalized();
             Vec3 aim = hip;
             for (int i = 0; i < 150; ++i) {
-                // Towards a place in the solid, then another: pressing, sliding, leaving.
+                // Moves towards one point in the solid, then another: pressing, sliding, leaving.
                 if (i % 30 == 0) {
                     aim = 0.9 * size * Vec3(normal(random), normal(random), normal(random)).normalized();
                 }
@@ -204,7 +205,8 @@ class LegalMoves : public QObject
         QVERIFY(skin < 1e-8);
     }
 
-    /// By rounding it stands a little behind both walls, and could pass each beside the other.
+    /// Rounding places the god-object slightly behind both walls, where it could pass either wall past the edge of the
+    /// other.
     void aPointPutOnAHollowEdgeIsHeldByItsWalls()
     {
         std::mt19937 random(7);
@@ -212,7 +214,8 @@ class LegalMoves : public QObject
         std::uniform_real_distribution<double> share(-1.0, 1.0);
         int moves = 0;
         for (int way = 0; way < 60; ++way) {
-            const double half = (10.0 + 70.0 * std::abs(share(random))) * std::numbers::pi / 180.0; // of the opening
+            // of the opening angle
+            const double half = (10.0 + 70.0 * std::abs(share(random))) * std::numbers::pi / 180.0;
             const Eigen::Quaterniond turn =
                 Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
             const Vec3 shift = 50.0 * Vec3(normal(random), normal(random), normal(random));
@@ -221,7 +224,7 @@ class LegalMoves : public QObject
                 {HapticStructure{"block", indexed(transformed(groove(2.0 * half, 10.0, 12.0), placed)), {}, 0}});
             for (int i = 0; i < 200; ++i) {
                 const Vec3 on(0.0, 11.0 * share(random), 0.0);
-                // Into the block: below the walls, whose slope is the cotangent of half the opening, and not out at an
+                // Into the block: below the walls, whose slope is the cotangent of the half opening, and not out at an
                 // end.
                 const Vec3 by(4.0 * share(random), 4.0 * share(random), 4.0 * share(random));
                 if (by.z() > std::abs(by.x()) / std::tan(half) - 0.01 || std::abs(on.y() + by.y()) > 11.0) {
@@ -240,8 +243,8 @@ class LegalMoves : public QObject
         QVERIFY(moves > 5000);
     }
 
-    /// In the corner of a room, along one wall and nearly in its plane to another: where the other stops the move,
-    /// rounding could put it behind the first, and from there it could pass the floor beside its edge.
+    /// In the corner of a room, moving along one wall and almost parallel to another: rounding at the stop could place
+    /// the god-object behind the first wall, and from there it could pass the floor beyond its edge.
     void aWallThatStopsAMoveLeavesNoWayPastAnother()
     {
         std::vector<Voxel> block;
@@ -279,8 +282,8 @@ class LegalMoves : public QObject
         }
     }
 
-    /// Where many walls of voxels meet in a few planes, few ways out are to be tried: HIPs on the voxels' corners and
-    /// edges, the hardest for a point, are seldom too much for a tick.
+    /// Where many voxel walls meet in few planes, few escape directions should be tried: HIPs on voxel corners and
+    /// edges, the hardest case for a point, rarely exceed the work of a tick.
     void wallsOfVoxelsSeldomSpendATicksWork()
     {
         constexpr int kWide = 6;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is held of a layer must be complete where it says so: against all facets, one by one.
+// The cached facets must be complete where claimed: compared with all facets, one by one.
 #include "Shapes.h"
 #include "TestRunner.h"
 #include "nearby/BallCell.h"

@@ -27,7 +27,7 @@ Vec3 wander(int i)
            Vec3(std::cos(a), std::sin(a) * 0.8, std::sin(a) * 0.6);
 }
 
-/// A cone of many facets about one corner, more than a neighbourhood holds.
+/// Returns a cone with more facets at its apex than a neighbourhood holds.
 geometry::TriangleMesh crowdedCone()
 {
     geometry::TriangleMesh mesh;
@@ -79,7 +79,7 @@ class PalpatorTest : public QObject
         QVERIFY(before.f_W.z() > 1.0);
         palpator.setScene(&both);
         const TickResult shown = palpator.step(hip, 1e-3);
-        QVERIFY(isSameBits(before.f_W, shown.f_W)); // the organ lets go what is inside it
+        QVERIFY(isSameBits(before.f_W, shown.f_W)); // the organ exerts no force on a HIP that is inside at the start
         QVERIFY(isSameBits(before.p_WG, shown.p_WG));
         palpator.setScene(&alone);
         QVERIFY(isSameBits(before.f_W, palpator.step(hip, 1e-3).f_W));
@@ -116,7 +116,7 @@ class PalpatorTest : public QObject
 
     void theWorkOfAPointsTickIsBounded()
     {
-        // 60,000 facets at one vertex: none of the sweeps along them ends, and the god-object stays in front of them.
+        // 60,000 facets at one vertex: no sweep along them completes, and the god-object stays in front of them.
         geometry::TriangleMesh fan;
         constexpr std::uint32_t kFacets = 60000;
         fan.vertices.push_back(Vec3(0.0, 0.0, 5.0));
@@ -145,7 +145,7 @@ class PalpatorTest : public QObject
 
     void goesOnFromASavedStateBitForBit()
     {
-        // The second one also loses its gathered facets in every tick: they must never change a result.
+        // The second palpator also drops its cached facets in every tick: caching must never change a result.
         Palpator whole, resumed;
         whole.setScene(&m_scene);
         resumed.setScene(&m_scene);
@@ -204,7 +204,7 @@ class PalpatorTest : public QObject
                 QVERIFY(result.iterations <= most);
                 greatest = std::max(greatest, result.iterations);
             }
-            QCOMPARE(greatest, most); // it would make more
+            QCOMPARE(greatest, most); // otherwise more
         }
     }
 
@@ -219,7 +219,7 @@ class PalpatorTest : public QObject
         QCOMPARE(refused.f_W, Vec3(Vec3::Zero()));
     }
 
-    /// Each layer's contact is told, the outermost first, and their forces are the force on the hand.
+    /// The contact of each layer is reported, outermost first, and the forces add up to the force on the hand.
     void everyLayerThatIsTouchedIsNamed()
     {
         std::vector<HapticStructure> structures;
@@ -247,7 +247,7 @@ class PalpatorTest : public QObject
         QCOMPARE(result.p_WG, result.contacts[0].p_WG);
     }
 
-    /// Below an edge or a vertex several facets hold the god-object equally well: the one that held it goes on.
+    /// Below an edge or a vertex several facets hold the god-object equally well: the previous facet stays active.
     void aHandAtRestFeelsOneForce_data()
     {
         QTest::addColumn<double>("radius_mm");

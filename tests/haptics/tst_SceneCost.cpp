@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene costs, by counts: bytes for each triangle, and structures looked at in a tick.
+// Tests the cost of a scene by counting: bytes per triangle, and structures visited per tick.
 #include "ResidentMemory.h"
 #include "Shapes.h"
 #include "TestRunner.h"
@@ -17,7 +17,7 @@ using haptics::Palpator;
 
 namespace {
 
-constexpr double kMostBytes = 64.0; // for each triangle
+constexpr double kMostBytes = 64.0; // per triangle
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kIsSanitized = true;
@@ -25,7 +25,7 @@ constexpr bool kIsSanitized = true;
 constexpr bool kIsSanitized = false;
 #endif
 
-/// 7 × 7 × 6 bumpy balls of 10 mm, 30 mm apart; each has the same mesh at its own place.
+/// Returns 7 × 7 × 6 bumpy balls of 10 mm, 30 mm apart, with the same mesh at different positions.
 std::vector<HapticStructure> crowd()
 {
     const TriangleMesh ball = bumpySphere(8, 10.0, 0.05);
@@ -52,7 +52,7 @@ class SceneCost : public QObject
             4.0);
         QVERIFY(!scene.layer(0).isLarge);
         QVERIFY(scene.layer(1).isLarge);
-        QVERIFY(!scene.layer(2).isLarge); // whatever lies around it
+        QVERIFY(!scene.layer(2).isLarge); // regardless of its surroundings
     }
 
     void theHapticCopyIsAsLargeAsItSays()
@@ -62,8 +62,8 @@ class SceneCost : public QObject
         }
         const geometry::RepairedMesh mesh = geometry::repair(sphere(128, 50.0));
         const auto triangles = static_cast<double>(mesh.mesh.triangles.size());
-        // On one thread: others have stacks and heaps of their own, which is not the copy's; nor is what a first build
-        // leaves behind.
+        // On one thread: the stacks and heaps of other threads do not belong to the copy, nor do remains of a first
+        // build.
         (void)geometry::SurfaceIndex::build(mesh, 1);
         const double before = residentBytes();
         std::vector<HapticStructure> structures(1);
@@ -72,7 +72,7 @@ class SceneCost : public QObject
         const double grown = residentBytes() - before, counted = static_cast<double>(scene.byteSize());
         qInfo("%.1f bytes a triangle counted, %.1f by the process's growth", counted / triangles, grown / triangles);
         QVERIFY(counted / triangles <= kMostBytes);
-        // Whole pages, and what the allocator keeps for itself.
+        // Page granularity and overhead of the allocator.
         QVERIFY(std::abs(grown - counted) <= 0.01 * counted + (256 << 10));
     }
 
@@ -92,7 +92,7 @@ class SceneCost : public QObject
             });
             most = std::max(most, found);
         }
-        // A leaf of the hierarchy or two, of 294.
+        // One or two leaves of the hierarchy, of 294 structures.
         QVERIFY2(most >= 1 && most <= 2 * geometry::BoxHierarchy::kLeafSize, qPrintable(QString::number(most)));
     }
 
@@ -109,7 +109,7 @@ class SceneCost : public QObject
             const Vec3 hip = centre + r * Vec3(std::cos(a), std::sin(0.7 * a), std::sin(a)).normalized();
             const haptics::TickResult x = alone.step(hip, 1e-3), y = among.step(hip, 1e-3);
             QVERIFY((x.p_WG - y.p_WG).norm() <= 1e-12);
-            QCOMPARE(x.iterations, y.iterations); // nor does the work
+            QCOMPARE(x.iterations, y.iterations); // the work is equal too
         }
     }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several structures that hold one god-object: each pushes with its own law.
+// Tests several structures that hold one god-object: each pushes with its own law.
 #include "Known.h"
 #include "Shapes.h"
 #include "TestRunner.h"
@@ -29,7 +29,7 @@ Tissue linear(double k)
     return tissue;
 }
 
-/// A slab with its top in the plane through the origin with normal n, which lies in xz.
+/// Returns a slab with the top plane through the origin and the normal n in the xz plane.
 geometry::TriangleMesh slabUnder(const Vec3& n)
 {
     const Vec3 along(n.z(), 0.0, -n.x());
@@ -37,7 +37,7 @@ geometry::TriangleMesh slabUnder(const Vec3& n)
                        [&](const Vec3& p) { return Vec3(p.x() * along + p.y() * Vec3::UnitY() + p.z() * n); });
 }
 
-/// Two half-spaces whose outward normals enclose `angle`: a crease along y, through the origin.
+/// Two half-spaces whose outward normals enclose `angle`: a crease along y through the origin.
 struct Crease
 {
     Vec3 first, second;
@@ -56,11 +56,11 @@ struct Crease
     TickResult at(const Vec3& hip) { return palpator.step(hip, kTick_s); }
 };
 
-/// What the path of a hand around the crease says: down along one normal, around, and up along the other.
+/// Results for a hand path around the crease: down along one normal, around, and up along the other.
 struct Round
 {
-    double slope = 0.0;   ///< greatest change of the force by the hand's step [N/mm]
-    double most_N = 0.0;  ///< greatest force
+    double slope = 0.0;   ///< largest change of the force per hand displacement [N/mm]
+    double most_N = 0.0;  ///< largest force
     double work_mJ = 0.0; ///< on the hand
     int shared = 0;       ///< ticks with two contacts
 
@@ -111,7 +111,7 @@ class SharedContacts : public QObject
             QCOMPARE(int(t.constraints), 2);
             QVERIFY((t.f_W - law->force(depth) * on.first - 4.5 * on.second).norm() < 1e-7);
             QCOMPARE(int(t.contactCount), 2);
-            QCOMPARE(t.structure, 1); // the larger force
+            QCOMPARE(t.structure, 1); // structure with the larger force
             QCOMPARE(t.contacts[0].structure, 1u);
             QVERIFY(std::abs(t.contacts[0].depth_mm - 3.0) < 1e-7 && std::abs(t.contacts[1].depth_mm - depth) < 1e-7);
             QVERIFY((t.contacts[0].f_W + t.contacts[1].f_W - t.f_W).norm() < 1e-12);
@@ -130,8 +130,8 @@ class SharedContacts : public QObject
             }
         }
     }
-    /// Up to 90 degrees between the normals the force has a curl, and a closed path makes theta / tan theta of what a
-    /// seam would; from there on it has none, and no tick steps by more than the stiffest spring.
+    /// Up to 90 degrees between the normals, the force has a curl, and a closed path gains theta / tan theta of the
+    /// energy at an abrupt seam; beyond that there is no curl, and no tick steps by more than the stiffest spring.
     void stepsAndEnergyAreAsDerived()
     {
         QFETCH(double, angle_deg);
@@ -153,7 +153,7 @@ class SharedContacts : public QObject
 
     void aStructureInTwoPartsIsFeltAsOne()
     {
-        // The same tissue on both sides of a crease: as if the crease were one structure's.
+        // The same tissue on both sides of a crease: equal to a crease of one structure.
         const double angle = 1.2;
         Crease on(angle, linear(0.7), linear(0.7));
         geometry::TriangleMesh both = slabUnder(on.first);
@@ -211,7 +211,7 @@ class SharedContacts : public QObject
         }
         const TickResult t = on.at(hip(10.0)); // slides along the crease at 50 mm/s
         QCOMPARE(int(t.contactCount), 2);
-        // Friction: mu times the rough one's own 2 N. Damper: 4 of 5 parts of the multipliers.
+        // Friction: mu times the rough structure's own 2 N. Damper: 4 of 5 parts of the multipliers.
         const double friction = 0.5 * 2.0 * 1.0, damper = 0.004 * 50.0 * 4.0 / 5.0;
         QVERIFY2(std::abs(-t.f_W.y() - friction - damper) < 1e-6, qPrintable(QString::number(t.f_W.y())));
         QVERIFY(t.contacts[0].structure == 1 && t.contacts[0].friction == haptics::Friction::Slides);

@@ -93,7 +93,7 @@ class SurfaceWalkTest : public QObject
 
     void fliesAsFarAsAskingFlies()
     {
-        // What is known of the space around is forgotten before each tick of the second.
+        // The second forgets the knowledge about the surrounding space before each tick.
         const HapticScene scene = sceneOf({bumpySphere(24, 50.0, 0.05), moved(sphere(6, 5.0), Vec3(54, 6, 0))});
         Palpator one, other;
         one.setScene(&scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A stiffness that varies over a surface: what is felt at each place, and that no closed path makes energy.
+// Tests a stiffness that varies over a surface: the force at each position, and that no closed path generates energy.
 #include "Known.h"
 #include "Shapes.h"
 #include "TestRunner.h"
@@ -47,7 +47,7 @@ struct Mapped
         structure.tissue = tissue;
         build(radius_mm);
     }
-    /// Lumps below: k/k0 at a place for each press.
+    /// Sets the stiffness ratio k/k0 of buried lumps for a position and each press depth.
     void feel(const std::function<double(const Vec3&, double press_mm)>& ratio, double radius_mm = 0.0)
     {
         for (std::size_t j = 0; j < haptics::kFeltPress_mm.size(); ++j) {
@@ -88,11 +88,11 @@ geometry::TriangleMesh slab(int n)
     return box(Vec3(-20, -20, -30), Vec3(20, 20, 0), n);
 }
 
-/// The shares of a straight way, from 0 to 1, at which it may pass an edge of `slab(2)`.
+/// Returns the parameters (0 to 1) at which the straight path may cross an edge of `slab(2)`.
 std::vector<double> pieces(const Vec3& from, const Vec3& to)
 {
     std::vector<double> shares{0.0, 1.0};
-    const auto cut = [&](double begin, double end) { // where a coordinate passes -20, 0, 20
+    const auto cut = [&](double begin, double end) { // where a coordinate crosses -20, 0, 20
         for (const double line : {-20.0, 0.0, 20.0}) {
             const double share = (line - begin) / (end - begin);
             if (share > 0.0 && share < 1.0) {
@@ -114,8 +114,9 @@ std::vector<double> pieces(const Vec3& from, const Vec3& to)
     return shares;
 }
 
-/// Work on the hand along a straight way. On a facet the force is smooth: eight points of Gauss on each eighth
-/// between edges. Near a vertex the cubic's middle is a ratio of polynomials, which no points integrate exactly.
+/// Returns the work on the hand along a straight path. The force is smooth within a facet: eight-point Gauss quadrature
+/// on each eighth between edges. Near a vertex the cubic blend is a ratio of polynomials, which no quadrature
+/// integrates exactly.
 double workAlong(Mapped& on, const Vec3& from, const Vec3& to)
 {
     constexpr std::array<std::pair<double, double>, 4> kGauss{{{0.1834346424956498, 0.3626837833783620},
@@ -137,7 +138,8 @@ double workAlong(Mapped& on, const Vec3& from, const Vec3& to)
     return work;
 }
 
-/// The largest work of random closed paths below the top of `slab(2)`, and the greatest on a part of one.
+/// Returns the largest work over random closed paths below the top of `slab(2)`, and the largest over a section of a
+/// path.
 std::pair<double, double> workOfClosedPaths(Mapped& on, int paths, double deepest_mm = 3.0)
 {
     std::mt19937_64 random(4);
@@ -168,7 +170,7 @@ class TissueMaps : public QObject
   private Q_SLOTS:
     void aRampIsFeltAsWritten()
     {
-        // Values that floats hold: s = 1 + x / 32 at the corners.
+        // Values that floats represent exactly: s = 1 + x / 32 at the corners.
         Mapped on(box(Vec3(-16, -16, -16), Vec3(16, 16, 0), 4), spring(0.5),
                   [](const Vec3& p) { return 1.0 + p.x() / 32.0; });
         for (double x = -15.3; x < 15.5; x += 0.37) {
@@ -207,7 +209,7 @@ class TissueMaps : public QObject
             on.palpator.reset();
             (void)on.at(Vec3(hip.x(), hip.y(), radius_mm + 1.0));
             const TickResult t = on.at(hip);
-            // The energy from the stiffness felt: the normal force is s F.
+            // The energy from the resulting stiffness: the normal force is s F.
             const auto energy = [&](const Vec3& p) {
                 const TickResult at = on.at(p);
                 const double d = (at.p_WG - p).norm();
@@ -222,7 +224,7 @@ class TissueMaps : public QObject
                 const Vec3 by = kStep * Vec3::Unit(axis);
                 gradient[axis] = (energy(hip + by) - energy(hip - by)) / (2.0 * kStep);
             }
-            // Where the step crosses from facet to facet the gradient has a kink: those places are left out.
+            // The gradient has a kink where the step crosses to another facet: such positions are skipped.
             const std::uint32_t triangle = t.triangle;
             bool isInside = true;
             for (int axis = 0; axis < 3; ++axis) {
@@ -246,7 +248,7 @@ class TissueMaps : public QObject
         QVERIFY(part > 1.0);
     }
 
-    /// Over a convex edge the foot jumps, and with it what is stored: by W |grad s| 2 d tan(theta / 2) and no more.
+    /// Over a convex edge the foot point jumps and the stored energy with it, by at most W |grad s| 2 d tan(theta / 2).
     void overAConvexEdgeTheEnergyJumpsAsDerived()
     {
         constexpr double kSlope = 0.03, kDepth = 5.0, kFold = std::numbers::pi / 180.0; // half of the dihedral
@@ -273,11 +275,11 @@ class TissueMaps : public QObject
             stored[static_cast<std::size_t>(side)] = t.contacts[0].stiffnessScale * 0.25 * d * d;
         }
         const double jump = (stored[1] - stored[0]) / (0.25 * kDepth * kDepth);
-        const double derived = kSlope * 2.0 * kDepth * std::tan(kFold); // 0.5 % of what is stored
+        const double derived = kSlope * 2.0 * kDepth * std::tan(kFold); // 0.5 % of the stored energy
         QVERIFY2(std::abs(jump / derived - 1.0) < 1e-3, qPrintable(QString("%1, %2").arg(jump).arg(derived)));
     }
 
-    /// The push aside changes with the place and does not jump at the edges of triangles: in a tenth of the way it
+    /// The sideways force varies with the position without jumps at triangle edges: over a tenth of the path the force
     /// changes by about a tenth.
     void thePushAsideDoesNotJumpAtEdges_data()
     {
@@ -301,7 +303,7 @@ class TissueMaps : public QObject
             on.feel([&](const Vec3& p, double) { return s(p); }, radius_mm);
         }
         constexpr double kDepth_mm = 4.0;
-        std::array<double, 2> worst{}; // change of the push in a step, as a share of the force
+        std::array<double, 2> worst{}; // change of the sideways force in a step, relative to the force
         for (int path = 0; path < 20; ++path) {
             const Vec3 from(across(random), across(random), radius_mm - kDepth_mm);
             const Vec3 to(across(random), across(random), radius_mm - kDepth_mm);
@@ -321,7 +323,8 @@ class TissueMaps : public QObject
         QVERIFY2(worst[0] < 0.02 && worst[1] < 0.15 * worst[0], qPrintable(told));
     }
 
-    /// Numbers of a cell step at its edges, and no gradient is made of them; nor does a bend make a number of its own.
+    /// Cell values step at cell edges, and no gradient is computed from them; a fold in the surface adds no value of
+    /// its own either.
     void bendsAreWhereNumbersAgreeAlone()
     {
         Mapped on(slab(4), spring(0.5), [](const Vec3& p) { return p.x() > 1.0 ? 2.0 : 1.0; });
@@ -331,7 +334,7 @@ class TissueMaps : public QObject
         }
         const auto cells = TissueMap::atTriangles(*on.structure.surface, values).withBends(*on.structure.surface);
         QVERIFY(cells.bends != nullptr && cells.bends->empty());
-        // A step stays within the numbers around it.
+        // A step stays within the range of the surrounding values.
         (void)on.at(Vec3(0.3, 0.2, 1));
         for (double x = -15.0; x < 15.0; x += 0.05) {
             const double scale = on.at(Vec3(x, 0.2, -1)).contacts[0].stiffnessScale;
@@ -341,7 +344,8 @@ class TissueMaps : public QObject
 
     void withoutTheGradientsTermPathsWouldMakeEnergy()
     {
-        // In over the soft place and out over the stiff one: what a plain k(x) d gives back too much, the term takes.
+        // In over the soft side and out over the stiff one: the gradient term absorbs the surplus energy of a plain
+        // k(x) d.
         Mapped on(slab(2), spring(0.5), [](const Vec3& p) { return 1.0 + 0.04 * p.x(); });
         const std::vector<Vec3> path{{-5, 1, -0.5}, {-5, 1, -4}, {5, 1, -4}, {5, 1, -0.5}, {-5, 1, -0.5}};
         (void)on.at(Vec3(-5, 1, 1));
@@ -349,7 +353,7 @@ class TissueMaps : public QObject
         for (std::size_t i = 0; i + 1 < path.size(); ++i) {
             const double work = workAlong(on, path[i], path[i + 1]);
             whole += work;
-            plain += path[i].x() == path[i + 1].x() ? work : 0.0; // a plain k(x) d does none along the surface
+            plain += path[i].x() == path[i + 1].x() ? work : 0.0; // a plain k(x) d does no work along the surface
         }
         QVERIFY2(std::abs(whole) < 1e-12, qPrintable(QString::number(whole)));
         QVERIFY2(plain > 0.5, qPrintable(QString::number(plain)));
@@ -357,8 +361,8 @@ class TissueMaps : public QObject
 
     void frictionTakesWhatLumpsFeltBelowCouldMake()
     {
-        // With friction the foot stays behind the HIP; what the felt maps would pull it by raises the cone to
-        // |grad U| / F. With the same number s = 1 + x/32 at each press that is depth/2 / (32 s), far above mu.
+        // With friction the foot point stays behind the HIP; the sideways force of the press maps widens the cone by
+        // |grad U| / F. With the same s = 1 + x/32 at each press depth, this ratio is depth/2 / (32 s), far above mu.
         Tissue tissue = spring(0.5);
         tissue.friction_static = tissue.friction_dynamic = 0.001;
         const auto s = [](const Vec3& p) { return 1.0 + p.x() / 32.0; };
@@ -375,14 +379,14 @@ class TissueMaps : public QObject
                 (on == &byFelt ? a : b) = on->at(Vec3(3, 1, -depth));
             }
             QVERIFY((a.p_WG - b.p_WG).norm() < 1e-12);
-            const double cone = 0.5 * depth * depth / 32.0 / s(Vec3(1, 1, 0)); // R = mu depth, where the move began
+            const double cone = 0.5 * depth * depth / 32.0 / s(Vec3(1, 1, 0)); // R = mu depth, where the move started
             QVERIFY2(std::abs(3.0 - a.p_WG.x() - std::min(cone, 2.0)) < 0.2 * cone,
                      qPrintable(QString("%1 mm behind, R %2 mm").arg(3.0 - a.p_WG.x()).arg(cone)));
         }
-        // In over the soft place, out over the stiff one.
+        // In over the soft side, out over the stiff one.
         const std::vector<Vec3> path{{-5, 1, -0.5}, {-5, 1, -4}, {5, 1, -4}, {5, 1, -0.5}, {-5, 1, -0.5}};
         (void)byFelt.at(Vec3(-5, 1, 1));
-        double work = 0.0; // on the hand; the first round only brings the foot into its place
+        double work = 0.0; // on the hand; the first round only settles the foot point
         for (std::size_t i = 0; i < 8; ++i) {
             const Vec3 step = (path[i % 4 + 1] - path[i % 4]) / 1000.0;
             for (int j = 1; j <= 1000; ++j) {
@@ -427,7 +431,8 @@ class TissueMaps : public QObject
         QVERIFY(input > 0.0);
     }
 
-    /// Beside what has friction a map's pull is in the force, and so nothing may hold the god-object against it.
+    /// In contact with a frictional structure too, the map's sideways force of a frictionless structure is part of the
+    /// output, so nothing may hold the god-object against that force.
     void withoutFrictionAMapHoldsNothingBesideWhatHasSome()
     {
         Mapped on(slab(2), spring(0.5), [](const Vec3& p) { return 1.0 + 0.04 * p.x(); });
@@ -443,14 +448,14 @@ class TissueMaps : public QObject
             const TickResult t = on.at(hip);
             QVERIFY(t.constraints == 1 && std::abs(t.p_WG.x() - x) < 1e-9);
             const double depth = t.contacts[0].depth_mm;
-            QVERIFY(std::abs(t.f_W.x() + 0.04 * 0.25 * depth * depth) < 1e-6); // floats hold the map
+            QVERIFY(std::abs(t.f_W.x() + 0.04 * 0.25 * depth * depth) < 1e-6); // the map is stored as floats
         }
     }
 
     void dampingAndFrictionFollowTheirMaps()
     {
         Tissue tissue = spring(0.5);
-        tissue.damping_Ns_per_mm = 7.0; // the map stands for it
+        tissue.damping_Ns_per_mm = 7.0; // replaced by the damping map
         tissue.friction_static = tissue.friction_dynamic = 0.4;
         Mapped on(slab(1), tissue, [](const Vec3&) { return 1.0; });
         on.structure.maps.damping =
@@ -464,7 +469,7 @@ class TissueMaps : public QObject
         (void)on.at(Vec3(1, 2, -2));
         const Vec3 hip(3, 2, -2);
         const TickResult t = on.at(hip);
-        const Vec3 felt = t.f_W + 0.25 * Vec3(2.0 / kTick_s, 0, 0); // without the damper's part
+        const Vec3 felt = t.f_W + 0.25 * Vec3(2.0 / kTick_s, 0, 0); // without the damper
         QVERIFY((felt - 0.5 * (t.p_WG - hip)).norm() < 1e-9);
         QVERIFY(std::abs(felt.x() + 0.4 * felt.z()) < 1e-9);
     }
@@ -496,11 +501,11 @@ class TissueMaps : public QObject
             (void)on.at(Vec3(x, 0.7, 1.0));
             const TickResult t = on.at(Vec3(x, 0.7, -asked));
             const double depth = asked + t.p_WG.z(), press = std::min(depth, 8.0);
-            // The ratio is linear in the press here, so between the presses it is what the formula says.
+            // The ratio is linear in the press depth here, so the interpolation between presses matches the formula.
             const double scale = 1.0 + 0.0625 * press * (1.0 + x / 32.0);
             QVERIFY(std::abs(t.f_W.z() / (map(x) * scale * F(depth)) - 1.0) < 1e-12);
             QVERIFY(std::abs(t.contacts[0].stiffnessScale - map(x) * scale) < 1e-12);
-            // U = map (W + 1/16 (1 + x / 32) V), V the integral of min(d, 8) F.
+            // U = map (W + 1/16 (1 + x / 32) V), where V is the integral of min(d, 8) F.
             double V = 0.0, W = 0.0;
             constexpr int kSteps = 20000;
             for (int i = 0; i < kSteps; ++i) {

@@ -21,7 +21,7 @@ struct VolumeSample
 {
     std::string name; ///< of the file
     std::string bytes;
-    std::string dataName{}, data{}; ///< of the file beside it that has its numbers; empty: none
+    std::string dataName{}, data{}; ///< name and content of the separate data file; empty: no such file
 };
 
 inline float volumeValue(int i, int j, int k)
@@ -89,7 +89,7 @@ inline std::string nrrdHeader(const std::string& encoding, const std::string& mo
            encoding + "\nspace origin: (10,20,30)\n" + more + "\n";
 }
 
-/// The head of a NIfTI file, whose matrix goes to RAS.
+/// The header of a NIfTI file, with the matrix to RAS.
 inline std::string niftiHeader()
 {
     std::string out(352, '\0');
@@ -109,7 +109,7 @@ inline std::string niftiHeader()
     return out;
 }
 
-/// The head of a NIfTI-2 file, whose counts have 64 bits.
+/// The header of a NIfTI-2 file, with 64-bit counts.
 inline std::string niftiWideHeader(std::int64_t numbersOfOne = 1, std::int64_t across = 12)
 {
     std::string out(544, '\0');

@@ -10,7 +10,7 @@
 using namespace palpate;
 using meshio::AnatomyKind;
 
-/// What names of structures say, name by name: those of segmentation programs, and those of lumps.
+/// Tests the classification of structure names: from segmentation programs, and names of lumps.
 class AnatomyNames : public QObject
 {
     Q_OBJECT
@@ -72,7 +72,7 @@ class AnatomyNames : public QObject
     }
     void totalSegmentator() { check(); }
 
-    /// Classes of its other tasks.
+    /// Classes of the other TotalSegmentator tasks.
     void otherTasks_data()
     {
         QTest::addColumn<int>("kind");
@@ -96,7 +96,7 @@ class AnatomyNames : public QObject
     }
     void otherTasks() { check(); }
 
-    /// FreeSurfer's labels of a whole brain and of the tissues around it.
+    /// FreeSurfer's labels of a whole brain and its surrounding tissues.
     void freeSurfer_data()
     {
         QTest::addColumn<int>("kind");
@@ -153,7 +153,7 @@ class AnatomyNames : public QObject
     }
     void freeSurfer() { check(); }
 
-    /// Organs of the Visible Human in HuBMAP's reference object library: one of each kind of name.
+    /// Organs of the Visible Human in HuBMAP's reference object library: one example per kind of name.
     void visibleHuman_data()
     {
         QTest::addColumn<int>("kind");
@@ -184,7 +184,7 @@ class AnatomyNames : public QObject
     }
     void visibleHuman() { check(); }
 
-    /// All names of the anatomy beside the checkout: none but these says nothing.
+    /// All names in the anatomy folder: every name outside this list is classified.
     void everyVisibleHumanNameIsKnown()
     {
         PALPATE_SHARED_OR_SKIP(folder, "anatomy");
@@ -209,7 +209,7 @@ class AnatomyNames : public QObject
         rows(AnatomyKind::BenignLump, {"haemangioma", "benign lump", "fibroadenoma_left", "Focal Nodular Hyperplasia"});
         rows(AnatomyKind::Cyst, {"cyst", "liver cysts", "Cyst-1", "pancreatic pseudocyst"});
         rows(AnatomyKind::FibroticArea, {"fibrosis", "fibrotic_area"});
-        // Whole words: none of these is a lump, a rib, a hip or a radius.
+        // Whole words only: these names are no lump, rib, hip or radius.
         rows(AnatomyKind::Other, {"massif", "tribe", "hipster", "outradius", "part", "segment 4", "thing"});
         rows(AnatomyKind::Vessel, {"cystic artery"});
     }

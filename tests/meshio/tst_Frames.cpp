@@ -20,7 +20,7 @@ bool mentions(const std::vector<std::string>& lines, std::string_view part)
                        [&](const std::string& line) { return line.find(part) != std::string::npos; });
 }
 
-/// A tetrahedron with edges of 10, 20 and 30 mm along x, y and z from (1, 2, 3), normals outwards.
+/// Returns a tetrahedron with edges of 10, 20 and 30 mm along x, y and z from (1, 2, 3), normals outwards.
 std::string lopsided(const std::string& head = "")
 {
     return head + "v 1 2 3\nv 11 2 3\nv 1 22 3\nv 1 2 33\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
@@ -33,7 +33,7 @@ meshio::ReadOptions as(FileFrame frame)
     return options;
 }
 
-/// A volume of 24 mm in which the numbers rise with x alone: 1 at x = -12 mm to 25 at 12 mm.
+/// Returns a volume of 24 mm with values that rise along x only: 1 at x = -12 mm to 25 at 12 mm.
 std::string vti()
 {
     std::string values;
@@ -50,7 +50,7 @@ std::string vti()
 
 } // namespace
 
-/// Coordinates along other axes than the world's, and what else a file's numbers may be.
+/// Tests files with other axes than the world frame, and with other units.
 class Frames : public QObject
 {
     Q_OBJECT
@@ -120,12 +120,12 @@ class Frames : public QObject
         QCOMPARE(again.value().scene.structures[0].frame, FileFrame::YUp);
         QVERIFY(again.value().structures[0].surface->mesh.vertices ==
                 first.value().structures[0].surface->mesh.vertices);
-        // What a scene says itself stands before what is asked for, and that is said.
+        // A frame in the scene file takes precedence over the option, and a message reports the conflict.
         const auto asked = meshio::loadScene(path, as(FileFrame::Ras));
         QVERIFY(asked.value().structures[0].surface->mesh.vertices ==
                 again.value().structures[0].surface->mesh.vertices);
         QVERIFY(mentions(asked.value().warnings, "taken as Y-up, as the scene file says; not as RAS"));
-        // In memory, taken to be along others.
+        // In memory, reinterpreted in another frame.
         meshio::SceneFile turned = again.value().scene;
         turned.structures[0].frame = FileFrame::Ras;
         turned.structures[0].tissue.stiffness_N_per_mm = 0.75;
@@ -177,7 +177,7 @@ class Frames : public QObject
         };
         const auto lps = felt("LPS");
         QVERIFY2(lps[0] < 8.0F && lps[2] > 16.0F, qPrintable(QString("%1 %2").arg(lps[0]).arg(lps[2])));
-        for (const char* other : {"RAS", "Y-up"}) { // the same places of the same tissue
+        for (const char* other : {"RAS", "Y-up"}) { // the same positions in the same tissue
             const auto values = felt(other);
             for (std::size_t i = 0; i < lps.size(); ++i) {
                 QVERIFY2(std::abs(values[i] - lps[i]) < 0.1F, other);
@@ -188,7 +188,7 @@ class Frames : public QObject
     void slicersScaleIsTheUnit_data()
     {
         QTest::addColumn<std::string>("scale");
-        QTest::addColumn<double>("unit_mm"); // asked for
+        QTest::addColumn<double>("unit_mm"); // the requested unit
         QTest::addColumn<double>("taken_mm");
         QTest::addColumn<QString>("note");
         QTest::newRow("metres") << std::string(";SCALE=0.001") << 1.0 << 1000.0 << "taken as 1000 mm";
@@ -216,7 +216,7 @@ class Frames : public QObject
             QVERIFY(file.value().structures[0].mesh.bounds().max() == Vec3(2.5, 1.5, 0) * taken_mm);
             QCOMPARE(mentions(file.value().notes, "SCALE="), !note.isEmpty());
             QVERIFY(mentions(file.value().notes, note.toStdString()) || note.isEmpty());
-            // A scene says its unit itself, and keeps what the header said.
+            // A scene file states its unit, and keeps the unit from the mesh header.
             const auto scene = meshio::loadScene(path, {unit_mm, {}});
             QCOMPARE(scene.value().scene.structures[0].unit_mm, taken_mm);
             meshio::SceneFile one = scene.value().scene;

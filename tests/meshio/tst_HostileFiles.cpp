@@ -16,7 +16,7 @@ using core::StatusCode;
 
 namespace {
 
-/// Keeps what the process writes to its error stream while it lives.
+/// Captures the process's error stream while the object lives.
 class ErrorStream
 {
   public:
@@ -40,7 +40,7 @@ class ErrorStream
     int m_before;
 };
 
-/// The file is refused in one line that names it and says what was expected.
+/// Checks that the file is rejected with one line that names the file and the expected content.
 void verifyRefused(const core::Result<meshio::MeshFile>& file, const std::string& name)
 {
     QVERIFY(!file.isOk());
@@ -57,7 +57,7 @@ std::string withPlyHeader(const std::string& header, const std::string& body)
 
 const std::string kXyz = "property float x\nproperty float y\nproperty float z\n";
 
-/// A valid binary PLY of one triangle.
+/// Returns a valid binary PLY of one triangle.
 std::string binaryPly()
 {
     std::string body;
@@ -111,7 +111,7 @@ void HostileFiles::sharedFilesAreDecided()
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         results.emplace_back(entry.path().filename().string(), meshio::readMesh(entry.path()));
     }
-    QCOMPARE(errors.stop(), std::string()); // neither VTK nor Qt said anything there
+    QCOMPARE(errors.stop(), std::string()); // neither VTK nor Qt printed a message
     QVERIFY(results.size() >= 50);
     for (const auto& [name, file] : results) {
         if (valid.contains(name)) {
@@ -127,7 +127,7 @@ void HostileFiles::ownFilesAreRefused_data()
 {
     QTest::addColumn<std::string>("name");
     QTest::addColumn<std::string>("bytes");
-    QTest::addColumn<std::string>("place"); // after the file's name
+    QTest::addColumn<std::string>("place"); // text after the file's name
     const auto row = [](const char* title, const char* name, const std::string& bytes, const char* place) {
         QTest::newRow(title) << std::string(name) << bytes << std::string(place);
     };
@@ -225,14 +225,15 @@ void HostileFiles::ownFilesAreRefused_data()
     QVERIFY(meshio::writeMesh(folder.path("w.vtp"), structures).isOk());
     const std::string written = test::fileBytes(folder.path("w.vtp"));
     const std::size_t data = written.find('_', written.find("<AppendedData")) + 1;
-    row("vtp blocks of no bytes", "a.vtp", std::string(written).replace(data + 8, 8, 8, '\0'), // VTK divides by it
+    // VTK divides by the block size
+    row("vtp blocks of no bytes", "a.vtp", std::string(written).replace(data + 8, 8, 8, '\0'),
         "line 4: array \"StructureNames\": blocks of 0 bytes, the last of ");
     const std::size_t encoding = written.find("encoding=\"raw\"");
     row("vtp of another encoding", "a.vtp", std::string(written).replace(encoding + 10, 3, "ras"),
         "line 34: encoding=\"ras\"; expected \"raw\" or \"base64\"");
-    // VTK names the element of the point data when it cannot read the cells'.
+    // VTK names the element of the point data if reading the cell data fails.
     const std::size_t offset = written.find("offset=\"", written.find("\"StructureId\"")) + 8;
-    const std::size_t block = data + std::stoul(written.substr(offset)) + std::size_t{4} * 8; // behind its header
+    const std::size_t block = data + std::stoul(written.substr(offset)) + std::size_t{4} * 8; // after its header
     std::string damaged = std::string(written).replace(block, 4, 4, '?');
     const std::size_t pointData = damaged.find("<PointData"), cellData = damaged.find("<CellData");
     row("vtp cells damaged, no point data", "a.vtp", damaged.erase(pointData, cellData - pointData),
@@ -380,7 +381,7 @@ void HostileFiles::cutAnywhereNeverCrashes()
     std::size_t wrong = bytes.size();
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         const auto file = meshio::readMesh(folder.write(name, bytes.substr(0, size)));
-        // What is still whole without its end (a last line feed, XML after the data) must be all of it.
+        // Files that are complete without their end (a last line feed, XML after the data) must give the full mesh.
         if (file.isOk() && test::triangles(file.value()) != test::triangles(whole.value())) {
             wrong = size;
         }
@@ -403,7 +404,7 @@ void HostileFiles::flippedBytesNeverCrash()
             damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
         }
         const auto file = meshio::readMesh(folder.write(name, damaged));
-        if (file.isOk()) { // then every promise holds
+        if (file.isOk()) { // then all guarantees hold
             ++read;
             for (const meshio::MeshStructure& s : file.value().structures) {
                 for (const core::Vec3& p : s.mesh.vertices) {

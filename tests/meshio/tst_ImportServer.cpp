@@ -30,7 +30,7 @@ using meshio::internal::writeVolume;
 
 namespace {
 
-/// What goes wrong in the reader, by the name of the file that it is given.
+/// Makes the reader fail in a way selected by the file name.
 void misbehave(const char* path)
 {
     const std::string name = std::filesystem::path(path).stem().string();

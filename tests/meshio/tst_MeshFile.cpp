@@ -5,7 +5,7 @@
 using namespace palpate;
 using meshio::MeshStructure;
 
-/// Writing, and reading back what was written.
+/// Writing and reading back.
 class MeshFile : public QObject
 {
     Q_OBJECT

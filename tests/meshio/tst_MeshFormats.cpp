@@ -28,7 +28,7 @@ std::string passage(const std::string& text, const std::string& from, const std:
 
 } // namespace
 
-/// The table of formats, and what else must name each of them.
+/// The table of formats, and other places that must name each format.
 class MeshFormats : public QObject
 {
     Q_OBJECT

@@ -471,7 +471,7 @@ void MeshReading::progressRisesAndCancels()
     QVERIFY(std::is_sorted(shares.begin(), shares.end()));
     QVERIFY(shares.front() >= 0.0);
     QCOMPARE(shares.back(), 1.0);
-    for (std::size_t stop = 0; stop < shares.size(); ++stop) { // at each of them
+    for (std::size_t stop = 0; stop < shares.size(); ++stop) { // at each share
         std::size_t calls = 0;
         const auto file = meshio::readMesh(path, {1.0, [&](double) { return calls++ < stop; }});
         QCOMPARE(file.status().code(), core::StatusCode::Cancelled);

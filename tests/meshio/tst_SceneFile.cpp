@@ -274,7 +274,7 @@ void SceneFile::lawsComeBackAsTheyWere()
     const auto path = folder.path("a.palpate.json");
     QVERIFY(meshio::writeScene(path, scene).isOk());
     const std::string text = test::fileBytes(path);
-    QVERIFY(text.find("\"linear\"") == std::string::npos); // what a tissue lacks is not said
+    QVERIFY(text.find("\"linear\"") == std::string::npos); // zero terms are omitted
     auto back = meshio::readScene(path);
     QVERIFY2(back.isOk(), back.status().message().c_str());
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {

@@ -158,7 +158,7 @@ class ShapeSurface : public QObject
         QVERIFY2(scene.status().message().find(complaint) != std::string::npos, scene.status().message().c_str());
     }
 
-    /// Curved facets are for a later version: said, felt as facets, and kept.
+    /// Curved facets are for a later version: reported, simulated as facets, and preserved.
     void curvedFacetsAreSaidToBeMissing()
     {
         const test::Folder folder;
@@ -195,7 +195,7 @@ class ShapeSurface : public QObject
             QCOMPARE(after.surface->report.insideOutComponents, std::size_t{0});
             QVERIFY(!before.smoothing && after.smoothing);
             QVERIFY(after.description.outwards && after.description.surface == SurfaceKind::Smoothed);
-            QVERIFY(after.asRead->report.volume_mm3 < 0.0); // what was read is still there
+            QVERIFY(after.asRead->report.volume_mm3 < 0.0); // the original is still there
         }
     }
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays and volumes that say how a tissue varies: from the file through repair to what is felt, and what is refused.
+// Tests arrays and volumes that describe how a tissue varies: from the file through mesh repair to the force, and the
+// rejected cases.
 #include "Samples.h"
 #include "TestRunner.h"
 
@@ -17,7 +18,7 @@ using namespace palpate;
 
 namespace {
 
-/// A tetrahedron as an ASCII VTP, with data of its points and polygons as given.
+/// Returns a tetrahedron as an ASCII VTP, with the given point and cell data.
 std::string vtp(const std::string& pointData, const std::string& cellData = "")
 {
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "
@@ -39,7 +40,7 @@ std::string array(const std::string& name, const std::string& values, int compon
            "\" format=\"ascii\">" + values + "</DataArray>";
 }
 
-/// JSON with its quotes as apostrophes: moc does not see the ends of raw strings that hold them.
+/// Converts JSON with apostrophes to quotes: moc mishandles raw strings that contain quotes.
 std::string json(std::string text)
 {
     std::replace(text.begin(), text.end(), '\'', '"');
@@ -62,7 +63,7 @@ const meshio::SurfaceMap* mapOf(const meshio::LoadedScene& scene, core::MappedQu
     return nullptr;
 }
 
-/// A MetaImage of 41^3 voxels of 2 mm about (12, 12, 12), with values by place.
+/// Returns a MetaImage of 41^3 voxels of 2 mm about (12, 12, 12), with values by position.
 std::string metaImage(const std::function<double(const core::Vec3&)>& value)
 {
     std::string out = "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
@@ -96,7 +97,7 @@ class SurfaceMaps : public QObject
         QCOMPARE(arrays.size(), std::size_t{2});
         QVERIFY(arrays[0].name == "heat" && !arrays[0].isPerTriangle);
         QVERIFY(arrays[1].name == "q" && arrays[1].isPerTriangle);
-        // Vertices stand in the order of their first use: 0 2 1 3.
+        // Vertices are in the order of their first use: 0 2 1 3.
         QVERIFY((arrays[0].values == std::vector<float>{1, 3, 2, 4}));
         QVERIFY((arrays[1].values == std::vector<float>{5, 6, 7, 8}));
     }
@@ -115,8 +116,7 @@ class SurfaceMaps : public QObject
         QVERIFY(f != nullptr && f->isPerTriangle && f->values[2] == 2.0F);
         const auto* b = mapOf(scene.value(), MappedQuantity::Damping);
         QVERIFY(b != nullptr && b->values[3] == 0.002F);
-        QVERIFY(
-            !scene.value().scene.structures[0].maps.has_value()); // a scene that is saved says no more than this one
+        QVERIFY(!scene.value().scene.structures[0].maps.has_value()); // the saved scene contains no additional maps
     }
 
     void moduliBecomeWhatAContactFeels()
@@ -157,7 +157,7 @@ class SurfaceMaps : public QObject
         QCOMPARE(masked.value().structures[0].surface->mesh.arrays.size(), std::size_t{1});
     }
 
-    /// VTK fails on these and says that the array is too short.
+    /// VTK fails on these files and reports a short array.
     void whatNoStreamReadsIsNamed_data()
     {
         QTest::addColumn<QString>("type");
@@ -190,12 +190,12 @@ class SurfaceMaps : public QObject
                  qPrintable(message));
     }
 
-    /// What is not above 0 of a stiffness, or below 0 of the others, is not known; a factor of 0 takes friction away.
+    /// Stiffness values that are not above 0, and others below 0, are unknown; a factor of 0 removes friction.
     void whatCantBeFeltIsNotKnown_data()
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("values");
-        QTest::addColumn<QString>("known"); // 1 or 0 for each vertex, in the file's order
+        QTest::addColumn<QString>("known"); // 1 or 0 for each vertex, in file order
         QTest::newRow("scale") << "StiffnessScale"
                                << "0 -1 inf 2"
                                << "0001";
@@ -228,7 +228,7 @@ class SurfaceMaps : public QObject
             meshio::loadScene(folder.write("m.vtp", vtp(array(name.toStdString(), values.toStdString() + "\n"))));
         QVERIFY2(scene.isOk(), scene.status().message().c_str());
         const meshio::SurfaceMap& map = scene.value().structures[0].maps.at(0);
-        const std::array<int, 4> order{0, 2, 1, 3}; // of first use, in which vertices stand
+        const std::array<int, 4> order{0, 2, 1, 3}; // order of first use, which is the vertex order
         std::ptrdiff_t unknown = 0;
         for (std::size_t i = 0; i < 4; ++i) {
             const bool isKnown = known[order[i]] == QLatin1Char('1');
@@ -404,11 +404,12 @@ class SurfaceMaps : public QObject
                           std::to_string(radius) + "}]")));
             return scene.value().structures[0].maps.at(0).values;
         };
-        // The same all over is felt as it is.
+        // A uniform value is unchanged.
         for (const float v : at([](const core::Vec3&) { return 3.0; }, 1.0)) {
             QVERIFY(std::abs(v - 3.0F) < 1e-5F);
         }
-        // Stiff tissue deeper than a few contact radii is felt less than shallow tissue: below the corner (24, 0, 0).
+        // Stiff tissue deeper than a few contact radii contributes less than shallow tissue: below the corner (24, 0,
+        // 0).
         const auto half = [](double depth) {
             return [depth](const core::Vec3& p) {
                 return p.sum() / std::sqrt(3.0) < 24.0 / std::sqrt(3.0) - depth ? 10.0 : 1.0;
@@ -416,7 +417,7 @@ class SurfaceMaps : public QObject
         };
         const float near = at(half(1.0), 1.0)[2], far = at(half(5.0), 1.0)[2];
         QVERIFY2(near > far && far > 1.0F && near < 10.0F, qPrintable(QString("%1 %2").arg(near).arg(far)));
-        // Air below most of it: not known.
+        // Air below most of the area: unknown.
         QVERIFY(std::isnan(at([](const core::Vec3&) { return 0.0; }, 1.0)[0]));
     }
 
@@ -429,11 +430,11 @@ class SurfaceMaps : public QObject
             "s.palpate.json",
             sceneWith(json("[{'quantity': 'stiffness', 'file': 'v.mha', 'unit': 'scale', 'contact_radius_mm': 1}]"))));
         meshio::LoadedStructure structure = scene.value().structures[0];
-        for (const int asks : {0, 1}) { // at once, and when it is read
+        for (const int asks : {0, 1}) { // cancelled at once, and during reading
             int asked = 0;
             std::vector<std::string> warnings, losses;
             meshio::resolveMaps(structure, warnings, losses, [&] { return asked++ < asks; });
-            QCOMPARE(asked, asks + 1); // and no more
+            QCOMPARE(asked, asks + 1); // no further calls
             QVERIFY(structure.maps.empty());
             QCOMPARE(losses.size(), std::size_t{1});
             QVERIFY2(losses[0].find("v.mha: reading was cancelled") != std::string::npos, losses[0].c_str());

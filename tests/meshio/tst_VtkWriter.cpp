@@ -34,16 +34,16 @@ enum Mode
     AppendedBase64
 };
 
-/// What the file holds besides points and triangles.
+/// Optional content besides points and triangles.
 enum Extra : unsigned
 {
-    kRanges = 1,  ///< of every array, computed before: VTK writes them as information keys
-    kKeys = 2,    ///< names of components and information keys of the points
-    kArrays = 4,  ///< of points, of cells and of the whole, numbers and words
+    kRanges = 1,  ///< precomputed ranges of every array, which VTK writes as information keys
+    kKeys = 2,    ///< component names and information keys of the points
+    kArrays = 4,  ///< arrays of points, cells and the data set: numbers and strings
     kDoubles = 8, ///< coordinates as Float64, else Float32
 };
 
-/// A ring of 50 points, 48 triangles that fan out from one of them.
+/// A ring of 50 points with 48 triangles that fan out from one point.
 vtkSmartPointer<vtkPolyData> fan(unsigned extra)
 {
     auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -98,7 +98,7 @@ vtkSmartPointer<vtkPolyData> fan(unsigned extra)
     if ((extra & kRanges) != 0) {
         double range[2];
         vtkDataArray* array = points->GetData();
-        for (int component = -1; component < 3; ++component) { // -1: of the length
+        for (int component = -1; component < 3; ++component) { // -1: range of the magnitude
             array->GetRange(range, component);
             array->GetFiniteRange(range, component);
         }
@@ -137,7 +137,7 @@ void write(const std::filesystem::path& path, vtkPolyData* data, Mode mode, int 
     writer->Write();
 }
 
-/// @return how far a corner of a triangle is from where it was written; far when there are not all triangles [mm]
+/// @return largest distance of a triangle corner from the written position; large if triangles are missing [mm]
 double worstCorner(vtkPolyData& data, const meshio::MeshFile& file)
 {
     vtkIdType triangle = 0;
@@ -159,7 +159,7 @@ double worstCorner(vtkPolyData& data, const meshio::MeshFile& file)
 
 } // namespace
 
-/// Files as VTK's own writer makes them, in every mode it has.
+/// Tests files from VTK's own writer in all modes.
 class VtkWriter : public QObject
 {
     Q_OBJECT
@@ -227,16 +227,16 @@ class VtkWriter : public QObject
         writer->SetFileVersion(version);
         writer->SetFileType(isBinary ? VTK_BINARY : VTK_ASCII);
         QVERIFY(writer->Write() == 1);
-        const std::string bytes = test::fileBytes(path); // or the row would not try what it says
+        const std::string bytes = test::fileBytes(path); // otherwise the row would not test its case
         QCOMPARE(bytes.find("METADATA") != std::string::npos, (extra & kKeys) != 0);
         QCOMPARE(bytes.find("OFFSETS") != std::string::npos, version == 51);
         QCOMPARE(bytes.find("FIELD FieldData 1\nStructureNames") != std::string::npos, (extra & kArrays) != 0);
 
         const auto file = meshio::readMesh(path);
         QVERIFY2(file.isOk(), file.status().message().c_str());
-        QCOMPARE(file.value().structures.size(), std::size_t{1}); // what parts it has is not told in this format
+        QCOMPARE(file.value().structures.size(), std::size_t{1}); // this format does not name the parts
         const double worst = worstCorner(*data, file.value());
-        // VTK writes text with enough digits for a float, and for a double but for its last.
+        // VTK writes enough digits for a float, and all but the last digit of a double.
         QVERIFY2(worst <= (isBinary ? 0.0 : 1e-4), qPrintable(QString::number(worst)));
     }
 
@@ -250,7 +250,7 @@ class VtkWriter : public QObject
         const auto path = folder.path("a.vtp");
         const auto data = fan(extra);
         write(path, data, static_cast<Mode>(mode), compressor, width);
-        if ((extra & (kRanges | kKeys)) != 0) { // or the row would not try what it says
+        if ((extra & (kRanges | kKeys)) != 0) { // otherwise the row would not test its case
             QVERIFY(test::fileBytes(path).find("<InformationKey") != std::string::npos);
         }
 
@@ -261,7 +261,7 @@ class VtkWriter : public QObject
         }
         const auto& structures = file.value().structures;
         const double worst = worstCorner(*data, file.value());
-        // VTK writes text with enough digits for a float, and for a double but for its last.
+        // VTK writes enough digits for a float, and all but the last digit of a double.
         QVERIFY2(worst <= 1e-5, qPrintable(QString::number(worst)));
         if (mode != Ascii) {
             QCOMPARE(worst, 0.0);

@@ -133,7 +133,7 @@ class Conversation : public QObject
         QVERIFY(std::abs(last.x() - (245.0 * std::cos(angle) - 220.0)) < 0.01);
     }
 
-    /// One in thousands happens to be near; but nothing stays of it once a true report comes.
+    /// One in thousands happens to be near the true position; the effect ends with the next valid report.
     void wildReportsLeaveNothingBehind()
     {
         std::int64_t now_ns = kMs;

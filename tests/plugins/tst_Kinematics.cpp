@@ -105,7 +105,8 @@ class Kinematics : public QObject
         }
     }
 
-    /// Half a count of each encoder, the worst way round, is half of what is stated: nowhere more, somewhere nearly.
+    /// Half a count of each encoder, in the worst combination, gives at most half of the stated resolution, and nearly
+    /// half somewhere.
     void resolutionIsWhatCountsCannotSay_data() { units(); }
     void resolutionIsWhatCountsCannotSay()
     {
@@ -128,7 +129,7 @@ class Kinematics : public QObject
         QVERIFY2(worst >= 0.8 * k.resolution_m(), qPrintable(found));
     }
 
-    /// What the motors do to the links is what the force does to the tip: tau . q' = f . v.
+    /// The power of the motors equals the power of the force at the tip: tau . q' = f . v.
     void torquesDoTheWorkOfTheForce_data() { units(); }
     void torquesDoTheWorkOfTheForce()
     {

@@ -57,7 +57,7 @@ class Puck : public QObject
             QVERIFY(!puck.take(wrong));
         }
         QCOMPARE(puck.held().shift, Vec3(0, 0, 0));
-        // Whatever comes, a share stays one.
+        // A share stays within its range for any input.
         std::mt19937 random(1);
         for (int i = 0; i < 100'000; ++i) {
             Bytes wild(random() % 20);
@@ -121,9 +121,9 @@ class Puck : public QObject
         };
         (void)hand.advance(held, now_ns, now_ns);
         QCOMPARE(run(0.1, 100, true), 0.0);
-        QVERIFY(std::abs(run(0.55, 100, true) - 5.0) < 1e-9); // half of what is beyond the dead zone
+        QVERIFY(std::abs(run(0.55, 100, true) - 5.0) < 1e-9); // half of the range beyond the dead zone
         const double before = run(0.0, 1, true);
-        const double stale = run(1.0, 1000, false); // 100 ms of it are believed
+        const double stale = run(1.0, 1000, false); // valid for 100 ms
         QVERIFY(std::abs(stale - before - 10.0) < 0.2);
         QVERIFY(std::abs(run(1.0, 2000, true) - 50.0) < 1e-9);
         QVERIFY(std::abs(run(-1.0, 100, true) - 40.0) < 1e-9);

@@ -5,10 +5,10 @@
 
 namespace palpate::test {
 
-/// Counts what a real-time thread must not do: while one lives, every malloc, calloc, realloc, aligned allocation and
-/// free (and so every new, delete and throw), every lock of a mutex or read-write lock and wait on a condition, and
-/// every opening, reading and writing of a file or the console, made by its thread through this program's symbols.
-/// Works by interposing those functions in the test program.
+/// Counts operations forbidden on a real-time thread: during the lifetime of a guard, every malloc, calloc, realloc,
+/// aligned allocation and free (and so every new, delete and throw), every lock of a mutex or read-write lock and wait
+/// on a condition, and every opening, reading and writing of a file or the console, made by its thread through this
+/// program's symbols. Interposes these functions in the test program.
 class RealtimeGuard
 {
   public:

@@ -19,7 +19,7 @@ std::shared_ptr<const haptics::HapticScene> sphereScene(double radius_mm, double
 /// tick at 1 kHz, at most 0.4 mm apart.
 std::vector<core::Vec3> palpatingMotion(int ticks);
 
-/// What the gate allows a device of a preset, wherever in space the hand is.
+/// Limits of the gate for a device of a preset, anywhere in space.
 servo::GateLimits limitsOf(const char* preset);
 
 /// The same bits in everything that a replay gives back.

@@ -46,7 +46,7 @@ class MotionTrack : public QObject
         }
     }
 
-    /// The velocity of a hand of 10 mm/s, whether the sensor's steps are known or have to be recognised.
+    /// The estimated velocity of a hand at 10 mm/s, with known or detected sensor quanta.
     void countsGiveASteadyVelocity_data()
     {
         QTest::addColumn<double>("step_mm");
@@ -79,7 +79,7 @@ class MotionTrack : public QObject
         }
     }
 
-    /// What is exact gives differences, bit for bit: a smooth path, and one that a script makes on a round grid.
+    /// For exact input the velocity is the difference, bit for bit: a smooth path, and a scripted path on a round grid.
     void anExactVelocityIsTheDifference()
     {
         const auto smooth = [](int n) { return Vec3(3.0 * std::sin(0.01 * n), std::cos(0.003 * n), 0.0123456789 * n); };
@@ -100,7 +100,7 @@ class MotionTrack : public QObject
         }
     }
 
-    /// Under an acceleration it lags as stated.
+    /// Under acceleration the lag is within the documented bound.
     void lagsNoMoreThanStated()
     {
         constexpr double kAcceleration = 0.001; // mm per tick^2: 1 m/s^2
@@ -114,7 +114,7 @@ class MotionTrack : public QObject
         QVERIFY2(most <= bound, qPrintable(QString("%1 against %2").arg(most).arg(bound)));
     }
 
-    /// Many ticks a step: the moves are the tip's, not a step in one tick and none in the others.
+    /// Many ticks per sensor step: the motion is spread evenly and not concentrated in one tick.
     void aSlowTipMovesEvenly_data()
     {
         QTest::addColumn<double>("ticksAStep");
@@ -139,7 +139,7 @@ class MotionTrack : public QObject
         QVERIFY(std::abs(sum - 400 * real) <= kStep_mm);
     }
 
-    /// A sensor that wavers between two counts moves a tenth of what two ticks' differences say, or less.
+    /// A sensor that flickers between two counts gives at most a tenth of the two-tick difference.
     void aTipOnTheBorderOfTwoCountsRests()
     {
         Track track(kStep_mm);
@@ -154,7 +154,7 @@ class MotionTrack : public QObject
         QVERIFY2(moved < counts / 10.0, qPrintable(QString("%1 of %2 mm").arg(moved).arg(counts)));
     }
 
-    /// However a hand moves, the moves add up to where the sensor says it is: no drift.
+    /// The moves add up to the sensor position without drift.
     void movesAddUp()
     {
         Track track(kStep_mm);
@@ -172,7 +172,7 @@ class MotionTrack : public QObject
         }
     }
 
-    /// A hand that turns is seen to turn at once: within the tick in which the sensor left a line.
+    /// A reversal is detected at once: in the tick in which the sensor deviates from a line.
     void aFastTurnIsSeen()
     {
         Track track(kStep_mm);

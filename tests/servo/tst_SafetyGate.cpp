@@ -222,7 +222,7 @@ class SafetyGate : public QObject
         // Away at 3 m/s along the force: three times the power that is allowed.
         static_cast<void>(driver.admit(Vec3(0, 0, 3.0)));
         QVERIFY(std::abs(driver.release(Vec3(0, 0, 12.0))[2] - 4.0) < 1e-9);
-        // Against the force the hand gives power; nothing is taken away but what the change allows.
+        // Against the force the hand supplies power; the gate limits only the rate of change.
         static_cast<void>(driver.admit(Vec3(0, 0, 0.0)));
         QVERIFY(std::abs(driver.release(Vec3(0, 0, 12.0))[2] - (4.0 + limits.maxForceRate_N_per_s * kDt_s)) < 1e-9);
     }
@@ -398,7 +398,7 @@ class SafetyGate : public QObject
         QCOMPARE(gate.fault() == FaultKind::StaleInput, isStale);
     }
 
-    /// Random and adversarial inputs, a million (PALPATE_GATE_INPUTS says otherwise): each guarantee, each tick.
+    /// A million random and adversarial inputs (override: PALPATE_GATE_INPUTS): each guarantee in each tick.
     void everyOutputIsFiniteAndBounded_data()
     {
         QTest::addColumn<QByteArray>("preset");
@@ -464,7 +464,7 @@ class SafetyGate : public QObject
                 gate.rearm();
             }
         }
-        QVERIFY(forces > total / 12);                              // not all of it was faults
+        QVERIFY(forces > total / 12);                              // not all inputs caused faults
         QVERIFY(firstContacts > 0 || change >= limits.maxForce_N); // at 50 Hz nothing is too fast
         for (const FaultKind kind : {FaultKind::NonFiniteInput, FaultKind::StaleInput, FaultKind::DeviceLost,
                                      FaultKind::NonFiniteForce, FaultKind::OverrunRun}) {

@@ -39,7 +39,7 @@ Scene groove(double stiffness_N_per_mm, double other_N_per_mm)
         palpate::test::sphereScene(30.0, other_N_per_mm, 0.0, Vec3(36.0, 0.0, 0.0))->structures().front()});
 }
 
-/// What a user can do under a hand: structures shown and hidden, stiffness and damping changed, meshes swapped, poses
+/// Edits of a user under the hand: structures shown and hidden, stiffness and damping changed, meshes swapped, poses
 /// and layers moved.
 std::vector<Scene> scenes()
 {
@@ -147,7 +147,7 @@ class SceneChanges : public QObject
                  qPrintable(QString("%1, %2").arg(shared).arg(changedWhileShared)));
     }
 
-    /// What appears around a hand lets it out: no force until it has left and come back.
+    /// A surface that appears around a hand gives no force until the hand has left and returned.
     void whatAppearsAroundAHandReleasesIt()
     {
         auto info = palpate::device::deviceInfo(*palpate::device::findDevicePreset("omega"));

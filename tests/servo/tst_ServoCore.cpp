@@ -74,7 +74,7 @@ class ServoCore : public QObject
         }
         QCOMPARE(record.felt.structure, 0);
         QVERIFY(record.felt.constraints > 0);
-        // The spring between god-object and HIP, to rounding.
+        // The spring between god-object and HIP, up to rounding.
         QVERIFY((record.felt.f_W - 0.5 * (record.felt.p_WG - record.p_WH)).norm() < 1e-12);
         QVERIFY(std::abs(record.fSent_W.norm() - record.felt.f_W.norm()) < 1e-12);
 
@@ -82,7 +82,7 @@ class ServoCore : public QObject
         QCOMPARE(record.flags, static_cast<std::uint16_t>(palpate::servo::kNoHand));
         QVERIFY(record.fSent_W.isZero(0.0));
 
-        // Back inside the sphere: released, not hit.
+        // Back inside the sphere: released without an impact.
         record = core.tick(hand(Vec3(0, 0, 20.0), timeOf(701)), timeOf(701));
         QCOMPARE(record.flags, static_cast<std::uint16_t>(palpate::servo::kReset));
         QVERIFY(record.felt.f_W.isZero(1e-9));
@@ -130,15 +130,15 @@ class ServoCore : public QObject
                 QVERIFY(last.norm() > 8.0);
             }
             if (i > 910 && i < 1000) {
-                QVERIFY(last.isZero(1e-6)); // gone
+                QVERIFY(last.isZero(1e-6)); // removed
             }
         }
-        QVERIFY(std::abs(last.z() - 3.0 * 0.4) < 0.1); // and given back, eased in: 200 of 500 ms
+        QVERIFY(std::abs(last.z() - 3.0 * 0.4) < 0.1); // restored with a ramp: 200 of 500 ms
     }
 
     void denormalsAreFlushedWhileFeelingAndOnlyThen()
     {
-        const auto scene = palpate::test::sphereScene(30.0, 1e-310); // a stiffness that is denormal itself
+        const auto scene = palpate::test::sphereScene(30.0, 1e-310); // a denormal stiffness
         palpate::haptics::Palpator palpator;
         palpator.setScene(scene.get());
         TickRecord tick;
@@ -184,10 +184,10 @@ class ServoCore : public QObject
         QVERIFY(core.fault().kind == FaultKind::NonFiniteInput);
         core.rearm();
         QVERIFY(core.fault().kind == FaultKind::None);
-        QCOMPARE(core.tick(hand(Vec3::Zero(), timeOf(3)), timeOf(3)).flags, std::uint16_t{0}); // it is where it was
+        QCOMPARE(core.tick(hand(Vec3::Zero(), timeOf(3)), timeOf(3)).flags, std::uint16_t{0}); // position unchanged
     }
 
-    /// What a replay has: rows and a state in the middle. What it must give: the same bits.
+    /// A replay from the recorded rows and a state in the middle must give the same bits.
     void rowsAndFlagsAloneReplayBitForBit()
     {
         const std::vector<std::shared_ptr<const palpate::haptics::HapticScene>> scenes{
@@ -196,7 +196,7 @@ class ServoCore : public QObject
         std::mt19937 random(3); // NOLINT: a fixed seed
         Core core(limitsOf("omega"), 1000.0);
         std::vector<TickRecord> rows;
-        constexpr std::size_t kBegin = 2345; // in mid-touch
+        constexpr std::size_t kBegin = 2345; // during contact
         palpate::haptics::PalpatorState begin;
         for (std::size_t i = 0; i < motion.size(); ++i) {
             const auto tick = static_cast<std::int64_t>(i);
@@ -210,7 +210,7 @@ class ServoCore : public QObject
             DeviceState state = hand(motion[i], timeOf(tick));
             state.isPresent = i % 777 > 20;
             if (i % 401 == 7) {
-                state.p_D *= 100.0; // refused
+                state.p_D *= 100.0; // rejected
             }
             if (i % 1501 == 7) {
                 state.time_ns -= 8'000'000; // a fault
@@ -225,7 +225,7 @@ class ServoCore : public QObject
         std::uint32_t scene = 0;
         std::size_t contacts = 0;
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            if (i == kBegin) { // once more, from the middle
+            if (i == kBegin) { // again, from the middle
                 palpator = {};
                 palpator.setScene(scenes[rows[i].scene].get());
                 scene = rows[i].scene;
@@ -245,7 +245,7 @@ class ServoCore : public QObject
         QVERIFY(contacts > 1000);
     }
 
-    /// A hand that is away for a moment, as a device that loses a packet says it, goes on where it was.
+    /// A hand that is absent briefly, as after a lost packet, keeps its contact.
     void handThatIsBackSoonKeepsItsContact_data()
     {
         QTest::addColumn<int>("ticks");
@@ -281,14 +281,14 @@ class ServoCore : public QObject
         }
         TickRecord record = tick(z, true);
         QCOMPARE((record.flags & palpate::servo::kReset) == 0, isKept);
-        QVERIFY(record.fSent_W.norm() < 0.05); // eased in
+        QVERIFY(record.fSent_W.norm() < 0.05); // ramped in
         for (int later = 0; later < 600; ++later) {
             record = tick(z, true);
         }
         QVERIFY(std::abs(record.fSent_W.z() - (isKept ? 0.5 * (30.0 - z) : 0.0)) < 0.02);
     }
 
-    /// While a fault is latched the hand is held until someone re-arms, however long that takes.
+    /// While a fault is latched the contact is kept until the loop is re-armed, however long that takes.
     void aRearmedDeviceKeepsItsContact()
     {
         const auto scene = palpate::test::sphereScene(30.0, 0.5);
@@ -314,7 +314,7 @@ class ServoCore : public QObject
         QVERIFY(std::abs(record.fSent_W.z() - 0.5 * 3.5) < 0.02);
     }
 
-    /// A damper's force is as even as the hand, not as the encoder's steps.
+    /// The damping force is as smooth as the hand's motion and does not follow encoder steps.
     void countsDampEvenly()
     {
         const auto scene = palpate::test::sphereScene(30.0, 0.2, 0.005);

@@ -21,7 +21,7 @@ using palpate::device::DeviceState;
 
 namespace {
 
-/// Presses into a sphere and tells another process every force that it is given.
+/// Presses into a sphere and reports every received force to another process.
 class TellingDevice final : public palpate::device::HapticDevice
 {
   public:
@@ -137,7 +137,7 @@ class ServoExit : public QObject
         QVERIFY(forces[forces.size() - 12] > 0.5); // within ten ticks, and ramped
     }
 
-    /// What only a device's own watchdog can mend: its test is where the device is emulated.
+    /// Only the device's own watchdog can handle this; the test is with the emulated device.
     void aKilledProgramLeavesItsForceToTheWatchdog()
     {
         const std::vector<double> forces = forcesOf(End::Killed);

@@ -36,7 +36,7 @@ using Loop = palpate::servo::ServoLoop;
 
 namespace {
 
-/// A device with motors that does as the test says and keeps what it was given.
+/// A device with motors that follows a scripted motion and keeps the commanded force.
 class TestDevice final : public palpate::device::HapticDevice
 {
   public:
@@ -80,7 +80,7 @@ class TestDevice final : public palpate::device::HapticDevice
         writes.fetch_add(1);
     }
 
-    std::vector<Vec3> motion; // set before start
+    std::vector<Vec3> motion; // set before the start
     Status startStatus;
     bool throwsAtStart = false;
     std::atomic<double> z{40.0};
@@ -98,7 +98,7 @@ class TestDevice final : public palpate::device::HapticDevice
     std::atomic<double> largestForce{0.0};
 };
 
-/// Waits for something that another thread does; the long limit only keeps a broken test from hanging.
+/// Waits for a condition set by another thread; the long timeout only stops a broken test from hanging.
 bool waitFor(const std::function<bool()>& isTrue)
 {
     for (int i = 0; i < 30'000; ++i) {
@@ -114,11 +114,11 @@ ServoOptions plain(double rate_Hz = 1000.0)
 {
     ServoOptions options;
     options.rate_Hz = rate_Hz;
-    options.askRealtime = false; // the tests share the machine
+    options.askRealtime = false; // tests run in parallel
     return options;
 }
 
-/// Presses the device into the sphere until force is sent.
+/// Presses the device into the sphere until a force is sent.
 bool press(TestDevice& device, Loop& loop)
 {
     device.z.store(31.0);
@@ -206,7 +206,7 @@ class ServoLoop : public QObject
         QVERIFY(timing.period.p50_ns > 0 && timing.period.max_ns >= timing.period.p99_ns);
         QVERIFY(!loop.realtime().items.empty());
 
-        QVERIFY(loop.start(device, plain(2000.0)).isOk()); // and again
+        QVERIFY(loop.start(device, plain(2000.0)).isOk()); // restart
         QCOMPARE(loop.rate_Hz(), 2000.0);
         QVERIFY(waitFor([&] { return device.reads.load() > reads + 50; }));
         loop.stop();
@@ -214,12 +214,12 @@ class ServoLoop : public QObject
         QCOMPARE(device.stops.load(), 2);
     }
 
-    /// An arm that counts from its calibration pose would have to be calibrated again.
+    /// Reopening an arm with incremental encoders would require another calibration.
     void restartsAtAnotherRateWithTheDeviceOpen()
     {
         TestDevice device;
         Loop loop;
-        QCOMPARE(loop.restart({}).code(), StatusCode::Internal); // nothing runs
+        QCOMPARE(loop.restart({}).code(), StatusCode::Internal); // not running
         loop.setScene(palpate::test::sphereScene(30.0, 1.0));
         ServoOptions options = plain();
         QVERIFY(loop.start(device, options).isOk());
@@ -234,7 +234,7 @@ class ServoLoop : public QObject
         QVERIFY(loop.restart(options).isOk());
         QVERIFY(waitFor([&] { return device.reads.load() > reads + 50; }));
         QCOMPARE(loop.rate_Hz(), 2000.0);
-        QVERIFY(waitFor([&] { return device.force.load() > 0.1; })); // the hand kept its contact
+        QVERIFY(waitFor([&] { return device.force.load() > 0.1; })); // the hand stayed in contact
         QCOMPARE(device.starts.load(), 1);
         QCOMPARE(device.stops.load(), 0);
         loop.stop();
@@ -248,7 +248,7 @@ class ServoLoop : public QObject
         Loop loop;
         QVERIFY(loop.start(device, plain(1.0)).isOk());
         loop.stop();
-        QVERIFY(device.reads.load() <= 1); // did not wait for its deadline, a second away
+        QVERIFY(device.reads.load() <= 1); // did not wait for the deadline, a second away
         QCOMPARE(device.force.load(), 0.0);
     }
 
@@ -276,8 +276,8 @@ class ServoLoop : public QObject
         QVERIFY(waitFor([&] { return loop.timing().ticks > 900; }));
         loop.stop();
         QCOMPARE(device.force.load(), 0.0);
-        // The last ticks ramp, each smaller than the one before. By the clock, a tick that comes soon after a late one
-        // counting as a whole period: what each sends follows from the times alone, however late they were.
+        // The last ticks ramp down monotonically. The ramp follows the clock, and a tick soon after a late tick counts
+        // as a whole period: the output depends only on the tick times, however late they were.
         std::vector<TickRecord> ticks;
         TickRecord record;
         while (loop.popTick(record)) {
@@ -350,7 +350,7 @@ class ServoLoop : public QObject
         QVERIFY(loop.fault().isFaulted());
         loop.rearm();
         QVERIFY(waitFor([&] { return !loop.fault().isFaulted(); }));
-        QVERIFY(press(device, loop)); // out and in again: it began anew inside
+        QVERIFY(press(device, loop)); // left and entered again: restarted inside
         loop.stop();
         QCOMPARE(device.force.load(), 0.0);
     }
@@ -404,13 +404,13 @@ class ServoLoop : public QObject
                 return loop.setScene(scene);
             };
             QCOMPARE(give(0.1), 1U);
-            QCOMPARE(give(0.2), 2U); // never taken: there is no thread yet
+            QCOMPARE(give(0.2), 2U); // never consumed: no thread yet
             QVERIFY(given[0].expired());
             QVERIFY(loop.start(device, plain()).isOk());
             TickRecord record;
             for (std::uint32_t i = 3; i < 30; ++i) {
                 QCOMPARE(give(0.1 * i), i);
-                if (i % 3 != 0) { // else the next one overtakes it
+                if (i % 3 != 0) { // otherwise overtaken by the next one
                     QVERIFY(waitFor([&] { return loop.fetchSnapshot(record) && record.scene == i; }));
                     QVERIFY(waitFor([&] {
                         loop.collect();
@@ -480,7 +480,7 @@ class ServoLoop : public QObject
             QVERIFY(loop.popTick(record));
             QVERIFY((record.flags & palpate::servo::kDroppedBefore) == 0);
         }
-        QVERIFY(waitFor([&] { // it goes on into the freed room
+        QVERIFY(waitFor([&] { // continues in the freed room
             const auto dropped = loop.droppedTicks();
             std::this_thread::sleep_for(std::chrono::milliseconds(40));
             return loop.droppedTicks() > dropped;

@@ -100,7 +100,7 @@ class WorkspaceMap : public QObject
         QVERIFY((map.map(at(p_D), 0).p_W - expected).norm() < 1e-12);
     }
 
-    /// Virtual work: what a force does to the hand is what it does in the scene, but for the scale of lengths.
+    /// Virtual work: the power at the hand equals the power in the scene, up to the length scale.
     void forcesTurnWithTheHand()
     {
         Map map;

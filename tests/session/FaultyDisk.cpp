@@ -16,7 +16,7 @@ using Kind = FaultyDisk::Operation::Kind;
 FaultyDisk* theDisk = nullptr;
 sqlite3_vfs* theOrdinary = nullptr;
 
-/// A file of ours; the ordinary one lies behind it in the same memory.
+/// A file of this VFS; the file of the default VFS follows in the same memory.
 struct File
 {
     sqlite3_file head;
@@ -59,7 +59,7 @@ int truncateFile(sqlite3_file* file, sqlite3_int64 size)
 
 int syncFile(sqlite3_file* file, int)
 {
-    // The true disk need not be waited for: the test never pulls its plug.
+    // No real sync is needed: only simulated power losses occur.
     return theDisk->ask(Kind::Sync, *of(file).name, 0, nullptr, 0);
 }
 
@@ -146,9 +146,9 @@ int deleteFile(sqlite3_vfs*, const char* path, int syncFolder)
     return code != 0 ? code : theOrdinary->xDelete(theOrdinary, path, syncFolder);
 }
 
-sqlite3_vfs theLayer; // a copy of the ordinary one with two functions of ours
+sqlite3_vfs theLayer; // a copy of the default VFS with two functions replaced
 
-/// Bytes of a file as it is written.
+/// Writes bytes into the content of a file.
 void put(std::string& content, std::int64_t offset, const std::string& bytes)
 {
     const auto end = static_cast<std::size_t>(offset) + bytes.size();
@@ -233,7 +233,7 @@ int FaultyDisk::ask(Operation::Kind kind, const std::string& file, std::int64_t 
 
 namespace {
 
-/// What a name stands for from its creation to its deletion, and in what order names come and go.
+/// The history of a name from creation to deletion, with the order of creations and deletions.
 struct Incarnation
 {
     std::string synced;
@@ -243,7 +243,7 @@ struct Incarnation
 struct Name
 {
     std::vector<Incarnation> lives;
-    std::size_t onDisk = 0; // entries of the folder that are safe: creations and deletions, in their order
+    std::size_t onDisk = 0; // persistent directory entries: creations and deletions in order
     [[nodiscard]] std::size_t entries() const
     {
         return 2 * lives.size() - (lives.empty() || lives.back().isDeleted ? 0 : 1);
@@ -288,7 +288,7 @@ DiskState afterPowerLoss(const DiskState& before, const std::vector<FaultyDisk::
                 redo(file.synced, one);
             }
             file.pending.clear();
-            if (operation.file.ends_with("-journal")) { // SQLite syncs the folder of a new journal with it
+            if (operation.file.ends_with("-journal")) { // SQLite also syncs the folder of a new journal
                 for (auto& [any, one] : names) {
                     one.onDisk = one.entries();
                 }
@@ -309,7 +309,7 @@ DiskState afterPowerLoss(const DiskState& before, const std::vector<FaultyDisk::
             entries += toss() % (name.entries() - name.onDisk + 1);
         }
         if (entries % 2 == 0) {
-            continue; // not there, or deleted
+            continue; // missing or deleted
         }
         Incarnation& file = name.lives[entries / 2];
         for (FaultyDisk::Operation operation : file.pending) {

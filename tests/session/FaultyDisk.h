@@ -12,12 +12,12 @@
 
 namespace palpate::test {
 
-/// While it lives, SQLite's file layer (a VFS over the ordinary one): it logs what is asked of the disk, fails the k-th
-/// of it, or holds everything up. Reading always works.
+/// While the object lives, a SQLite VFS over the default one: logs disk operations, fails the k-th operation, or blocks
+/// all. Reads always work.
 class FaultyDisk
 {
   public:
-    /// What changed the disk.
+    /// A change of the disk.
     struct Operation
     {
         enum Kind
@@ -27,12 +27,12 @@ class FaultyDisk
             Truncate,
             Sync,
             Delete,
-            Mark, ///< not of the disk: a number of the test's own
+            Mark, ///< no disk operation: a number set by the test
         };
         Kind kind = Mark;
         std::string file;        ///< name without folder
-        std::int64_t offset = 0; ///< of Write; size of Truncate; number of Mark
-        std::string bytes;       ///< of Write
+        std::int64_t offset = 0; ///< Write: offset; Truncate: size; Mark: number
+        std::string bytes;       ///< Write: content
     };
 
     FaultyDisk();
@@ -42,20 +42,22 @@ class FaultyDisk
 
     void startLog() { m_isLogging = true; }
     void mark(std::int64_t number);
-    /// Ends the logging.
+    /// Stops logging and returns the log.
     std::vector<Operation> takeLog();
 
-    /// Fails the k-th operation from now, counting from 0, and with `isLasting` all after it. @param code SQLite's
+    /// Fails the k-th operation from now, counting from 0, and with `isLasting` all later ones.
+    /// @param code  SQLite error code
     void failAt(std::int64_t k, bool isLasting, int code);
     void heal() { m_failAt = -1; }
-    /// Operations since failAt.
+    /// Returns the number of operations since failAt.
     [[nodiscard]] std::int64_t operations() const { return m_operations; }
 
-    /// Lets every write and sync wait until `release`.
+    /// Blocks every write and sync until `release`.
     void hold();
     void release();
 
-    /// For the file layer. @return 0, or the code to fail with
+    /// Called by the VFS.
+    /// @return 0, or the error code to fail with
     int ask(Operation::Kind kind, const std::string& file, std::int64_t offset, const void* bytes, int size);
 
   private:
@@ -70,13 +72,13 @@ class FaultyDisk
     bool m_isHeld = false;
 };
 
-/// What may be on the disk after the power went: files by name.
+/// Possible content of the disk after a power loss: files by name.
 using DiskState = std::map<std::string, std::string>;
 
-/// Replays a log up to its operation `end` and lets the power go. What was synced is there. Of what was not, by `seed`:
-/// 0 nothing, 1 everything, else an arbitrary part of the writes, the last sectors of some of them torn off; a deleted
-/// file may be there again.
-/// @param before  the files when the log began, synced
+/// Replays a log up to operation `end` and simulates a power loss. Synced data are kept. Unsynced data depend on
+/// `seed`: 0 none, 1 all, else an arbitrary subset of the writes, some with their last sectors torn off; a deleted file
+/// may reappear.
+/// @param before  files at the start of the log, synced
 [[nodiscard]] DiskState afterPowerLoss(const DiskState& before, const std::vector<FaultyDisk::Operation>& log,
                                        std::size_t end, std::uint32_t seed);
 

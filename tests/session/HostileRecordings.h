@@ -17,7 +17,7 @@ bool rehashSurfaces(const std::filesystem::path& recording);
 /// once it has rolled it back.
 [[nodiscard]] std::string superJournal(const std::filesystem::path& recording, const std::string& name);
 
-/// A recording of the box of 40 mm, whose surface is embedded, with a note and a finding.
+/// A recording of the box of 40 mm with an embedded surface, a note and a finding.
 /// @param ticks  as in palpationTicks
 bool writeRichRecording(const std::filesystem::path& recording, int ticks);
 

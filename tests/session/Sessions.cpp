@@ -73,7 +73,7 @@ std::vector<servo::TickRecord> palpationTicks(int ticks)
         state.isPresent = tick < 400 || tick >= 420;
         state.p_D = Vec3(15.0 * std::sin(3.0 * t), 15.0 * std::cos(2.0 * t), 22.0 - 5.0 * std::sin(8.0 * t));
         records.push_back(core.tick(state, state.time_ns));
-        records.back().solve_ns = static_cast<std::uint32_t>(100 + tick % 7); // no clock in what tests compare
+        records.back().solve_ns = static_cast<std::uint32_t>(100 + tick % 7); // no clock in compared data
     }
     return records;
 }

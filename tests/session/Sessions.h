@@ -21,7 +21,7 @@ session::SurfacesByHash boxSurfaces();
 /// What ServoCore makes of a hand that presses, slides, lets go (tick 400 to 420) and comes back, while the scene gets
 /// stiffer at tick 250; deterministic.
 std::vector<servo::TickRecord> palpationTicks(int ticks);
-/// The two scenes of it, generations 1 and 2.
+/// The two scenes, generations 1 and 2.
 std::vector<session::SceneRecord> palpationScenes();
 /// @return false, with the reason as a warning, when the recording could not be written
 bool writeRecording(const std::filesystem::path& path, const std::vector<servo::TickRecord>& ticks,

@@ -28,7 +28,7 @@ using session::RecordingReader;
 using session::RecordingWriter;
 using test::FaultyDisk;
 
-/// What a disk can do to a recording.
+/// Tests the effect of disk faults on a recording.
 class DiskFaults : public QObject
 {
     Q_OBJECT
@@ -56,7 +56,7 @@ class DiskFaults : public QObject
         return writer;
     }
 
-    /// @return how many ticks a recording holds when it is a clean prefix of `ticks`, else -1 with the reason warned.
+    /// @return number of ticks of a recording that is an intact prefix of `ticks`; otherwise -1 with a warning
     static std::int64_t prefixOf(const std::vector<servo::TickRecord>& ticks, const std::filesystem::path& file)
     {
         const auto reader = RecordingReader::open(file);
@@ -88,7 +88,8 @@ class DiskFaults : public QObject
         return motion;
     }
 
-    /// Waits until the servo has done that many more ticks. @return false when it did not within a minute
+    /// Waits for that many further servo ticks.
+    /// @return false on timeout after a minute
     static bool letPass(servo::ServoLoop& loop, std::uint64_t ticks)
     {
         const std::uint64_t goal = loop.timing().ticks + ticks;
@@ -99,7 +100,7 @@ class DiskFaults : public QObject
     }
 
   private Q_SLOTS:
-    /// The power goes after each operation; what was not synced is lost, kept, torn or reordered.
+    /// Simulates a power loss after each operation; unsynced data are lost, kept, torn or reordered.
     void powerLossLeavesACleanPrefix()
     {
         const auto ticks = test::palpationTicks(1500);
@@ -112,7 +113,7 @@ class DiskFaults : public QObject
             before["power.palpate"] = bytes("power.palpate");
             disk.startLog();
             for (const auto& tick : ticks) {
-                disk.mark(tick.tick + 1); // felt, and so to be found again
+                disk.mark(tick.tick + 1); // in contact, so expected in the file
                 QVERIFY(writer.value()->append(tick).isOk());
             }
             QVERIFY(writer.value()->finish().isOk());
@@ -126,7 +127,7 @@ class DiskFaults : public QObject
         for (std::size_t end = 0; end <= log.size(); ++end) {
             if (end > 0 && log[end - 1].kind == FaultyDisk::Operation::Mark) {
                 felt = log[end - 1].offset;
-                continue; // the disk did nothing
+                continue; // no disk operation
             }
             for (std::uint32_t seed = 0; seed < 5; ++seed) {
                 const auto files = test::afterPowerLoss(before, log, end, seed);
@@ -177,7 +178,7 @@ class DiskFaults : public QObject
             disk.failAt(k, isLasting, code);
             auto writer = begin(file);
             if (!writer.isOk()) {
-                QVERIFY(!std::filesystem::exists(file)); // and nothing beside it
+                QVERIFY(!std::filesystem::exists(file)); // and no companion file
                 QCOMPARE(QDir(m_folder.path()).entryList({"error*"}, QDir::Files).size(), 0);
                 QVERIFY(writer.status().message().find("error.palpate: cannot be written") != std::string::npos);
                 ++unmade;
@@ -188,10 +189,10 @@ class DiskFaults : public QObject
             }
             core::Status ended = writer.value()->finish();
             if (!ended.isOk() && !isLasting) {
-                ended = writer.value()->finish(); // nothing was lost by the error
+                ended = writer.value()->finish(); // the error lost no data
             }
             const bool hasHappened = disk.operations() > k;
-            writer = core::Status(core::StatusCode::Internal, ""); // closes it while the disk fails
+            writer = core::Status(core::StatusCode::Internal, ""); // closes the file while the disk fails
             disk.heal();
             const std::int64_t found = prefixOf(ticks, file);
             QVERIFY2(found >= 0, qPrintable(QString("operation %1").arg(k)));
@@ -210,7 +211,7 @@ class DiskFaults : public QObject
         QVERIFY(failed > 50 && unmade > 5);
     }
 
-    /// The disk holds everything up for more than a second, three times: the touch goes on and nothing is lost.
+    /// The disk blocks for more than a second, three times: the servo loop continues and no tick is lost.
     void aStallingDiskNeverStallsTheTouch()
     {
         FaultyDisk disk;
@@ -226,7 +227,7 @@ class DiskFaults : public QObject
             QVERIFY(letPass(loop, 300));
             disk.hold();
             QVERIFY(letPass(loop, 1000));    // the servo does not wait for the disk
-            recorder.addEvent("note", "{}"); // and neither does the window
+            recorder.addEvent("note", "{}"); // nor does the GUI thread
             QVERIFY(recorder.status().isRecording);
             disk.release();
         }
@@ -250,7 +251,7 @@ class DiskFaults : public QObject
         QTest::newRow("without") << false;
     }
 
-    /// The recording ends at once, says why, and what is there is sound; the touch goes on.
+    /// The recording ends at once with a reason and a valid file; the servo loop continues.
     void aDiskThatGetsFullEndsTheRecording()
     {
         QFETCH(bool, hasRoomForLastWords);
@@ -263,11 +264,11 @@ class DiskFaults : public QObject
         session::Recorder recorder(loop);
         QVERIFY(loop.start(device, options).isOk());
         const auto file = path("full.palpate");
-        std::filesystem::remove(file); // of the row before
+        std::filesystem::remove(file); // from the previous row
         std::filesystem::remove(path("next.palpate"));
         QVERIFY(recorder.start(file, {}, test::palpationScenes()[0]).isOk());
         QVERIFY(letPass(loop, 900));
-        disk.failAt(0, !hasRoomForLastWords, SQLITE_FULL); // the reserve is room for all but the first
+        disk.failAt(0, !hasRoomForLastWords, SQLITE_FULL); // the reserve has room for all writes but the first
         QTRY_VERIFY_WITH_TIMEOUT(!recorder.status().isRecording, 20000);
         const session::RecorderStatus status = recorder.status();
         QVERIFY(status.hasFailed);
@@ -294,14 +295,14 @@ class DiskFaults : public QObject
         QVERIFY(session::endingText(extent).find(hasRoomForLastWords ? "because the disk was full"
                                                                      : "or a full disk") != std::string::npos);
         QVERIFY(session::resimulate(*reader.value(), test::boxSurfaces()).value().isSame());
-        // And the next one is whole.
+        // The next recording is complete.
         QVERIFY(recorder.start(path("next.palpate"), {}, test::palpationScenes()[0]).isOk());
         QVERIFY(letPass(loop, 300) && !recorder.status().hasFailed);
         QVERIFY(recorder.stop().isOk());
         QCOMPARE(RecordingReader::open(path("next.palpate")).value()->extent().end, session::RecordingEnd::Closed);
     }
 
-    /// With a small ring there is no room for what a stall lasts: what is lost is counted, and the rest is valid.
+    /// A small ring cannot hold the ticks of a long block: the loss is counted, and the rest is valid.
     void whatAStallCostsIsCounted()
     {
         FaultyDisk disk;
@@ -320,7 +321,7 @@ class DiskFaults : public QObject
         disk.release();
         QVERIFY(letPass(loop, 600));
         const core::Status stopped = recorder.stop();
-        QVERIFY(stopped.message().find("ticks were lost") != std::string::npos); // the user is told
+        QVERIFY(stopped.message().find("ticks were lost") != std::string::npos); // the user is informed
         loop.stop();
         const auto lost = static_cast<std::int64_t>(recorder.status().dropped);
         const auto reader = RecordingReader::open(path("drop.palpate"));

@@ -31,9 +31,9 @@ using session::RecordingReader;
 
 namespace {
 
-constexpr qint64 kSoon_ms = 5000; // what a view or a generated column of a file could hang
+constexpr qint64 kSoon_ms = 5000; // limit for hangs in a view or generated column of the file
 
-/// Name, content and time of change of all files in a folder.
+/// Returns name, content and modification time of all files in a folder.
 QStringList stateOf(const QString& folder)
 {
     QStringList out;
@@ -79,7 +79,7 @@ session::MeshesByHash surfacesOf(const RecordingReader& reader)
 
 } // namespace
 
-/// Recordings that someone made to do harm, or that a disk changed.
+/// Tests recordings that are malicious or damaged.
 class HostileRecordings : public QObject
 {
     Q_OBJECT
@@ -145,7 +145,7 @@ class HostileRecordings : public QObject
         QVERIFY(QDir::setCurrent(before));
     }
 
-    /// Should the journal be swapped behind the check, the file layer still opens and deletes nothing else.
+    /// Even if the journal is replaced after the check, the file layer opens and deletes no other file.
     void fileLayerDeletesNothing()
     {
         write("victim.txt", "precious");
@@ -182,7 +182,7 @@ class HostileRecordings : public QObject
         QCOMPARE(bytes("victim.txt"), QByteArray("precious"));
     }
 
-    /// What a crash left is rolled back as SQLite does, and neither file is touched.
+    /// Rolls back after a crash as SQLite does, without changing either file.
     void rollsBackInMemory()
     {
         const QByteArray whole = bytes("a.palpate");
@@ -228,7 +228,7 @@ class HostileRecordings : public QObject
         QCOMPARE(RecordingReader::open(path("copy.palpate")).value()->extent().ticks, std::int64_t{1500});
     }
 
-    /// Nobody waits for a reader, nor a reader for one who records.
+    /// Readers and the recorder never block each other.
     void readsWhileAnotherRecords()
     {
         sqlite3* database = nullptr;
@@ -247,7 +247,7 @@ class HostileRecordings : public QObject
         sqlite3_close(database);
     }
 
-    /// Views, generated columns, triggers, virtual tables: nothing that a file brings along is run.
+    /// Views, generated columns, triggers, virtual tables: no code from the file is executed.
     void schemaOfItsOwnIsRefused_data()
     {
         statements(
@@ -328,7 +328,7 @@ class HostileRecordings : public QObject
         QCOMPARE(stateOf(m_folder->path()), state);
     }
 
-    /// Values that no checksum covers any longer: what is damaged is named and left out, and no figure is inf or nan.
+    /// Values with a wrong checksum: damage is named and skipped, and no figure is inf or nan.
     void damagedTicksAreLeftOut_data()
     {
         statements(
@@ -382,7 +382,7 @@ class HostileRecordings : public QObject
         for (const core::Vec3& p : read.isOk() ? read.value().p_WH : std::vector<core::Vec3>()) {
             QVERIFY(p.allFinite() && p.norm() < 100.0);
         }
-        // A seek never gives a tick of a damaged block.
+        // A seek never returns a tick of a damaged block.
         for (const std::int64_t tick : {0, 3, 700, 1300, 1499}) {
             if (const auto at = reader.value()->at(tick)) {
                 QVERIFY(at->p_WH.norm() < 100.0 && at->felt.f_W.norm() < 100.0 && at->tick <= tick);
@@ -390,7 +390,7 @@ class HostileRecordings : public QObject
         }
     }
 
-    /// What is said of a block that a measure reads is said once, and the others are measured.
+    /// A message about a block that several measures read appears once; the other blocks are measured.
     void wholeBlocksAreMeasured()
     {
         QVERIFY(test::runSql(path("a.palpate"), "UPDATE ticks SET hip_x = 1e300 WHERE tick = 700;"
@@ -399,14 +399,14 @@ class HostileRecordings : public QObject
         for (int times = 0; times < 2; ++times) {
             QCOMPARE(session::measureSession(*reader.value(), {}).value().sums.ticks, std::int64_t{1000});
         }
-        // A hash that was hit is no fault of the block behind it.
+        // A damaged hash does not invalidate the following block.
         QCOMPARE(reader.value()->faults().size(), std::size_t{2});
         QCOMPARE(reader.value()->at(700)->tick, std::int64_t{499});
         QCOMPARE(reader.value()->at(1249)->tick, std::int64_t{999});
         QCOMPARE(reader.value()->at(1250)->tick, std::int64_t{1250});
     }
 
-    /// Values whose checksums are right, as any program can write them.
+    /// Values with correct checksums, as any program can write them.
     void valuesOutOfBoundsAreRefused_data()
     {
         statements(
@@ -443,7 +443,7 @@ class HostileRecordings : public QObject
         QVERIFY2(QString::fromStdString(reader.status().message()).contains(said), reader.status().message().c_str());
     }
 
-    /// Numbers of ticks at the end of their range.
+    /// Tick numbers at the limits of their range.
     void extremeTickNumbers_data()
     {
         QTest::addColumn<QString>("sql");
@@ -481,7 +481,7 @@ class HostileRecordings : public QObject
         QVERIFY(RecordingReader::open(path("b.palpate")).value()->verify().isOk());
     }
 
-    /// Surfaces whose hashes are right but whose numbers are none of a mesh file.
+    /// Surfaces with correct hashes but numbers that no mesh file may contain.
     void surfacesOutOfBoundsAreRefused_data()
     {
         QTest::addColumn<QString>("sql");
@@ -510,10 +510,10 @@ class HostileRecordings : public QObject
         QVERIFY(!reader.value()->embedded(hashes.front()).isOk());
     }
 
-    /// The state before the first tick tells the solver which triangles it touches.
+    /// The state before the first tick holds the triangles that the solver touches.
     void startThatTouchesNoTriangleIsRefused()
     {
-        // Of the first layer: structure 0, triangle 0x7fffffff, side 1, one constraint, placed.
+        // First layer: structure 0, triangle 0x7fffffff, side 1, one constraint, placed.
         QVERIFY(test::runSql(path("a.palpate"),
                              "UPDATE meta SET value = CAST(substr(value, 1, 36) || x'ffffff7f0000000000000000010000"
                              "0101' || substr(value, 54) AS BLOB) WHERE key = 'start'"));
@@ -531,7 +531,7 @@ class HostileRecordings : public QObject
                  again.status().message().c_str());
     }
 
-    /// Events whose texts lie in the same pages, and pages that lead in circles, take bounded time.
+    /// Events whose texts share pages, and pages in cycles, take bounded time.
     void pagesThatLeadInCirclesEnd()
     {
         const QByteArray good = bytes("a.palpate");
@@ -542,7 +542,7 @@ class HostileRecordings : public QObject
             return out;
         };
         for (qsizetype page = 1; page * kPage < good.size(); ++page) {
-            // An inner page all of whose children are itself or its neighbour.
+            // An inner page whose children all refer back to this page or its neighbour.
             QByteArray inner(kPage, 0);
             inner[0] = 5;
             constexpr int kCells = 400;

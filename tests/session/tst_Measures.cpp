@@ -34,14 +34,14 @@ class Measures : public QObject
         }
         return record;
     }
-    /// @return what gives every structure this name.
+    /// @return a function that gives every structure this name
     static session::StructureNames called(const char* name)
     {
         return [name](std::uint32_t) { return std::string_view(name); };
     }
 
   private Q_SLOTS:
-    /// Down 1 mm a tick from 2 mm above to 3 mm below a plane at 0, with 0.5 N/mm: worked out by hand.
+    /// Down 1 mm per tick from 2 mm above to 3 mm below a plane at 0, with 0.5 N/mm: computed by hand.
     void agreeWithASessionWorkedOutByHand()
     {
         session::MeasureAccumulator measures(1e-3);
@@ -90,7 +90,7 @@ class Measures : public QObject
         QCOMPARE(measures.result().contact.p95Force_N, 95.0);
     }
 
-    /// 0.3 s over the surface at 20 mm/s with 1 N, 0.2 s at rest with 2 N, free, 0.05 s at rest with 4 N.
+    /// 0.3 s over the surface at 20 mm/s with 1 N, 0.2 s at rest with 2 N, no contact, 0.05 s at rest with 4 N.
     void tellSearchingFromPressing()
     {
         session::PhaseAccumulator phases(1e-3);
@@ -105,7 +105,7 @@ class Measures : public QObject
         feel(300, 20.0, 1.0);
         feel(200, 0.0, 2.0);
         feel(10, 0.0, 0.0);
-        feel(50, 9.0, 4.0); // slower than searching is
+        feel(50, 9.0, 4.0); // slower than a search
         const auto found = phases.result();
         QCOMPARE(found.size(), std::size_t{3});
         QVERIFY(found[0].kind == session::Phase::Kind::Search);
@@ -116,7 +116,7 @@ class Measures : public QObject
         QVERIFY(found[1].kind == session::Phase::Kind::Press);
         QCOMPARE(found[1].start_s, 0.3);
         QCOMPARE(found[1].time_s, 0.2);
-        QVERIFY(found[2].kind == session::Phase::Kind::Press); // let go between them: another phase
+        QVERIFY(found[2].kind == session::Phase::Kind::Press); // released in between: another phase
         QCOMPARE(found[2].start_s, 0.51);
         const session::PhaseSummary press = session::summary(found, session::Phase::Kind::Press);
         QCOMPARE(press.phases, std::int64_t{2});
@@ -125,7 +125,8 @@ class Measures : public QObject
         QCOMPARE(press.peakForce_N, 4.0);
     }
 
-    /// Half a second through a liver onto a lump and off it again, twice: each has its own time, share, depth, presses.
+    /// Half a second through a liver onto a lump and off again, twice: each structure has its own time, share, depth
+    /// and presses.
     void everyLayerIsMeasured()
     {
         session::MeasureAccumulator measures(1e-3);
@@ -169,16 +170,16 @@ class Measures : public QObject
     }
 
     /// A square sheet of 40 mm in z = 0. 2 ticks with 3 N at its middle, 1 tick with 5 N at (10, 0), 4 mm distance:
-    /// discs of 16 pi mm² each that do not meet.
+    /// disjoint discs of 16 pi mm² each.
     void knowWhatWasTouched()
     {
-        for (const int n : {1, 8, 80}) { // one coarse mesh, one fine: the same surface
+        for (const int n : {1, 8, 80}) { // from coarse to fine meshes of the same surface
             session::TouchedSurface surface(test::sheet(20.0, n), 4.0);
             QVERIFY(std::abs(surface.area_mm2() - 1600.0) < 1e-9);
             surface.add(Vec3(0, 0, 0), 3.0, 6.0, 1e-3);
             surface.add(Vec3(0, 0, 0), 2.0, 7.0, 1e-3);
             surface.add(Vec3(10, 0, 0), 5.0, 4.0, 1e-3);
-            surface.add(Vec3(0, 0, 4.5), 9.0, 9.0, 1e-3); // too far off
+            surface.add(Vec3(0, 0, 4.5), 9.0, 9.0, 1e-3); // too far away
             const double exact_mm2 = 2.0 * M_PI * 16.0;
             QVERIFY2(std::abs(surface.coveredArea_mm2() - exact_mm2) < 0.25 * exact_mm2,
                      std::to_string(surface.coveredArea_mm2()).c_str());
@@ -196,7 +197,7 @@ class Measures : public QObject
         QVERIFY(std::abs(fine.coveredArea_mm2() - M_PI * 16.0) < 0.01 * M_PI * 16.0);
     }
 
-    /// From the recording to every number: a press of 0.2 s on the sheet, marked, then one aside of it.
+    /// From the recording to every number: a press of 0.2 s on the sheet, marked, then a press beside the sheet.
     void ofARecordingAreThoseOfItsTicks()
     {
         QTemporaryDir folder;

@@ -47,7 +47,8 @@ class OldRecordings : public QObject
                 const bool isTouching = tick.felt.structure >= 0;
                 const core::Vec3 spring = tick.felt.p_WG - tick.p_WH;
                 const haptics::Contact& only = tick.felt.contacts[0];
-                // What they did not hold: the normal is the spring's, and one layer has all of the force.
+                // Values not stored in old versions: the normal is that of the spring, and one layer has the whole
+                // force.
                 const bool isRight =
                     isTouching == (tick.felt.contactCount == 1) &&
                     (!isTouching || (tick.felt.n_W == spring / spring.norm() && only.p_WG == tick.felt.p_WG &&

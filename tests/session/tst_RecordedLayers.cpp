@@ -23,7 +23,7 @@ using namespace palpate;
 using core::Vec3;
 using session::RecordingReader;
 
-/// A press through a soft block onto hard ones: what a recording keeps of each layer.
+/// Presses through a soft block onto hard ones and checks the recorded data of each layer.
 class RecordedLayers : public QObject
 {
     Q_OBJECT
@@ -38,7 +38,7 @@ class RecordedLayers : public QObject
         return {name, test::indexed(test::box(low, high)), {stiffness, 0.001}, layer, {}, {}};
     }
 
-    /// A block, a lump 4 mm below its top, and one of the inner layer that lies bare beside it.
+    /// A block, a lump 4 mm below the block's top, and a bare lump of the inner layer beside the block.
     static std::shared_ptr<const haptics::HapticScene> scene()
     {
         static const auto kScene = std::make_shared<const haptics::HapticScene>(
@@ -67,7 +67,7 @@ class RecordedLayers : public QObject
     }
     static session::SceneRecord described() { return described(*scene()); }
 
-    /// The scene with a stiffness and a damping that vary over the outer block.
+    /// The scene with stiffness and damping maps on the outer block.
     static std::shared_ptr<const haptics::HapticScene> mapped()
     {
         std::vector<haptics::HapticStructure> structures = scene()->structures();
@@ -82,9 +82,9 @@ class RecordedLayers : public QObject
         return std::make_shared<const haptics::HapticScene>(structures);
     }
 
-    /// Presses over the lump and beside it, then on what lies bare.
-    /// @param from  the first tick that is given
-    /// @param start  gets the state before it; may be null
+    /// Presses over the lump and beside it, then on the bare lump.
+    /// @param from  first tick of the result
+    /// @param start  receives the state before that tick; may be null
     static std::vector<servo::TickRecord> pressing(const haptics::HapticScene& felt, int from,
                                                    haptics::PalpatorState* start)
     {
@@ -133,7 +133,7 @@ class RecordedLayers : public QObject
         return ticks;
     }
 
-    /// How many ticks have `layers` of this many bytes; none: NULL.
+    /// Counts the ticks whose `layers` value has this many bytes; 0 bytes: NULL.
     int countLayers(const char* name, int bytes) const
     {
         sqlite3* database = nullptr;
@@ -161,7 +161,8 @@ class RecordedLayers : public QObject
                 continue;
             }
             firstLayers.insert(tick.felt.contacts[0].layer);
-            // What nothing here makes: a normal that is not the spring's, and friction, as the flags say it or not.
+            // States that the engine does not produce: a normal that differs from the spring's, and friction with and
+            // without the flag.
             if (i % 3 == 0) {
                 tick.felt.n_W = tick.felt.contacts[0].n_W = Vec3(0.6, -0.0, 0.8);
             }
@@ -224,7 +225,8 @@ class RecordedLayers : public QObject
         QVERIFY2(other.value().difference.find("layers") != std::string::npos, other.value().difference.c_str());
     }
 
-    /// With friction the normal is not the spring's, and what slides at the start decides what comes.
+    /// With friction the normal differs from the spring's, and the sliding state at the start affects the following
+    /// ticks.
     void frictionIsKeptAndFeltAgain()
     {
         std::vector<haptics::HapticStructure> structures = scene()->structures();
@@ -236,7 +238,7 @@ class RecordedLayers : public QObject
         session::RecordingInfo info;
         int from = 300;
         std::vector<servo::TickRecord> ticks;
-        do { // begins while it slides
+        do { // starts while sliding
             ticks = pressing(rough, from++, &info.start);
         } while (info.start.layers[0].slides == 0 && from < 1400);
         QVERIFY(info.start.layers[0].slides == 1 && ticks.front().felt.contactCount > 0);
@@ -255,12 +257,12 @@ class RecordedLayers : public QObject
         QCOMPARE(reader.value()->info().start.layers[0].slides, std::uint8_t{1});
         auto read = all(*reader.value());
         for (std::size_t i = 0; i < ticks.size(); ++i) {
-            read[i].time_ns += ticks.front().time_ns; // counted from the first
+            read[i].time_ns += ticks.front().time_ns; // relative to the first
             QVERIFY2(test::isSameTick(read[i], ticks[i]), std::to_string(i).c_str());
         }
         const auto again = session::resimulate(*reader.value(), surfaces());
         QVERIFY2(again.isOk() && again.value().isSame(), again.isOk() ? again.value().difference.c_str() : "");
-        // The byte bites: begun as if it held, it goes another way.
+        // The byte matters: starting with a static contact gives another trajectory.
         info.start.layers[0].slides = 0;
         QVERIFY(write("s.palpate", ticks, record, info));
         const auto other = session::resimulate(*RecordingReader::open(path("s.palpate")).value(), surfaces());
@@ -296,7 +298,7 @@ class RecordedLayers : public QObject
         QFile file(m_folder.filePath("g.palpate"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         QByteArray bytes = file.readAll();
-        for (int page = 0; page < 2; ++page) { // as it is, then without its first page: row by row
+        for (int page = 0; page < 2; ++page) { // first intact, then without the first page: row by row
             QFile hurt(m_folder.filePath("h.palpate"));
             QVERIFY(hurt.open(QIODevice::WriteOnly));
             hurt.write(bytes);
@@ -339,7 +341,7 @@ class RecordedLayers : public QObject
         QVERIFY2(reader.value()->verify().isOk(), reader.value()->verify().message().c_str());
         const auto again = session::resimulate(*reader.value(), surfaces());
         QVERIFY2(again.isOk() && again.value().isSame(), again.isOk() ? again.value().difference.c_str() : "");
-        // The map bites: without it the same ticks are felt otherwise.
+        // The map matters: the simulation without it gives another result.
         QVERIFY(write("n.palpate", ticks, plain));
         QVERIFY(!session::resimulate(*RecordingReader::open(path("n.palpate")).value(), surfaces()).value().isSame());
 
@@ -358,7 +360,7 @@ class RecordedLayers : public QObject
                          std::string::npos,
                      refused.status().message().c_str());
         }
-        // One of another surface.
+        // A scene with a different surface.
         session::SurfacesByHash others = surfaces();
         others["block"] = others["lump"] = test::indexed(test::box(Vec3(-20, -20, -20), Vec3(20, 20, 0), 2));
         const auto other = session::resimulate(*reader.value(), others);
@@ -366,7 +368,8 @@ class RecordedLayers : public QObject
                  other.status().message().c_str());
     }
 
-    /// What was felt is the table that the recording keeps, whatever this build would make of the law's numbers.
+    /// Resimulation uses the table in the recording, regardless of how this build samples the parameters of the force
+    /// law.
     void aLawIsFeltAgainByItsTable()
     {
         core::Tissue hertz{0.4, 0.001};
@@ -397,7 +400,7 @@ class RecordedLayers : public QObject
                  bad.status().message().c_str());
     }
 
-    /// A measured click: what a scene may hold, a recording must give back.
+    /// A measured click: a recording must restore any force law that a scene may contain.
     void aLawThatFallsComesBack()
     {
         core::ForceLaw law;
@@ -442,7 +445,7 @@ class RecordedLayers : public QObject
     void aBadLawIsRefusedByName()
     {
         QFETCH(QString, law);
-        std::filesystem::remove(path("k.palpate")); // of the row before
+        std::filesystem::remove(path("k.palpate")); // from the previous row
         QVERIFY(write("k.palpate", {}, described()));
         QVERIFY(test::runSql(path("k.palpate"),
                              "UPDATE structures SET law = '" + law.toStdString() + "' WHERE number = 1"));

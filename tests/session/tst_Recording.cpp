@@ -43,7 +43,7 @@ class Recording : public QObject
         return session::RecordingWriter::create(path(name), {}, session::RecordingWriter::Sync::AtEnd,
                                                 session::RecordingWriter::Events::AsGiven, old);
     }
-    /// All that there is of that name, and scratch.
+    /// Lists the recording with that name, its companion files and temporary files.
     QStringList left(const char* name) const
     {
         return QDir(m_folder.path()).entryList({name, ".palpate-*"}, QDir::AllEntries | QDir::Hidden);
@@ -53,7 +53,7 @@ class Recording : public QObject
     void givesBackEveryBit()
     {
         auto ticks = test::palpationTicks(2000);
-        // What a table easily loses: the sign of a zero, the smallest and largest numbers, whole numbers.
+        // Values that a table may alter: the sign of zero, the smallest and largest numbers, integers.
         ticks[10].p_WH = core::Vec3(-0.0, 0.0, 5e-324);
         ticks[10].felt.p_WG = core::Vec3(0.0, 0.0, 5e-324);
         ticks[10].felt.f_W = core::Vec3(-0.0, 0.0, 0.0);
@@ -129,10 +129,10 @@ class Recording : public QObject
         QVERIFY(!reader.value()->at(-1));
         QCOMPARE(reader.value()->extent().dropped, std::int64_t{100});
         QVERIFY(reader.value()->verify().isOk());
-        QCOMPARE(reader.value()->motion().value().p_WH.size(), std::size_t{1000 - 100 - 20}); // 20 without a hand
+        QCOMPARE(reader.value()->motion().value().p_WH.size(), std::size_t{1000 - 100 - 20}); // 20 ticks without a hand
     }
 
-    /// What resources/docs/recording.md says of ten minutes, in MB.
+    /// Sizes of a ten-minute recording from resources/docs/recording.md, in MB.
     void tenMinutesTakeWhatTheDocumentSays_data()
     {
         QTest::addColumn<int>("layers");
@@ -180,7 +180,7 @@ class Recording : public QObject
         QVERIFY2(tenMinutes_MB < 1.05 * said_MB && tenMinutes_MB > 0.8 * said_MB,
                  qPrintable(QString("%1 bytes a tick, %2 MB").arg(undamped).arg(tenMinutes_MB)));
         const double damped = bytesATick(core::Vec3(0.1, 0.2, 0.3));
-        QVERIFY(damped - undamped < 28.0); // three numbers of nine bytes, and the pages' own
+        QVERIFY(damped - undamped < 28.0); // three numbers of nine bytes, and page overhead
     }
 
     void findsAChangedTickAndNamesItsRange_data()
@@ -236,7 +236,7 @@ class Recording : public QObject
         QVERIFY2(status.message().find(range.toStdString()) != std::string::npos, status.message().c_str());
     }
 
-    /// Numbers that would give forces without a bound: the file is refused, and what is whole of it can be recovered.
+    /// Numbers that would give unbounded forces: the file is rejected, and the intact part can be recovered.
     void refusesATissueThatNoSceneHas_data()
     {
         QTest::addColumn<QString>("sql");
@@ -263,7 +263,7 @@ class Recording : public QObject
                  reader.status().message().c_str());
     }
 
-    /// A bit flipped anywhere in the file, sampled from end to end, is found and named, or changes nothing.
+    /// Any flipped bit, sampled over the whole file, is detected and named or has no effect.
     void findsFlippedBits()
     {
         const auto ticks = test::palpationTicks(600);
@@ -277,7 +277,7 @@ class Recording : public QObject
         int inTicks = 0;
         int elsewhere = 0;
         int atOpening = 0;
-        constexpr qsizetype kStride = 53; // bytes, so that every kind of place is met
+        constexpr qsizetype kStride = 53; // bytes, to hit all kinds of positions
         for (qsizetype place = 0; place < good.size(); place += kStride) {
             QByteArray bad = good;
             bad[place] = static_cast<char>(bad[place] ^ (1 << (flipped % 8)));
@@ -313,7 +313,8 @@ class Recording : public QObject
         QVERIFY(atOpening < 20);
     }
 
-    /// As with a file of another user. The superuser may read those, so here the process may open no further file.
+    /// As with another user's file. The superuser could read such a file, so here the process may not open further
+    /// files.
     void aFileThatCannotBeOpenedSaysWhy()
     {
         QVERIFY(test::writeRecording(path("closed.palpate"), test::palpationTicks(10)));
@@ -362,7 +363,7 @@ class Recording : public QObject
         QVERIFY2(said.find('\n') == std::string::npos, said.c_str());
     }
 
-    /// Cut at every page and at odd places: an error or a prefix, never a crash.
+    /// Truncated at every page and at odd offsets: an error or a prefix, never a crash.
     void survivesTruncation()
     {
         QVERIFY(test::writeRecording(path("i.palpate"), test::palpationTicks(600)));
@@ -380,7 +381,7 @@ class Recording : public QObject
         QCOMPARE(RecordingReader::open(path("nowhere.palpate")).status().code(), core::StatusCode::NotFound);
     }
 
-    /// Nothing that is there is replaced or removed, whatever it is called.
+    /// No existing file is replaced or removed, whatever its name.
     void refusesANameThatIsTaken()
     {
         QVERIFY(test::writeRecording(path("k.palpate"), test::palpationTicks(300)));
@@ -418,7 +419,7 @@ class Recording : public QObject
             servo::TickRecord tick;
             QVERIFY(writer.value()->append(tick).isOk());
             QVERIFY(writer.value()->commit().isOk());
-        } // given up
+        } // abandoned
         QCOMPARE(ticks(), std::int64_t{300});
         auto writer = create("o.palpate", core::OldFile::Replace);
         const auto second = create("o.palpate", core::OldFile::Replace);
@@ -433,7 +434,7 @@ class Recording : public QObject
         QCOMPARE(left("o.palpate*"), QStringList{"o.palpate"});
     }
 
-    /// Another process, or another writer of this one: who came first goes on.
+    /// For another process or another writer in this process, the first writer continues.
     void aSecondWriterIsRefused()
     {
         auto first = create("t.palpate", core::OldFile::Refuse);
@@ -464,7 +465,7 @@ class Recording : public QObject
         own.value()->discard();
         QCOMPARE(left("v.palpate*"), QStringList());
 
-        auto late = create("w.palpate", core::OldFile::Replace); // nothing there when it began
+        auto late = create("w.palpate", core::OldFile::Replace); // no file existed at the start
         QVERIFY(put("w.palpate"));
         const core::Status kept = late.value()->finish();
         QVERIFY2(kept.message().ends_with("kept as w (2).palpate"), kept.message().c_str());

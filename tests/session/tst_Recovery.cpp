@@ -52,7 +52,7 @@ class Recovery : public QObject
         QFile file(QString::fromStdString(name.string()));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
-    /// What a recovery makes for itself.
+    /// Lists the temporary files of a recovery.
     QStringList scratch() const
     {
         return QDir(m_folder.path())
@@ -66,8 +66,8 @@ class Recovery : public QObject
                            [&](const std::string& line) { return line.find(text) != std::string::npos; });
     }
 
-    /// Every tick of the copy is one of those recorded, bit for bit, but for its time: that counts from the copy's
-    /// first tick.
+    /// Counts ticks of the copy that differ from every recorded tick in any bit. Times are compared relative to the
+    /// copy's first tick.
     static int foreignTicks(const RecordingReader& copy, const std::vector<servo::TickRecord>& recorded)
     {
         int foreign = 0;
@@ -143,8 +143,8 @@ class Recovery : public QObject
         QVERIFY(again.value().compared > 1000);
     }
 
-    /// One page after the other is overwritten: nothing that is not as recorded comes out, whatever is hit, and what
-    /// was in the other pages does, even when the first or an inner one led to them.
+    /// Overwrites one page after the other: no altered data is recovered, whichever page is hit, and the content of the
+    /// other pages is, even if the first page or an inner page led to them.
     void savesWhatADamagedPageLeaves_data()
     {
         QTest::addColumn<bool>("isZeroed");
@@ -183,10 +183,10 @@ class Recovery : public QObject
         QCOMPARE(scratch(), QStringList());
         qInfo("%d pages damaged one by one: %.1f %% of the ticks saved, at least %lld of 1500", pages,
               100.0 * double(saved) / (1500.0 * pages), static_cast<long long>(least));
-        QVERIFY(least >= 1000); // a page's ticks lie in one or two blocks of 250
+        QVERIFY(least >= 1000); // a page holds ticks of one or two blocks of 250
     }
 
-    /// Cut off anywhere, as a copy that did not finish or a damaged file system leaves it.
+    /// Truncates the file at any position, as after an interrupted copy or on a damaged file system.
     void savesWhatACutLeaves()
     {
         const auto ticks = test::palpationTicks(20'000);
@@ -201,11 +201,11 @@ class Recovery : public QObject
             QCOMPARE(foreignTicks(*copy.value(), ticks), 0);
             QVERIFY(session::resimulate(*copy.value(), test::boxSurfaces()).value().isSame());
             qInfo("cut at %d %%: %lld of 20000 ticks saved", share, static_cast<long long>(result.value().ticks));
-            QVERIFY(result.value().ticks >= 200 * share - 500); // pages are written in the order of the ticks
+            QVERIFY(result.value().ticks >= 200 * share - 500); // pages are written in tick order
         }
     }
 
-    /// The reason that the file was refused for is part of the report, and the ticks are gathered nevertheless.
+    /// The report includes the reason for the rejection, and the ticks are recovered nevertheless.
     void anotherProgramsHeaderIsNamed()
     {
         QVERIFY(test::writeRecording(path("foreign.palpate"), test::palpationTicks(2000)));
@@ -238,7 +238,7 @@ class Recovery : public QObject
         QVERIFY(std::filesystem::is_fifo(path("pipe")));
     }
 
-    /// Names in the folder of the copy may be anybody's.
+    /// File names in the copy's folder may belong to other users.
     void followsNoLink()
     {
         QVERIFY(test::writeRecording(path("q.palpate"), test::palpationTicks(300)));
@@ -250,7 +250,7 @@ class Recovery : public QObject
         }
         QVERIFY(session::recoverRecording(path("q.palpate"), path("r.palpate")).isOk());
         QCOMPARE(bytes("precious"), QByteArray("theirs"));
-        QVERIFY(!std::filesystem::is_symlink(path("r.palpate"))); // the link itself is replaced
+        QVERIFY(!std::filesystem::is_symlink(path("r.palpate"))); // replaces the link itself
         QVERIFY(RecordingReader::open(path("r.palpate")).isOk());
 
         QVERIFY(QFile::link("precious", m_folder.filePath("q.palpate-journal")));
@@ -263,7 +263,7 @@ class Recovery : public QObject
         QCOMPARE(scratch(), QStringList());
     }
 
-    /// A file that claims a terabyte costs no more than its pages.
+    /// A file with a nominal size of a terabyte costs no more than its allocated pages.
     void copiesOnlyWhatSqliteCounts()
     {
         QVERIFY(test::writeRecording(path("t.palpate"), test::palpationTicks(1000)));
@@ -280,7 +280,7 @@ class Recovery : public QObject
         QCOMPARE(std::filesystem::file_size(folder.value()->path() / "counted"), size);
         std::filesystem::resize_file(path("t.palpate"), size);
         QCOMPARE(read(folder.value()->path() / "counted"), bytes("t.palpate"));
-        // Without a header that counts, all of it, with its holes.
+        // Without a valid header: the whole file including holes.
         write("v", QByteArray(5000, 'x'));
         std::filesystem::resize_file(path("v"), std::uintmax_t{1} << 30);
         QVERIFY(session::internal::copyRecording(path("v"), *folder.value(), "all", path("u.palpate")).isOk());
@@ -315,7 +315,7 @@ class Recovery : public QObject
         for (const int signal : {SIGTERM, SIGHUP, SIGINT, SIGTERM}) {
             const pid_t child = ::fork();
             if (child == 0) {
-                (void)std::signal(signal, SIG_DFL); // Qt Test has its own
+                (void)std::signal(signal, SIG_DFL); // Qt Test installs its own handler
                 core::removeScratchOnSignals();
                 ::_exit(session::recoverRecording(path("y.palpate"), path("z.palpate")).isOk() ? 0 : 1);
             }
@@ -340,7 +340,7 @@ class Recovery : public QObject
         {
             auto writer = session::RecordingWriter::create(path("j.palpate"), {});
             QVERIFY(writer.value()->addScene(scene).isOk());
-            QVERIFY(!writer.value()->addScene(scene).isOk()); // described already
+            QVERIFY(!writer.value()->addScene(scene).isOk()); // already described
             scene.generation = 2;                             // the same surface again
             QVERIFY(writer.value()->addScene(scene).isOk());
             QVERIFY(writer.value()->finish().isOk());
@@ -364,7 +364,7 @@ class Recovery : public QObject
         QVERIFY(says(session::recoverRecording(path("j.palpate"), path("k.palpate")).value(), "embedded surface"));
     }
 
-    /// What changed is told with its tick, whether the scene is described before or after it is felt.
+    /// Each change is reported with its tick, whether the scene is described before or after its first use.
     void eventsSayWhatChangedAndWhen()
     {
         QVERIFY(test::writeRecording(path("l.palpate"), test::palpationTicks(600)));

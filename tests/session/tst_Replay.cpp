@@ -265,7 +265,7 @@ class Replay : public QObject
 
     void startsInTheMiddleOfATouch()
     {
-        // A recording that begins while the box is pressed: its start state is what the ticks before left.
+        // A recording that begins during a press: the start state is that after the previous ticks.
         const auto motion = pressing(1000);
         const auto scene = test::boxScene(0.5, 0.001);
         haptics::Palpator palpator;

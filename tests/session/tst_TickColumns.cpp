@@ -11,7 +11,7 @@
 using namespace palpate;
 using namespace palpate::session::internal;
 
-/// The one list of what a tick has, against what says the same elsewhere.
+/// The list of tick columns, compared with the other places that repeat it.
 class TickColumns : public QObject
 {
     Q_OBJECT
@@ -54,7 +54,7 @@ class TickColumns : public QObject
     void eachBitOfWhatIsStoredCountsInTheChecksum()
     {
         servo::TickRecord tick;
-        tick.felt.structure = 2; // touched: nothing of it is left out
+        tick.felt.structure = 2; // in contact: no column is omitted
         tick.felt.contactCount = 2;
         tick.felt.contacts.fill(ownContact(tick));
         std::string before;

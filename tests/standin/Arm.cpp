@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The arm's mechanics: three driven links with distributed mass, capstan drives, friction, and a hand at the tip.
-// Written from the mechanism, not from the driver: what both say must agree.
+// Written from the mechanism, not from the driver: both must agree.
 #include "Bench.h"
 
 #include <Eigen/Dense>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bus and the firmware behind it.
+// The bus and the firmware.
 #include "Bench.h"
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace standin {
 
 namespace {
 
-constexpr std::int64_t kStep_ns = 100'000;    // of the mechanics
-constexpr std::int64_t kFrame_ns = 1'000'000; // of full-speed USB
-constexpr std::int64_t kInPhase_ns = 500'000; // within a frame the host hears after it has spoken
+constexpr std::int64_t kStep_ns = 100'000;    // time step of the mechanics
+constexpr std::int64_t kFrame_ns = 1'000'000; // frame of full-speed USB
+constexpr std::int64_t kInPhase_ns = 500'000; // within a frame, the host receives after sending
 constexpr std::int64_t kWatchdog_ns = 500'000'000;
 constexpr std::int64_t kLongestGap_ns = 5'000'000'000;
 
@@ -27,7 +27,7 @@ void initialise(Bench& bench)
     pthread_mutexattr_t attributes;
     pthread_mutexattr_init(&attributes);
     pthread_mutexattr_setpshared(&attributes, PTHREAD_PROCESS_SHARED);
-    pthread_mutexattr_setrobust(&attributes, PTHREAD_MUTEX_ROBUST); // a holder may be killed
+    pthread_mutexattr_setrobust(&attributes, PTHREAD_MUTEX_ROBUST); // a lock holder may be killed
     pthread_mutex_init(&bench.lock, &attributes);
     pthread_mutexattr_destroy(&attributes);
     bench.arm.q = restPose(bench.arm.unit);
@@ -69,14 +69,14 @@ std::int16_t fieldAt(const Packet& packet, int index)
     return static_cast<std::int16_t>(packet.bytes[at] | packet.bytes[at + 1] << 8);
 }
 
-/// The firmware hears a report of the host.
+/// The firmware receives a report from the host.
 void hear(Arm& arm, const Packet& packet)
 {
     const int expected = arm.unit.protocol == 2 ? 14 : 8;
     arm.isReportDue = arm.isAwaitingHost;
     arm.isAwaitingHost = false;
     if (packet.length != expected) {
-        return; // the endpoint takes it, the program does not
+        return; // the endpoint accepts the report, the firmware does not
     }
     arm.lastHost_ns = arm.sim_ns;
     Taken taken;
@@ -102,7 +102,7 @@ void hear(Arm& arm, const Packet& packet)
     arm.taken[arm.takenCount++ % arm.taken.size()] = taken;
 }
 
-/// The firmware says where it is, and the bus does what it likes with that.
+/// The firmware sends its position, and the bus may drop or corrupt the report.
 void speak(Bench& bench)
 {
     Arm& arm = bench.arm;
@@ -233,7 +233,7 @@ void plugArm(Bench& bench, bool isPlugged, std::int64_t now_ns)
     advance(bench, now_ns);
     if (isPlugged && !arm.isPlugged) {
         ++arm.plugins;
-        // The board had no power: its counters begin at zero wherever the arm is now.
+        // The board was without power: its counters start at zero at the arm's current pose.
         const auto counts = countsOf(arm.unit, arm.q);
         for (std::size_t i = 0; i < 6; ++i) {
             arm.counterOffset[i] = i < 3 ? -counts[i] : 0.0;
@@ -272,7 +272,7 @@ Bench* openBench(const char* path)
     if (file < 0) {
         return nullptr;
     }
-    flock(file, LOCK_EX); // two processes may come at once
+    flock(file, LOCK_EX); // two processes may start simultaneously
     Bench* bench = nullptr;
     if (ftruncate(file, sizeof(Bench)) == 0) {
         void* memory = mmap(nullptr, sizeof(Bench), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);

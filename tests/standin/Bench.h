@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <pthread.h>
 
-/// The bench on which the emulated devices stand: one plain struct that lives in a file shared between processes, so
-/// that the device outlives the program that drives it, as a real one does. Guarded by `lock`.
+/// The bench of the emulated devices: a plain struct in a file shared between processes, so that a device outlives the
+/// process that drives it, like a real one. Guarded by `lock`.
 namespace standin {
 
 using V3 = std::array<double, 3>;
 
-/// A unit of the arm; SI, and the kit by default. Kept apart from the driver's own configuration on purpose.
+/// Parameters of one arm in SI units; defaults match the kit. Deliberately separate from the driver's configuration.
 struct ArmUnit
 {
     int variant = 0;
@@ -27,11 +27,11 @@ struct ArmUnit
     double centreB_m = 0.051;
     double centreC_m = 0.091;
     double gravity = 0.0;
-    double baseInertia = 4e-4;        ///< of the turning foot [kg m^2], an estimate
-    double rotorInertia = 3.4e-6;     ///< of a 30 mm graphite-brush motor of this torque constant [kg m^2]
+    double baseInertia = 4e-4;        ///< rotating base [kg m^2], an estimate
+    double rotorInertia = 3.4e-6;     ///< typical for a 30 mm graphite-brush motor with this torque constant [kg m^2]
     double motorFriction_Nm = 1.5e-3; ///< brushes and cable
     double jointViscosity = 1e-3;     ///< [N m s]
-    double fullScale_A = 3.0;         ///< the amplifiers give no more
+    double fullScale_A = 3.0;         ///< limit of the amplifiers
 };
 
 struct Knot
@@ -40,11 +40,11 @@ struct Knot
     V3 p_mm{}; ///< in the arm's frame D
 };
 
-/// A hand that holds the tip: a mass on it, drawn to a moving target by a spring and a damper.
+/// A hand that holds the tip: a mass attached to the tip and drawn to a moving target by a spring and a damper.
 ///
-/// Stiffness and damping lie in the ranges that Hajian & Howe (J. Biomech. Eng. 119, 1997) identified at the fingertip,
-/// 255 to 1255 N/m and 4 to 7.4 N s/m (from the literature, not read anew); the mass is a choice for fingers with
-/// stylus. Tremor: 8 to 12 Hz, a tenth of a millimetre, as physiological tremor is.
+/// Stiffness and damping are in the ranges that Hajian & Howe (J. Biomech. Eng. 119, 1997) identified at the fingertip,
+/// 255 to 1255 N/m and 4 to 7.4 N s/m (cited from secondary literature); the mass is an assumption for fingers with a
+/// stylus. Tremor: 8 to 12 Hz, a tenth of a millimetre, as in physiological tremor.
 struct Hand
 {
     double mass_kg = 0.1;
@@ -57,10 +57,10 @@ struct Hand
     std::array<Knot, 128> path{}; ///< smooth between knots, at rest before and after; empty: stays in the rest pose
 };
 
-/// What goes wrong; probabilities are for each report.
+/// Injected faults; probabilities are per report.
 struct Faults
 {
-    double dropIn = 0.0; ///< a report of the device vanishes
+    double dropIn = 0.0; ///< a report from the device is lost
     double dropOut = 0.0;
     double repeat = 0.0;
     double shortened = 0.0;
@@ -69,19 +69,19 @@ struct Faults
     double delay = 0.0;
     double delayLeast_s = 0.001;
     double delayMost_s = 0.020;
-    std::int64_t stalledUntil_ns = 0; ///< the firmware hangs
+    std::int64_t stalledUntil_ns = 0; ///< the firmware hangs until then
 };
 
-/// One report of the host as the firmware took it.
+/// A report of the host as received by the firmware.
 struct Taken
 {
     std::int64_t time_ns = 0;
     std::array<std::int16_t, 3> mA{};
     std::int16_t command = 0;
-    V3 f_D{};          ///< what the motors push the tip with at this moment [N]
-    V3 p_mm{};         ///< true tip then
-    V3 sampled_mm{};   ///< true tip when the device's newest report before this one was made
-    V3 countStep_mm{}; ///< how far one count of each encoder moves the tip, at most over the axes
+    V3 f_D{};          ///< current motor force at the tip [N]
+    V3 p_mm{};         ///< true tip position at that time
+    V3 sampled_mm{};   ///< true tip position when the device sampled its previous report
+    V3 countStep_mm{}; ///< largest tip motion per encoder count, over the axes
 };
 
 struct Packet
@@ -93,7 +93,7 @@ struct Packet
 
 struct Queue
 {
-    std::array<Packet, 30> packets{}; ///< as many as hidapi's libusb back end keeps
+    std::array<Packet, 30> packets{}; ///< same number as in hidapi's libusb back end
     int first = 0;
     int count = 0;
 };
@@ -104,7 +104,7 @@ struct Arm
     Hand hand;
     bool isPlugged = true;
     bool isButtonDown = false;
-    std::uint32_t plugins = 0; ///< counts how often it was plugged in; a handle from before is dead
+    std::uint32_t plugins = 0; ///< number of times plugged in; handles from before are invalid
     std::int64_t plugged_ns = 0;
     std::int64_t sim_ns = 0;
     V3 q{}; ///< link angles: whole arm, b from the vertical, c from the vertical downwards
@@ -113,7 +113,7 @@ struct Arm
     std::array<double, 6> counterOffset{};
     std::array<std::int16_t, 6> counters{};
     V3 sampled_mm{};
-    std::int64_t lastHost_ns = 0; ///< watchdog
+    std::int64_t lastHost_ns = 0; ///< for the watchdog
     bool isAwaitingHost = true;
     bool isReportDue = false;
     Queue toHost;
@@ -122,7 +122,7 @@ struct Arm
     std::uint64_t takenCount = 0;
     std::array<Taken, 4096> taken{};
     double largestForce_N = 0.0;    ///< of the motors at the tip
-    std::int64_t forceSince_ns = 0; ///< since when the motors push without pause; 0: they do not
+    std::int64_t forceSince_ns = 0; ///< start of the uninterrupted motor force; 0: no force
 };
 
 struct Puck
@@ -134,7 +134,7 @@ struct Puck
     std::uint32_t plugins = 0;
     std::array<std::int16_t, 6> axes{}; ///< all zero: idle, no reports
     std::uint32_t buttons = 0;
-    int light = -1; ///< as last set
+    int light = -1; ///< last value set
     std::int64_t next_ns = 0;
     bool isTurnNext = false;
     bool wasHeld = false;
@@ -144,31 +144,32 @@ struct Puck
 
 struct Bench
 {
-    std::uint64_t magic = 0; ///< kMagic once it is made
+    std::uint64_t magic = 0; ///< kMagic after initialisation
     pthread_mutex_t lock;
     std::uint64_t random = 1;
     Arm arm;
     Faults faults;
     Puck puck;
-    bool hasStranger = false; ///< another mbed toy with the arm's ids is on the bus too
-    int strangerLength = 0;   ///< > 0: the arm itself speaks reports of this length
+    bool hasStranger = false; ///< another mbed device with the arm's ids is also on the bus
+    int strangerLength = 0;   ///< > 0: the arm itself sends reports of this length
 };
 
 constexpr std::uint64_t kMagic = 0x70616c7061746531;
 
-/// The bench in the file `path`, made if it is not there; null on failure. Null path: one for this process alone.
+/// Opens the bench in the file `path` and creates the file if missing; null on failure. A null path makes a bench for
+/// this process alone.
 Bench* openBench(const char* path);
 void lockBench(Bench& bench);
 void unlockBench(Bench& bench);
 
-/// Lets everything on the bench happen up to `now_ns`.
+/// Advances the simulation to `now_ns`.
 void advance(Bench& bench, std::int64_t now_ns);
-/// When something may next happen on the bus after `now_ns`: half a frame.
+/// Returns the time of the next possible bus event after `now_ns`: half a frame.
 std::int64_t nextEvent(std::int64_t now_ns);
-/// Plugs the arm in, in its rest pose with counters zero, or pulls it.
+/// Plugs in the arm, in its rest pose with counters at zero, or unplugs the arm.
 void plugArm(Bench& bench, bool isPlugged, std::int64_t now_ns);
 void plugPuck(Bench& bench, bool isPlugged);
-/// A number in [0, 1).
+/// Returns a random number in [0, 1).
 double draw(Bench& bench);
 
 // Arm.cpp: the mechanics.
@@ -177,13 +178,13 @@ V3 forceOf(const ArmUnit& unit, const V3& q, const V3& amps); ///< of the motors
 V3 restPose(const ArmUnit& unit);
 V3 targetOf(const Arm& arm, double time_s); ///< of the hand, with tremor [mm]
 void stepArm(Arm& arm, double dt_s);
-std::array<double, 3> countsOf(const ArmUnit& unit, const V3& q); ///< encoders a, b, c in protocol 2's sense
+std::array<double, 3> countsOf(const ArmUnit& unit, const V3& q); ///< encoders a, b, c with the signs of protocol 2
 V3 countStepOf(const ArmUnit& unit, const V3& q);
 
 // Puck.cpp
 void advancePuck(Puck& puck, std::int64_t now_ns);
 
-bool push(Queue& queue, const Packet& packet); ///< full: the oldest goes
+bool push(Queue& queue, const Packet& packet); ///< drops the oldest packet if full
 bool pop(Queue& queue, std::int64_t now_ns, Packet& out);
 
 } // namespace standin

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// hidapi's C interface, with the bench behind it. What is not named here is not there: a plugin that needs it fails to
-// load.
+// Replacement for hidapi's C interface on top of the bench. A plugin that needs a function missing here fails to load.
 //
-// PALPATE_STANDIN names the file of the bench; without it this process has a bench of its own with the arm plugged in.
-// PALPATE_STANDIN_HAND names a CSV of the hand's path, rows of time_s,x,y,z [mm, the arm's frame], for that own bench.
+// PALPATE_STANDIN names the file of the bench; without this variable the process has a private bench with the arm
+// plugged in. PALPATE_STANDIN_HAND names a CSV of the hand's path for the private bench, rows of time_s,x,y,z [mm, the
+// arm's frame].
 #include "Bench.h"
 #include "Time.h"
 
@@ -18,7 +18,7 @@
 struct hid_device_
 {
     bool isPuck = false;
-    std::uint32_t plugins = 0; // of the device when it was opened
+    std::uint32_t plugins = 0; // plug count of the device when opened
 };
 
 namespace {
@@ -28,7 +28,7 @@ using namespace standin;
 constexpr const char* kArmPath = "standin:arm";
 constexpr const char* kPuckPath = "standin:puck";
 constexpr const char* kStrangerPath = "standin:stranger";
-constexpr std::int64_t kWriteTimeout_ns = 5'000'000'000; // of the kernel's interrupt transfers
+constexpr std::int64_t kWriteTimeout_ns = 5'000'000'000; // timeout of the kernel's interrupt transfers
 
 void readHand(Hand& hand, const char* path)
 {
@@ -65,7 +65,7 @@ Bench& bench()
     return *one;
 }
 
-/// Holds the bench, with everything up to now done.
+/// Locks the bench and advances the simulation to the current time.
 class Now
 {
   public:
@@ -156,7 +156,7 @@ hid_device* hid_open_path(const char* path)
     const Now now;
     Bench& b = bench();
     if (std::strcmp(path, kArmPath) == 0 && b.arm.isPlugged) {
-        b.arm.toHost = {}; // what was said before anyone listened is gone
+        b.arm.toHost = {}; // reports from before opening are dropped
         return new hid_device_{false, b.arm.plugins};
     }
     if (std::strcmp(path, kPuckPath) == 0 && b.puck.isPlugged) {
@@ -197,7 +197,7 @@ int hid_read_timeout(hid_device* device, unsigned char* data, size_t length, int
     }
 }
 
-/// Blocks until the bus took the report, as hidraw's write does.
+/// Blocks until the bus accepts the report, like write() of hidraw.
 int hid_write(hid_device* device, const unsigned char* data, size_t length)
 {
     if (length < 1 || length > 64) {

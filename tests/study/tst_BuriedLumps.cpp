@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies in what, how stiff it is, and that it is felt through the organ's surface.
+// Tests which structures contain which, their stiffness ratios, and that lumps are palpable through the surface of the
+// organ.
 #include "../meshio/Samples.h"
 #include "Shapes.h"
 #include "TestRunner.h"
@@ -76,9 +77,9 @@ class BuriedLumps : public QObject
     void whatIsFeltRisesSmoothlyOverTheLump()
     {
         meshio::LoadedScene s = scene();
-        QVERIFY(study::feelBuried(s).isOk() && s.structures[0].feltBelow.empty()); // by layers, as old files
+        QVERIFY(study::feelBuried(s).isOk() && s.structures[0].feltBelow.empty()); // by layers, as in old files
         s.scene.buried = meshio::BuriedTouch::Felt;
-        s.structures[1].description.layer = 1; // says nothing then
+        s.structures[1].description.layer = 1; // then without a message
         QVERIFY(study::feelBuried(s).isOk());
         QVERIFY(s.structures[1].isFeltThrough && !s.structures[2].isFeltThrough);
         const auto felt = study::hapticScene(s);
@@ -92,7 +93,7 @@ class BuriedLumps : public QObject
             return palpator.step((80.0 - depth) * direction, 1e-3).f_W.norm();
         };
         const Vec3 over = Vec3::UnitZ(), beside = Vec3::UnitX();
-        // The sphere's facets lie up to 0.02 mm below 80 mm: compared where the depth is the same.
+        // The sphere's facets are up to 0.02 mm below 80 mm: compare at equal depths.
         const double light = forceAt(over, 2.0) / forceAt(beside, 2.0),
                      deep = forceAt(over, 8.0) / forceAt(beside, 8.0);
         const auto organs = study::organsWithLumps(s);
@@ -100,7 +101,7 @@ class BuriedLumps : public QObject
         const auto& press = map.value().lumps[0].press;
         QVERIFY2(std::abs(light / press[1].felt.estimate - 1.0) < 0.02, qPrintable(QString::number(light)));
         QVERIFY2(std::abs(deep / press[3].felt.estimate - 1.0) < 0.02, qPrintable(QString::number(deep)));
-        // No step on the way in: 0.01 mm changes the force by no more than 0.01 mm of the stiffest slope.
+        // No step on entry: 0.01 mm changes the force by no more than 0.01 mm times the steepest slope.
         palpator.reset();
         (void)palpator.step(Vec3(0, 0, 82), 1e-3);
         const double slope = study::greatestStiffness(felt->structures()[0]);
@@ -169,12 +170,13 @@ class BuriedLumps : public QObject
         QVERIFY(refused("structures[0].felt_contact_radius_mm"));
     }
 
-    /// A structure whose name says nothing: no verdict, whatever lies around it, and it is not felt through the organ.
+    /// A structure without a ratio from its name has no verdict, whatever surrounds it, and is not transmitted through
+    /// the organ.
     void withoutARatioThereIsNoVerdict()
     {
         meshio::LoadedScene s = scene();
         for (meshio::LoadedStructure& one : s.structures) {
-            one.description.tissue = core::Tissue(); // nobody said how stiff
+            one.description.tissue = core::Tissue(); // no known stiffness
         }
         s.structures[1].description.name = "thing";
         const auto organs = study::organsWithLumps(s);
@@ -195,7 +197,7 @@ class BuriedLumps : public QObject
         QCOMPARE(s.warnings.back(), study::ratioQuestion("thing", "organ"));
     }
 
-    /// A range of ratios gives a range of verdicts, each that of its own ratio alone.
+    /// A range of ratios gives a range of verdicts, each equal to the verdict of that single ratio.
     void aRangeOfRatiosHasARangeOfVerdicts()
     {
         meshio::LoadedScene s = scene();
@@ -222,7 +224,8 @@ class BuriedLumps : public QObject
         QCOMPARE(buried::verdictText(typical[3], buried::RatioRange(4.4)), std::string("plainly"));
     }
 
-    /// What names say is no lump is none by its shape: a kidney in the skin; a lump belongs to the organ around it.
+    /// A structure whose name rules out a lump is no lump by shape either: a kidney in the skin. A lump belongs to the
+    /// innermost enclosing organ.
     void anOrganInTheSkinIsNoLump()
     {
         meshio::LoadedScene s;

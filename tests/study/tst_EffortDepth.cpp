@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How deep a press goes that is made with a force: the inverse of what the surfaces push back with.
+// Tests the depth of a press with a given force: the inverse of the surfaces' response.
 #include "../support/Shapes.h"
 #include "TestRunner.h"
 
@@ -27,7 +27,7 @@ HapticStructure block(double stiffness_N_per_mm, double top_mm = 0.0, std::uint3
     return one;
 }
 
-/// The same number all over.
+/// Returns a uniform map.
 haptics::TissueMap all(const geometry::SurfaceIndex& surface, float value)
 {
     haptics::TissueMap map;
@@ -36,7 +36,7 @@ haptics::TissueMap all(const geometry::SurfaceIndex& surface, float value)
     return map;
 }
 
-/// Force and way are each other's inverse, and more force goes deeper.
+/// Checks that force and depth are inverse functions and that depth rises with force.
 bool isInverse(const std::vector<PressedSurface>& press, double most_N)
 {
     double before_mm = study::wayOfPress_mm(press, 0.0, 202.0);
@@ -64,10 +64,10 @@ class EffortDepth : public QObject
         QCOMPARE(press.size(), std::size_t{1});
         QVERIFY(std::abs(study::wayOfPress_mm(press, 3.0, 202.0) - (2.0 + 12.0)) < 1e-9);
         QVERIFY(isInverse(press, 10.0));
-        QCOMPARE(study::wayOfPress_mm(press, 0.0, 202.0), 2.0);  // touched, no more
-        QCOMPARE(study::wayOfPress_mm(press, 10.0, 22.0), 22.0); // not met: no deeper than said
-        QCOMPARE(study::wayOfPress_mm({}, 10.0, 22.0), 22.0);    // nothing in the way
-        QCOMPARE(study::forceOfPress_N(press, 1.0), 0.0);        // in front of it
+        QCOMPARE(study::wayOfPress_mm(press, 0.0, 202.0), 2.0);  // contact without penetration
+        QCOMPARE(study::wayOfPress_mm(press, 10.0, 22.0), 22.0); // no contact: not beyond the limit
+        QCOMPARE(study::wayOfPress_mm({}, 10.0, 22.0), 22.0);    // no surface in the path
+        QCOMPARE(study::forceOfPress_N(press, 1.0), 0.0);        // in front of the surface
     }
     void whatIsStifferSinksLess()
     {
@@ -79,7 +79,7 @@ class EffortDepth : public QObject
         QVERIFY(std::abs(study::wayOfPress_mm(aside, 3.0, 202.0) - 17.0) < 1e-9);
         QVERIFY(std::abs(study::wayOfPress_mm(over, 3.0, 202.0) - (2.0 + 6.0 / 0.8)) < 1e-9);
     }
-    /// A law of its own, a map of stiffness and what lumps below add, all at once.
+    /// Combines a force law, a stiffness map and transmitted lumps.
     void lawsAndMapsAreInIt()
     {
         HapticStructure one = block(0.2);
@@ -100,7 +100,7 @@ class EffortDepth : public QObject
         };
         QVERIFY(isAt(1.0, 1.1) && isAt(2.0, 1.2) && isAt(3.0, 1.4) && isAt(6.0, 2.05) && isAt(20.0, 2.5));
     }
-    /// What is foretold is what the hand then feels, by the same scene's own god-object.
+    /// The predicted force equals the force from the god-object in the same scene.
     void theHandThenFeelsThatForce()
     {
         HapticStructure mapped = block(0.2);
@@ -138,13 +138,13 @@ class EffortDepth : public QObject
         QCOMPARE(effort.force_N(9.9), 0.0);
         QCOMPARE(effort.force_N(12.0), 2.0);
         QCOMPARE(effort.force_N(20.0), 3.0);
-        effort.setShare(0.5); // of the bound
+        effort.setShare(0.5); // share of the force bound
         QCOMPARE(effort.force_N(20.0), 1.5);
         effort.setShare(7.0);
         QCOMPARE(effort.force_N(20.0), 3.0);
         effort.end();
         QCOMPARE(effort.force_N(20.0), 0.0);
-        effort.begin(30.0); // the pen was lifted: time counts again
+        effort.begin(30.0); // pen lifted: the force ramps over time again
         QCOMPARE(effort.force_N(31.0), 1.0);
         QVERIFY(effort.turn(2.0));
         QCOMPARE(effort.most_N(), 4.0);

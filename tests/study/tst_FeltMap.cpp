@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is felt of a map, in which unit, bounded by what a device holds; and at one place.
+// Displayed values of a map: unit, limit of the device, and the value at one place.
 #include "TestRunner.h"
 
 #include <palpate/study/FeltMap.h>

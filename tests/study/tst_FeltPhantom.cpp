@@ -139,7 +139,7 @@ class FeltPhantom : public QObject
         }
     }
 
-    /// Lumps that are felt take nothing from what a device holds: at each place as much as the same liver without them.
+    /// Transmitted lumps do not reduce the stable stiffness: the same at each place as for the liver without lumps.
     void theLiverHoldsWithItsLumpsWhatItHoldsWithoutThem_data()
     {
         QTest::addColumn<QByteArray>("id");

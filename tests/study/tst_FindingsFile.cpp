@@ -18,7 +18,7 @@ using namespace palpate;
 using core::Finding;
 using core::FindingType;
 
-/// Findings as a table and as markups: what other programs get, and what is taken from theirs.
+/// Tests findings as a table and as markups: export for other programs, and import of their files.
 class FindingsFile : public QObject
 {
     Q_OBJECT
@@ -62,7 +62,7 @@ class FindingsFile : public QObject
                QByteArray(fields) + "\"controlPoints\": [" + QByteArray(points) + "]}]}";
     }
 
-    /// The rules of 3D Slicer's schema 1.0.3 for what we write.
+    /// Checks the rules of 3D Slicer's schema 1.0.3 for the exported file.
     static void checkRules(const QJsonObject& document)
     {
         QVERIFY(document["@schema"].toString().contains("markups-schema-v1.0.3.json"));
@@ -127,14 +127,14 @@ class FindingsFile : public QObject
             "c,Gefäß 血管,lump,,1,1,1,LPS,20,,,,,,,,\r\n"
             "d,Note 4,other,,,,,,,,,,,,'-1 is no number,,\r\n";
         QCOMPARE(QString::fromStdString(study::findingsCsv(several())), QString::fromStdString(expected));
-        // Less deep than a millimetre says nothing of stiffness; without an id the number stands there.
+        // Below a depth of one millimetre there is no stiffness; without an id the number takes its place.
         const std::string shallow =
             study::findingsCsv({{.name = "@x", .p_W = {0, 0, 0}, .force_N = 1.0, .depth_mm = 0.5}});
         QVERIFY2(shallow.ends_with("\r\n1,'@x,other,,0,0,0,LPS,,1,0.5,,,,,,1\r\n"), shallow.c_str());
     }
 
-    /// What was felt is named, with the organ around it and its own numbers; a lump as a layer and one that is felt
-    /// through its organ alike.
+    /// The structure in contact is named together with the enclosing organ and its own numbers; equally for a lump as a
+    /// layer and a lump transmitted through its organ.
     void aLumpIsNamedWithItsOrgan()
     {
         core::Finding layer{.name = "a", .structure = "lump", .force_N = 3.5, .depth_mm = 5.0};
@@ -157,17 +157,17 @@ class FindingsFile : public QObject
         const QJsonObject document = QJsonDocument::fromJson(text).object();
         checkRules(document);
         const QJsonArray lists = document["markups"].toArray();
-        QCOMPARE(lists.size(), 3); // lump, keep away, and the note's
+        QCOMPARE(lists.size(), 3); // lump, keep away, and the list for notes
         const QJsonObject lumps = lists[0].toObject();
         QCOMPARE(lumps["name"].toString(), QString("lump"));
         QCOMPARE(lumps["controlPoints"].toArray().size(), 2);
         const QJsonObject display = lumps["display"].toObject();
-        QCOMPARE(display["selectedColor"], display["color"]); // points are selected: pink without it
+        QCOMPARE(display["selectedColor"], display["color"]); // points are selected: otherwise pink
         QCOMPARE(display["useGlyphScale"].toBool(true), false);
         QCOMPARE(display["glyphSize"].toDouble(), 20.0);
         QCOMPARE(lumps["controlPoints"].toArray()[0].toObject()["description"].toString(),
                  QString("hard,\n\"as a pea\"\nliver, 12.00 mm across, 2.50 N, 5.00 mm deep, 0.50 N/mm"));
-        QVERIFY(!text.contains("/somewhere")); // paths may name persons
+        QVERIFY(!text.contains("/somewhere")); // paths may contain names of persons
     }
 
     void markupsComeBackEqual()
@@ -220,7 +220,7 @@ class FindingsFile : public QObject
         QTest::newRow("schema 2")
             << QByteArray(schema).replace("v1.0.3", "v2.1.0")
             << "a.mrk.json: @schema: found version 2.1, expected 1.0: read as far as it is the same";
-        // A list before the good one.
+        // Another list in front of the valid list.
         const auto listBefore = [&](const char* name, const char* fields, const char* loss) {
             QByteArray text = list("", good);
             text.replace("\"markups\": [", "\"markups\": [{" + QByteArray(fields) + "}, ");

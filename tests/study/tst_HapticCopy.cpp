@@ -76,11 +76,11 @@ class HapticCopy : public QObject
         }
         const auto bounded = model.hapticScene({0.5, 0.0015});
         QCOMPARE(bounded->structures()[0].tissue.damping_Ns_per_mm, 0.001);
-        // Layers add up: the inner one gets what the outer one leaves.
+        // Layers add up: the inner layer gets the rest of the limit.
         QCOMPARE(bounded->structures()[2].tissue.damping_Ns_per_mm, 0.0015 - 0.001);
         QCOMPARE(bounded->structures()[2].tissue.stiffness_N_per_mm, 0.5 - 0.25);
 
-        const auto subject = evaluation::subjectOf("boxes", loaded); // the report, of what can be felt alone
+        const auto subject = evaluation::subjectOf("boxes", loaded); // subject of the report: palpable structures only
         QCOMPARE(subject->scene->structures().size(), std::size_t{2});
         compare(subject->scene->structures()[0], loaded.structures[0].description);
         compare(subject->scene->structures()[1], loaded.structures[2].description);

@@ -99,7 +99,7 @@ class Layers : public QObject
 
     void besideOrPokingOutIsNotInside()
     {
-        // Boxes overlap, surfaces do not; half out; a rod, 5 % and 20 % of it out.
+        // Bounding boxes overlap but surfaces do not; half outside; a rod with 5 % and 20 % outside.
         QCOMPARE(find({ball("liver", 40.0), ball("kidney", 10.0, Vec3::Constant(29.0))}).layers, (Numbers{0, 0}));
         QCOMPARE(find({ball("liver", 40.0), ball("cyst", 10.0, {40, 0, 0})}).layers, (Numbers{0, 0}));
         QVERIFY(find({ball("liver", 40.0), ball("cyst", 10.0, {40, 0, 0})}).lines.empty());
@@ -110,7 +110,7 @@ class Layers : public QObject
         };
         QCOMPARE(find({{"liver", test::box({-30, -30, -30}, {30, 30, 30})}, rod(3.0)}).layers, (Numbers{0, 1}));
         QCOMPARE(find({{"liver", test::box({-30, -30, -30}, {30, 30, 30})}, rod(12.0)}).layers, (Numbers{0, 0}));
-        // Nine tenths it is: 8 % and 12 % of it out.
+        // The threshold is nine tenths: 8 % and 12 % outside.
         QCOMPARE(find({{"liver", test::box({-30, -30, -30}, {30, 30, 30})}, rod(4.8)}).layers, (Numbers{0, 1}));
         QCOMPARE(find({{"liver", test::box({-30, -30, -30}, {30, 30, 30})}, rod(7.2)}).layers, (Numbers{0, 0}));
     }
@@ -191,7 +191,7 @@ class Layers : public QObject
         QCOMPARE(felt, before);
     }
 
-    /// Vessels that the hand passes through lie in the liver too, but are not felt below it.
+    /// Vessels without contact are also inside the liver, but are not simulated below its surface.
     void whatIsPassedThroughIsNotNamed()
     {
         meshio::LoadedScene scene =
@@ -200,7 +200,7 @@ class Layers : public QObject
         auto felt = study::hapticScene(scene);
         QCOMPARE(study::setLayers(scene, felt),
                  (Lines{"tumour lies in liver and is felt below it", "node lies in liver and is felt below it"}));
-        // As the window finds them, before names decide what is felt: the tumour lies in the vein.
+        // The layering in the window before names decide on contact: the tumour is inside the vein.
         Layering found;
         found.structures.resize(4);
         found.structures[1].in = 0;
@@ -226,7 +226,7 @@ class Layers : public QObject
         }
     }
 
-    /// A hand in the lump feels liver and lump: together no more than the device holds.
+    /// A hand in the lump touches liver and lump: their total stiffness is at most the stable stiffness of the device.
     void theDeviceHoldsTheSumOfTheLayers()
     {
         haptics::Tissue greatest = core::unbounded();
@@ -256,7 +256,7 @@ class Layers : public QObject
         QCOMPARE(structures[1].tissue.stiffness_N_per_mm, 1.2);
         QCOMPARE(structures[2].tissue.stiffness_N_per_mm, 1.2);
         QCOMPARE(structures[2].tissue.damping_Ns_per_mm, 0.5);
-        // What is not there takes nothing.
+        // A missing surface has no share.
         structures[0].surface = nullptr;
         structures[0].layer = 0;
         study::boundBy(greatest, structures);

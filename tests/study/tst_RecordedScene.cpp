@@ -22,7 +22,7 @@
 using namespace palpate;
 using core::Vec3;
 
-/// What a recording was made on, opened from it alone.
+/// Tests opening the recorded scene from the recording alone.
 class RecordedScene : public QObject
 {
     Q_OBJECT
@@ -62,7 +62,7 @@ class RecordedScene : public QObject
                  {"mesh": "lump.vtp", "name": "hidden", "visible": false}]})";
     }
 
-    /// Records a press on the scene as a person had edited it: a stiffer organ, and what is hidden not felt.
+    /// Records a press on an edited scene: a stiffer organ, and a hidden structure without contact.
     void record(const char* name, bool embeds) const
     {
         auto loaded = meshio::loadScene(path("s.palpate.json"));
@@ -74,7 +74,7 @@ class RecordedScene : public QObject
         session::RecordingInfo info;
         info.firstGeneration = 1;
         study::nameScene(info, path("s.palpate.json"), path(name));
-        std::filesystem::remove(path(name)); // of an earlier test
+        std::filesystem::remove(path(name)); // from an earlier test
         auto writer = session::RecordingWriter::create(path(name), info, session::RecordingWriter::Sync::AtEnd);
         QVERIFY(writer.isOk());
         QVERIFY(writer.value()
@@ -99,7 +99,7 @@ class RecordedScene : public QObject
         QVERIFY(writer.value()->finish().isOk());
     }
 
-    /// The opened scene gives the bits that were recorded.
+    /// Checks that the opened scene reproduces the recording bit for bit.
     void isFeltAsRecorded(const meshio::LoadedScene& scene, const std::filesystem::path& file) const
     {
         const auto reader = session::RecordingReader::open(file);
@@ -112,7 +112,7 @@ class RecordedScene : public QObject
             QCOMPARE(now.structures[i].layer, record.structures[i].layer);
             QCOMPARE(now.structures[i].palpable, record.structures[i].palpable);
             QCOMPARE(now.structures[i].lawTable == record.structures[i].lawTable, true);
-            QCOMPARE(now.structures[i].maps, record.structures[i].maps); // with their hashes
+            QCOMPARE(now.structures[i].maps, record.structures[i].maps); // including their hashes
             QCOMPARE(now.structures[i].source.sha256, record.structures[i].source.sha256);
         }
         const auto again = session::resimulate(*reader.value(), study::indexedByHash(study::meshesByHash(scene)));
@@ -150,16 +150,16 @@ class RecordedScene : public QObject
         QCOMPARE(organ.colour[2], 0.3);
         QCOMPARE(scene.structures.at(1).description.layer, 1U);
         QVERIFY(!scene.structures.at(2).description.palpable && scene.structures.at(2).description.visible);
-        // Hidden, it was not felt; shown again, it would be.
+        // Not palpable while hidden; palpable when shown again.
         QVERIFY(scene.structures.at(3).description.palpable && !scene.structures.at(3).description.visible);
         QCOMPARE(scene.scene.findings.size(), std::size_t{1});
         QCOMPARE(scene.scene.findings[0].name, std::string("Finding 1"));
         meshio::LoadedScene shown = scene;
-        shown.structures[3].description.palpable = false; // as the window feels what is hidden
+        shown.structures[3].description.palpable = false; // as the window treats hidden structures
         isFeltAsRecorded(shown, path("r.palpate"));
     }
 
-    /// What varied over a surface is felt as it was, whatever the mesh file's array says now, or without the file.
+    /// The recorded map applies, regardless of the current array in the mesh file, or without the file.
     void theRecordedMapIsFelt()
     {
         record("r.palpate", true);
@@ -171,7 +171,7 @@ class RecordedScene : public QObject
         isFeltAsRecorded(opened.value(), path("r.palpate"));
     }
 
-    /// By how much a map scaled the law is not kept, but follows from the force: live and played back are one number.
+    /// The map's scale factor is not stored but follows from the force: live and replayed values are equal.
     void theScaleOfAMapIsFoundAgain()
     {
         auto loaded = meshio::loadScene(path("s.palpate.json"));
@@ -218,7 +218,7 @@ class RecordedScene : public QObject
             std::filesystem::rename(path(name), path(std::string("moved/") + name));
         }
         const auto reader = session::RecordingReader::open(path("moved/r.palpate"));
-        QCOMPARE(reader.value()->info().scene, path("s.palpate.json").string()); // absolute, and gone
+        QCOMPARE(reader.value()->info().scene, path("s.palpate.json").string()); // an absolute path to a missing file
         QCOMPARE(reader.value()->info().sceneBeside, std::string("s.palpate.json"));
         QCOMPARE(reader.value()->info().sceneSha256, meshio::fileHash(path("moved/s.palpate.json")));
         QCOMPARE(study::recordedSceneFile(*reader.value()).value(), path("moved/s.palpate.json"));

@@ -71,7 +71,7 @@ class SceneNotes : public QObject
         QVERIFY(notesOf(scene).empty());
     }
 
-    /// What a light press meets counts, and not the number in the file.
+    /// The stiffness at a light press counts, not the number in the file.
     void comparesLawsAtALightPress()
     {
         meshio::LoadedScene scene;

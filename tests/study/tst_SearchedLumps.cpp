@@ -15,8 +15,8 @@
 using namespace palpate;
 using core::Vec3;
 
-/// Whether a lump of 20 mm, 8 mm below the top of an organ of 160 mm, was searched for hard enough, of recordings whose
-/// presses are made by hand.
+/// Tests whether a lump of 20 mm, 8 mm below the top of an organ of 160 mm, was searched thoroughly, on recordings with
+/// synthetic presses.
 class SearchedLumps : public QObject
 {
     Q_OBJECT
@@ -34,8 +34,8 @@ class SearchedLumps : public QObject
     }
     static Vec3 onOrgan(const Vec3& towards) { return kRadius_mm * towards.normalized(); }
 
-    /// @param places  where the organ is pressed, a tick each
-    /// @param lump_N  force of the lump's own layer as well, where it is felt as one
+    /// @param places  press positions on the organ, one per tick
+    /// @param lump_N  additional force of the lump's own layer, if simulated as a layer
     session::LumpSearch searched(const std::vector<Vec3>& places, double depth_mm, std::uint32_t structure = 0,
                                  double lump_N = 0.0)
     {
@@ -80,7 +80,7 @@ class SearchedLumps : public QObject
         const auto found = study::searchedLumps(*reader.value(), m_scene, kDistance_mm);
         return found.isOk() && found.value().size() == 1 ? found.value()[0] : session::LumpSearch();
     }
-    /// 3 mm apart, over all of the top.
+    /// Positions 3 mm apart that cover the top.
     static std::vector<Vec3> lattice()
     {
         std::vector<Vec3> places;
@@ -107,13 +107,13 @@ class SearchedLumps : public QObject
         QVERIFY2(light.told_mm2 > 200.0, qPrintable(QString::number(light.told_mm2)));
         QCOMPARE(light.share().value(), 0.0);
         QVERIFY(light.predicted_percent.value() > 1.0 && light.predicted_percent.value() < 14.0);
-        QVERIFY(!light.recorded_percent); // no tick deep enough
+        QVERIFY(!light.recorded_percent); // no tick is deep enough
     }
 
     void onePressFeelsItWhereItWasMade()
     {
         const auto one = searched({Vec3(0, 0, kRadius_mm)}, 8.0);
-        // All of its surroundings are places from where it is told.
+        // The lump is detectable from all of its surroundings.
         QVERIFY2(std::abs(one.pressed_mm2 / (std::numbers::pi * kDistance_mm * kDistance_mm) - 1.0) < 0.15,
                  qPrintable(QString::number(one.pressed_mm2)));
         buried::FeltOptions how;
@@ -122,14 +122,14 @@ class SearchedLumps : public QObject
         const double best = 100.0 * (felt.value().lumps[0].press[3].felt.estimate - 1.0);
         QVERIFY2(std::abs(one.predicted_percent.value() / best - 1.0) < 0.02,
                  qPrintable(QString::number(one.predicted_percent.value())));
-        QVERIFY(std::abs(one.recorded_percent.value()) < 1e-9); // the recording was made without the lump
+        QVERIFY(std::abs(one.recorded_percent.value()) < 1e-9); // recorded without the lump
         QVERIFY(std::abs(one.told_mm2 / felt.value().lumps[0].press[3].area_mm2[1] - 1.0) < 1e-4);
     }
 
     void aSearchEverywhereMissesNoPlace()
     {
         QCOMPARE(searched(lattice(), 8.0).share().value(), 1.0);
-        QCOMPARE(searched(lattice(), 12.0).share().value(), 1.0); // deeper than is judged
+        QCOMPARE(searched(lattice(), 12.0).share().value(), 1.0); // deeper than the largest evaluated depth
         const double half = searched(lattice(), 4.0).share().value();
         QVERIFY2(half > 0.1 && half < 0.9, qPrintable(QString::number(half)));
     }
@@ -141,18 +141,18 @@ class SearchedLumps : public QObject
         QCOMPARE(searched({Vec3(0, 0, kRadius_mm)}, 8.0, 1).predicted_percent.value(), 0.0);
     }
 
-    /// What the ticks hold is said, whatever model felt it: a lump as a layer adds its own force.
+    /// Reports the recorded force, regardless of the lump model: a lump as a layer adds its own force.
     void whatWasRecordedIsSaidBesideThePrediction()
     {
         const auto layered = searched({Vec3(0, 0, kRadius_mm)}, 12.0, 0, 2.16);
-        QVERIFY(std::abs(layered.recorded_percent.value() - 90.0) < 1e-9); // 2.16 N beside 0.2 N/mm x 12 mm
+        QVERIFY(std::abs(layered.recorded_percent.value() - 90.0) < 1e-9); // 2.16 N relative to 0.2 N/mm x 12 mm
         QVERIFY(layered.predicted_percent.value() > 10.0 && layered.predicted_percent.value() < 60.0);
         m_scene.structures[1].description.tissue = core::Tissue();
         m_scene.structures[0].description.tissue = core::Tissue();
         const auto unknown = searched({Vec3(0, 0, kRadius_mm)}, 12.0, 0, 2.16);
         m_scene.structures[0].description.tissue.stiffness_N_per_mm = 0.2;
         m_scene.structures[1].description.tissue.stiffness_N_per_mm = 0.6;
-        QVERIFY(!unknown.predicted_percent && !unknown.share()); // its ratio is not known
+        QVERIFY(!unknown.predicted_percent && !unknown.share()); // unknown stiffness ratio
         QVERIFY(std::abs(unknown.recorded_percent.value() - 90.0) < 1e-9);
     }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kRadius_mm = 30.0, kDepth_mm = 5.0, kStiffness_N_per_mm = 0.5;
 
-/// What a hand felt of a ball, all deviations from the true one.
+/// Deviations of the simulated contact with a ball from the true ball.
 struct Deviation
 {
     std::size_t ticks = 0;

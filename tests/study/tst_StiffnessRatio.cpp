@@ -41,7 +41,7 @@ class StiffnessRatio : public QObject
         QVERIFY(between(lump, organ)->source == RatioSource::Tissue);
         QCOMPARE(between(lump, organ)->typical, 0.6 / 0.2);
         organ.young_kPa = 7.0;
-        QVERIFY(between(lump, organ)->source == RatioSource::Tissue); // one modulus alone says nothing
+        QVERIFY(between(lump, organ)->source == RatioSource::Tissue); // a single modulus gives no ratio
         lump.young_kPa = 35.0;
         QVERIFY(between(lump, organ)->source == RatioSource::Moduli && between(lump, organ)->typical == 5.0);
         lump.young_ratio = 2.5;

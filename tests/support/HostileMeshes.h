@@ -11,10 +11,10 @@ struct HostileMesh
 {
     std::string name;
     std::string bytes;
-    std::string complaint; ///< begin of what is said after the file's name; empty for a file that can be read
+    std::string complaint; ///< start of the message after the file name; empty for a readable file
 };
 
-/// OBJ and PLY files, made here so that each says what is wrong with it.
+/// OBJ and PLY files with one defect each.
 std::vector<HostileMesh> hostileMeshes();
 
 } // namespace palpate::test

@@ -8,7 +8,7 @@
 
 namespace palpate::test {
 
-/// Memory of this process that is in RAM now, after giving back what is free. Linux only. [bytes]
+/// Resident memory of this process after returning free memory to the system. Linux only. [bytes]
 inline double residentBytes()
 {
     (void)malloc_trim(0);

@@ -14,14 +14,14 @@ namespace palpate::test {
 /// Registers a test class under its name; use PALPATE_TEST at the end of a tst_*.cpp.
 bool registerTest(const char* name, std::unique_ptr<QObject> (*make)());
 
-/// The folder of real meshes or of bad files, when it is there; tests that need it skip otherwise, saying so. Found
-/// beside the checkout, or where PALPATE_SHARED says.
+/// Returns the folder of real meshes or malformed files, if available; tests that need the folder skip otherwise with a
+/// message. The folder is beside the checkout, or in PALPATE_SHARED.
 /// @param sub  "anatomy" or "hostile"
 std::optional<std::filesystem::path> sharedFolder(const std::string& sub);
 
 } // namespace palpate::test
 
-/// In a slot: skips it, saying so, without the shared folder `sub`; else `variable` is its path.
+/// In a test slot: skips with a message if the shared folder `sub` is missing; otherwise `variable` is its path.
 #define PALPATE_SHARED_OR_SKIP(variable, sub)                                                                          \
     const auto variable##Found = palpate::test::sharedFolder(sub);                                                     \
     if (!variable##Found) {                                                                                            \
@@ -31,7 +31,7 @@ std::optional<std::filesystem::path> sharedFolder(const std::string& sub);
 
 #define PALPATE_TEST(Class) PALPATE_TEST_NAMED(#Class, Class)
 
-/// For a class that cannot bear the name of what it tests.
+/// For a class that cannot have the name of the tested class.
 #define PALPATE_TEST_NAMED(name, Class)                                                                                \
     [[maybe_unused]] static const bool registered##Class =                                                             \
         palpate::test::registerTest(name, []() -> std::unique_ptr<QObject> { return std::make_unique<Class>(); });

@@ -8,7 +8,7 @@
 using namespace palpate;
 using core::Vec3;
 
-/// What the cursor is told of a tick.
+/// Tests the tick data for the cursor.
 class FeltLayers : public QObject
 {
     Q_OBJECT
@@ -29,7 +29,7 @@ class FeltLayers : public QObject
     }
 
   private Q_SLOTS:
-    /// A map, a lump felt through the surface and a lump as a layer: each by what it adds to the outermost tissue.
+    /// A map, a transmitted lump and a lump as a layer: each as a ratio to the outermost tissue.
     void stiffnessIsToldByThatOfTheOutermostTissue()
     {
         core::Tissue liver, lump;
@@ -39,7 +39,7 @@ class FeltLayers : public QObject
             return number == 0 ? &liver : number == 1 ? &lump : nullptr;
         };
         servo::TickRecord tick = touching();
-        QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, 1.0); // touches nothing
+        QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, 1.0); // no contact
         tick.felt.contactCount = 1;
         tick.felt.contacts[0].structure = tick.felt.contacts[0].layer = 0;
         tick.felt.contacts[0].depth_mm = 3.0;
@@ -51,10 +51,10 @@ class FeltLayers : public QObject
         tick.felt.contacts[1].depth_mm = 1.0;
         tick.felt.contacts[1].stiffnessScale = 1.0;
         QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, (1.5 * 0.2 + 0.6) / 0.2);
-        tick.felt.contacts[1].layer = 0; // beside the liver, not below it: the liver has the larger force
+        tick.felt.contacts[1].layer = 0; // beside the liver, not below: the liver has the larger force
         QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, 1.5);
         tick.felt.contacts[1].layer = 1;
-        tick.felt.contacts[0].structure = 7; // of which nobody knows the tissue
+        tick.felt.contacts[0].structure = 7; // a structure with unknown tissue
         QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, 1.0);
     }
     void softTissueBendsAndBoneDoesNot()
@@ -62,7 +62,7 @@ class FeltLayers : public QObject
         QVERIFY(bends(0.2));
         QVERIFY(bends(2.0));
         QVERIFY(!bends(2.01));
-        QVERIFY(!ui::touchState(touching(), Vec3::Zero(), 0.0, {}, nullptr).bends); // of what it is nobody says
+        QVERIFY(!ui::touchState(touching(), Vec3::Zero(), 0.0, {}, nullptr).bends); // without tissue information
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lumps that are felt through their organ: switched, made, handed to the hand.
+// Tests lumps that are transmitted through their organ: switching, computing, and the update of the hand.
 #include "Rows.h"
 #include "TestRunner.h"
 
@@ -26,7 +26,7 @@ class FeltThrough : public QObject
 {
     Q_OBJECT
 
-    /// A liver of 40 mm with a lump in its middle, by default large enough to be felt all around.
+    /// Returns a liver of 40 mm with a central lump that is by default large enough to be palpable from all sides.
     static std::vector<ui::StructureRow> liverWithLump(double radius_mm = 15.0)
     {
         std::vector<ui::StructureRow> rows;
@@ -61,13 +61,13 @@ class FeltThrough : public QObject
         through(model);
         QVERIFY(model.buried() == BuriedTouch::Felt && model.structure(1).inside == "liver");
         QCOMPARE(model.undoStack().count(), 1);
-        // Until its map is there, it is felt as a layer.
+        // Simulated as a layer until the map is ready.
         QVERIFY(!maps.isHandUpToDate());
         QVERIFY(isLumpTouched(model));
         QCOMPARE(model.feltStructures(kAny)[1].layer, 1U);
         QSignalSpy edited(&model, &StructureModel::edited);
         QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
-        QVERIFY(!edited.isEmpty()); // what the hand feels goes the way of other changes of tissue
+        QVERIFY(!edited.isEmpty()); // the update of the hand uses the same path as other tissue changes
         QVERIFY(!isLumpTouched(model));
         QVERIFY(model.feltStructures(kAny)[0].maps.hasFelt());
         QVERIFY(most(model) > 1.1F);
@@ -81,13 +81,13 @@ class FeltThrough : public QObject
         QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate() && !isLumpTouched(model), kLimit_ms);
     }
 
-    /// The lump under the hand has a name, and the change there is the map's.
+    /// The lump under the hand is named, with the change in stiffness from the map.
     void theLumpUnderTheHandIsNamed()
     {
         StructureModel model;
         ui::LumpMaps maps(model);
         model.setRows(liverWithLump());
-        QVERIFY(!ui::lumpUnder(model, 0, {0.0, 0.0, 20.0}, 4.0)); // not felt through the liver yet
+        QVERIFY(!ui::lumpUnder(model, 0, {0.0, 0.0, 20.0}, 4.0)); // not yet transmitted through the liver
         through(model);
         QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
         const core::Vec3 place = model.rows()[0].loaded.surface->mesh.vertices.front();
@@ -108,7 +108,7 @@ class FeltThrough : public QObject
         model.setRows(liverWithLump());
         through(model);
         QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
-        QVERIFY(maps.isUpToDate()); // nobody wanted a picture: it is there without being made again
+        QVERIFY(maps.isUpToDate()); // no display was requested: the map is available without a new computation
         QCOMPARE(maps.organs().size(), std::size_t(1));
         const buried::FeltSurface& felt = maps.organs()[0]->organ.felt;
         const auto& below = model.rows()[0].loaded.feltBelow;
@@ -132,7 +132,7 @@ class FeltThrough : public QObject
             how(one);
             model.editAll({{row, one}}, QStringLiteral("Change"));
             QVERIFY(!maps.isHandUpToDate());
-            QVERIFY(!isLumpTouched(model)); // the map before is felt until the new one is there
+            QVERIFY(!isLumpTouched(model)); // the previous map applies until the new map is ready
             QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
             QVERIFY2(std::abs(most(model) - before) > 0.01F, qPrintable(QString::number(most(model))));
             before = most(model);
@@ -143,8 +143,8 @@ class FeltThrough : public QObject
         change(0, [](auto& organ) { organ.felt_contact_radius_mm = 10.0; });
     }
 
-    /// Of a scene file that says "felt" and names no organ, what lies in one by its shape, whatever its layer; else
-    /// what says where it lies.
+    /// For a scene file with "felt" but no organ name: lumps that are inside an organ by geometry, in any layer;
+    /// otherwise the file's explicit entry applies.
     void filesSayWhatIsFeltThrough()
     {
         StructureModel model;
@@ -168,7 +168,7 @@ class FeltThrough : public QObject
         QVERIFY(isLumpTouched(model, 1) && !isLumpTouched(model, 2));
     }
 
-    /// One of several is put back on its own surface: the others stay as they are.
+    /// One of several lumps goes back to its own surface; the others stay transmitted.
     void othersStayThrough()
     {
         StructureModel model;
@@ -213,7 +213,7 @@ class FeltThrough : public QObject
         const std::vector<std::vector<float>> recorded(4, std::vector<float>(count, 1.5F));
         rows[0].loaded.feltBelow = recorded;
         model.setRows(std::move(rows));
-        maps.setWanted(true); // a picture of what can be felt changes nothing of it
+        maps.setWanted(true); // displaying the palpable area does not change the result
         QTRY_VERIFY_WITH_TIMEOUT(maps.isUpToDate(), kLimit_ms);
         QCOMPARE(model.rows()[0].loaded.feltBelow, recorded);
         through(model);
@@ -265,7 +265,7 @@ class FeltThrough : public QObject
         QVERIFY(model.isToBeFeltThrough(1));
         choose(QStringLiteral("as a layer, below liver"));
         QVERIFY(model.buried() == BuriedTouch::Layers && model.structure(1).layer == 1);
-        QVERIFY(model.structure(1).inside.empty()); // a file refuses both
+        QVERIFY(model.structure(1).inside.empty()); // a file may not contain both
         choose(QStringLiteral("on its own surface, outermost"));
         QCOMPARE(model.undoStack().count(), 3);
         model.undoStack().undo();

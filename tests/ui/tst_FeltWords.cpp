@@ -13,7 +13,7 @@
 using namespace palpate;
 using buried::FeltSurface;
 
-/// What is said of a place, of hand-made numbers.
+/// Texts for a place, from given numbers.
 class FeltWords : public QObject
 {
     Q_OBJECT
@@ -75,7 +75,7 @@ class FeltWords : public QObject
         QCOMPARE(said(2, 0), QStringLiteral("not judged here: the surface bends too much, the organ is too thin"));
     }
 
-    /// Window and engine say the same in English.
+    /// Window and engine use the same English texts.
     void verdictsAndRatiosAreSaidAsByTheEngine()
     {
         FeltSurface::LumpPress press;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The phantom under a mapped hand: whatever is fitted, turned, clutched or centred while it presses, no force step is
-// larger than the gate's bound, and no change brings the hand through the liver's surface.
+// The phantom under a mapped hand: for any fitting, rotation, clutching or centring while pressing, no force step
+// exceeds the bound of the safety gate, and no change moves the hand through the liver's surface.
 #include "TestRunner.h"
 
 #include <palpate/device/DevicePresets.h>
@@ -35,7 +35,7 @@ class FittedHand : public QObject
     ui::StructureModel m_model;
     core::Box m_all;
 
-    /// As the window makes it when the map changes.
+    /// Builds the scene as the window does after a change of the mapping.
     std::shared_ptr<const haptics::HapticScene> sceneFor(const device::DeviceInfo& info, double scale) const
     {
         haptics::Tissue greatest = core::unbounded();
@@ -44,16 +44,16 @@ class FittedHand : public QObject
         return m_model.hapticScene(greatest);
     }
 
-    /// A hand's settings and place, changed at random.
+    /// Randomly changed settings and position of a hand.
     struct Changing
     {
-        ui::HandSettings settings; // as a device that was never seen begins
+        ui::HandSettings settings; // defaults for an unknown device
         ui::HandPlace place;
         std::mt19937 random{29};
 
         double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); }
     };
-    /// @param lumpAt_W  where a lump is fitted, if one is [mm]
+    /// @param lumpAt_W  position of the lump to fit, if any [mm]
     void change(Changing& hand, const Vec3& lumpAt_W) const
     {
         hand.settings.turn = hand.random() % 4 == 0 ? ui::MapTurn::Patient : ui::MapTurn::Camera;
@@ -136,7 +136,7 @@ class FittedHand : public QObject
         bool isTouching = false;
         const double radius = servo::edgeOf(info);
         for (int i = 0; i < 40'000; ++i) {
-            // Towards the user and in again, about the middle, and beyond the edge now and then.
+            // Towards the user and back, about the middle, and occasionally beyond the edge.
             const double t = 0.001 * i;
             const Vec3 p_U(0.2 * radius * std::sin(0.7 * t), 0.2 * radius * std::cos(0.9 * t),
                            radius * (0.45 + 0.6 * std::cos(1.3 * t)));
@@ -149,7 +149,7 @@ class FittedHand : public QObject
                 map.centreRequest = before + (!isTouching || hand.random() % 8 == 0 ? 1 : 0);
                 map.isClutched = hand.random() % 10 == 0;
                 core.setMap(map);
-                auto next = sceneFor(info, map.scale); // stays alive until the core has it
+                auto next = sceneFor(info, map.scale); // kept alive until the core takes over
                 core.setScene(next.get(), ++generation);
                 scene = std::move(next);
             }
@@ -160,7 +160,7 @@ class FittedHand : public QObject
             const servo::TickRecord tick = core.tick(state, state.time_ns);
             const Vec3 f_D = core.forceForDevice();
             const double step_N = (f_D - last_D).norm();
-            // First contact by the hand itself is felt in its tick; a change never counts as that.
+            // A contact by motion of the hand causes force in the same tick; a change must not.
             QVERIFY2(step_N <= bound_N || last_D.norm() <= bound_N,
                      qPrintable(QStringLiteral("tick %1: %2 N").arg(i).arg(step_N)));
             mostStep_N = std::max(mostStep_N, last_D.norm() > bound_N ? step_N : 0.0);
@@ -170,9 +170,10 @@ class FittedHand : public QObject
             g_W = tick.felt.p_WG;
             isTouching = tick.felt.structure >= 0;
             touched += isTouching ? 1 : 0;
-            const bool isIn = tick.felt.structure != 0 && geometry::isInside(liver, p_W); // the liver does not hold it
+            // outside the liver's constraint
+            const bool isIn = tick.felt.structure != 0 && geometry::isInside(liver, p_W);
             if ((tick.flags & servo::kReset) != 0) {
-                wasOut = false; // begun anew, inside perhaps: let out
+                wasOut = false; // restarted, possibly inside: released
                 freed += isIn ? 1 : 0;
             } else {
                 QVERIFY2(!(wasOut && isIn), qPrintable(QStringLiteral("tick %1: through the surface").arg(i)));

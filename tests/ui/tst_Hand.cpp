@@ -236,7 +236,7 @@ class Hand : public QObject
         QCOMPARE(clutch.count(), 2);
     }
 
-    /// A device whose answers come late is measured, and holds less from then on.
+    /// A device with a delay is measured, and permits less stiffness from then on.
     void aLateDeviceHoldsLess()
     {
         struct Late final : palpate::device::HapticDevice

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The law of a tissue in the panel: chosen, typed, dragged, loaded, refused, undone.
+// Tests the force law editor in the panel: choosing, typing, dragging, loading, rejecting and undo.
 #include "Rows.h"
 #include "TestRunner.h"
 
@@ -28,7 +28,7 @@ using core::LawKind;
 
 namespace {
 
-/// A panel with two structures, the first selected, of a device that holds 2 N/mm.
+/// A panel with two structures, the first selected, for a device with a stable stiffness of 2 N/mm.
 struct Panel
 {
     ui::StructureModel model;
@@ -82,7 +82,7 @@ struct Panel
         if (const QByteArray to = qgetenv("PALPATE_LAW_PICTURES"); !to.isEmpty()) {
             QTest::qWait(50);
             const_cast<ui::StructurePanel&>(panel).grab().save(
-                QString::fromLocal8Bit(to + "/" + QByteArray(name) + ".png")); // to be looked at
+                QString::fromLocal8Bit(to + "/" + QByteArray(name) + ".png")); // for visual inspection
         }
     }
 };
@@ -93,7 +93,7 @@ class LawEditor : public QObject
 {
     Q_OBJECT
   private Q_SLOTS:
-    /// What core calls its numbers can be translated.
+    /// The parameter names from core are translatable.
     void cataloguesHaveTheTermsOfCore()
     {
         QStringList texts;
@@ -125,18 +125,18 @@ class LawEditor : public QObject
         p.choose(LawKind::Exponential);
         QCOMPARE(p.tissue().law.kind, LawKind::Exponential);
         QVERIFY(core::check(p.tissue().law).isOk());
-        QVERIFY(!p.number(QStringLiteral("Stiffness in"))->isVisible()); // it isn't what is felt now
+        QVERIFY(!p.number(QStringLiteral("Stiffness in"))->isVisible()); // not the active law
         QDoubleSpinBox* growth = p.number(QStringLiteral("Growth with depth"));
         QVERIFY(growth->isVisible());
         growth->setValue(0.5);
         QCOMPARE(p.tissue().law.numbers[1], 0.5);
-        QCOMPARE(p.tissue().law.numbers[0], core::usualLaw(LawKind::Exponential).numbers[0]); // untouched
+        QCOMPARE(p.tissue().law.numbers[0], core::usualLaw(LawKind::Exponential).numbers[0]); // unchanged
         ui::TouchReading reading;
         reading.structure = ui::readableName(p.model.structure(0).name);
         reading.depth_mm = 5.0;
         p.panel.showTouch(reading);
         p.keep("exponential");
-        QTest::qWait(750); // steps that come quickly undo together
+        QTest::qWait(750); // quick successive steps undo together
         p.choose(LawKind::Layer);
         QVERIFY(p.panel.findChild<QCheckBox*>()->isVisible());
         p.panel.findChild<QCheckBox*>()->setChecked(false);
@@ -181,7 +181,7 @@ class LawEditor : public QObject
         QVERIFY(law != nullptr);
         QVERIFY(law->greatestSlope_N_per_mm() <= 2.0 * (1.0 + 1e-5));
         QVERIFY(std::abs(law->force(0.3) - 0.6) < 1e-12); // 2 N/mm instead of 4
-        QVERIFY(std::abs(law->force(1.5) - 1.0) < 1e-6);  // where it falls it is the law's own again
+        QVERIFY(std::abs(law->force(1.5) - 1.0) < 1e-6);  // where the force falls, the original law applies
         QVERIFY(scene->structures()[1].law == nullptr);
         bool isSaid = false;
         for (const QLabel* one : p.panel.findChildren<QLabel*>()) {
@@ -200,7 +200,7 @@ class LawEditor : public QObject
             QVERIFY(std::abs(point[1] - stiffness * point[0]) < 1e-12);
         }
         p.keep("points");
-        QTest::qWait(750); // steps that come quickly undo together
+        QTest::qWait(750); // quick successive steps undo together
         ui::LawPlot* plot = p.plot();
         const int steps = p.model.undoStack().count();
         const QPoint from = plot->placeOf(before[3][0], before[3][1]).toPoint();
@@ -208,7 +208,7 @@ class LawEditor : public QObject
         QTest::mousePress(plot, Qt::LeftButton, {}, from);
         QTest::mouseMove(plot, (from + to) / 2);
         QTest::mouseMove(plot, to);
-        QVERIFY(p.tissue().law.points == before); // one step of undo, when it is let go
+        QVERIFY(p.tissue().law.points == before); // one undo step, on release
         QTest::mouseRelease(plot, Qt::LeftButton, {}, to);
         QCOMPARE(p.model.undoStack().count(), steps + 1);
         const ForceLaw::Point& moved = p.tissue().law.points[3];
@@ -234,10 +234,10 @@ class LawEditor : public QObject
         QTest::mouseMove(plot, (from + steep) / 2);
         QTest::mouseMove(plot, steep);
         QTest::mouseRelease(plot, Qt::LeftButton, {}, steep);
-        QVERIFY(p.tissue().law.points == before); // more than the device holds: back to where it was
+        QVERIFY(p.tissue().law.points == before); // above the stable stiffness: moved back
         QVERIFY(p.refusal().contains(QStringLiteral("is refused")));
         p.panel.setGreatest(core::unbounded(), {});
-        QTest::qWait(20); // the line is gone, and all moved
+        QTest::qWait(20); // the line is gone and the layout shifted
         const QPoint start = plot->placeOf(before[3][0], before[3][1]).toPoint();
         const QPoint to = plot->placeOf(before[5][0], before[3][1]).toPoint();
         QTest::mousePress(plot, Qt::LeftButton, {}, start);
@@ -248,7 +248,7 @@ class LawEditor : public QObject
         QVERIFY(p.tissue().law.points[3][0] < before[4][0]);
         QVERIFY(p.tissue().law.points[3][0] > before[3][0]);
     }
-    /// The dot is what is felt: the law times what a map makes of it at the touch, in whatever layer.
+    /// The dot shows the current force: the law times the map's scale at the contact, in any layer.
     void theDotIsWhereTheTouchIs()
     {
         Panel p;
@@ -270,7 +270,7 @@ class LawEditor : public QObject
         QCOMPARE(p.plot()->touchedPlace(), p.plot()->placeOf(4.0, 1.5 * 4.0 * k));
         p.keep("dot-scaled");
     }
-    /// In a narrow panel nothing is written over the name of the axis or over what is felt now.
+    /// In a narrow panel nothing overlaps the axis name or the current value.
     void textsOfANarrowPlotDoNotMeet()
     {
         core::Tissue tissue;
@@ -342,7 +342,7 @@ class LawEditor : public QObject
             QCOMPARE(presets->currentIndex(), static_cast<int>(i) + 1);
             QVERIFY(core::check(preset.tissue.law).isOk());
             const QString source = QString::fromUtf8(preset.source);
-            const QRegularExpression publication(QStringLiteral("PMC|\\b20\\d\\d\\b")); // an archive's number or a year
+            const QRegularExpression publication(QStringLiteral("PMC|\\b20\\d\\d\\b")); // an archive number or a year
             QVERIFY(source.contains(QStringLiteral("chosen")) || source.contains(publication));
             bool isSaid = false;
             for (const QLabel* one : p.panel.findChildren<QLabel*>()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a tissue varies over a surface, in the panel: by name, by hand, in which unit; felt at once, said, undone.
+// Tests the map editor of the panel: maps found by name or set by hand, units, immediate effect, messages and undo.
 #include "Rows.h"
 #include "TestRunner.h"
 
@@ -26,8 +26,8 @@ using core::MapUnit;
 
 namespace {
 
-/// A ball whose right half is twice as stiff by a name that says it, with an elastogram whose name says nothing, 12 of
-/// its values unknown; and a ball without arrays.
+/// Returns a ball whose right half is twice as stiff by a recognised array name, plus an elastogram with an
+/// unrecognised name and 12 unknown values; and a ball without arrays.
 std::vector<ui::StructureRow> mappedRows()
 {
     std::vector<ui::StructureRow> rows;
@@ -80,7 +80,7 @@ struct MapPanel
     {
         return model.structure(0).maps;
     }
-    /// What is felt at most and at least of the first structure [N/mm].
+    /// Returns the smallest and largest stiffness of the first structure [N/mm].
     [[nodiscard]] std::pair<double, double> felt(double holds = std::numeric_limits<double>::infinity()) const
     {
         haptics::Tissue greatest = core::unbounded();
@@ -109,7 +109,7 @@ struct MapPanel
         if (const QByteArray to = qgetenv("PALPATE_MAP_PICTURES"); !to.isEmpty()) {
             QTest::qWait(50);
             const_cast<ui::StructurePanel&>(panel).grab().save(
-                QString::fromLocal8Bit(to + "/" + QByteArray(name) + ".png")); // to be looked at
+                QString::fromLocal8Bit(to + "/" + QByteArray(name) + ".png")); // for visual inspection
         }
     }
 };
@@ -142,23 +142,23 @@ class MapEditor : public QObject
         QVERIFY(isFeltAs(p.felt().second, 1.0));
         QCOMPARE(p.box("Map")->currentText(), QStringLiteral("By name"));
         p.panel.select(1);
-        QVERIFY(!p.box("Show")->isVisible()); // nothing to colour by
+        QVERIFY(!p.box("Show")->isVisible()); // no array to colour by
     }
     void aModulusIsShearOrYoungsByThePersonsWord()
     {
         MapPanel p;
         p.choose("Map", "By hand");
-        QCOMPARE(p.maps()->size(), std::size_t{1}); // goes on from what the name says
+        QCOMPARE(p.maps()->size(), std::size_t{1}); // continues from the map found by name
         p.choose("By", "mre");
         QVERIFY2(p.isSaid("Say what the numbers of mre are: shear and Young's modulus differ by a factor of three."),
                  "asked");
         QCOMPARE(p.box("In")->currentIndex(), -1);
-        QVERIFY(p.maps()->at(0).array == "StiffnessScale"); // nothing is guessed
+        QVERIFY(p.maps()->at(0).array == "StiffnessScale"); // no guess
         p.keep("panel-asked");
         p.choose("In", "Shear modulus, kPa");
         QVERIFY(p.maps()->at(0).array == "mre" && p.maps()->at(0).unit == MapUnit::ShearKPa);
         QVERIFY(isFeltAs(p.felt().first, 8.0 * 5.0 * 2.3e-3));
-        QVERIFY(isFeltAs(p.felt().second, 0.5)); // its own, where nothing is said
+        QVERIFY(isFeltAs(p.felt().second, 0.5)); // the tissue's own stiffness where values are missing
         QVERIFY(p.isSaid("mre: 12 of 642 places say nothing. The tissue's own is felt there."));
         p.keep("panel-shear");
         p.choose("In", "Young's modulus, kPa");
@@ -202,9 +202,9 @@ class MapEditor : public QObject
         QVERIFY(std::abs(p.felt(0.8).second - 0.8) < 1e-6);
         const auto felt = p.model.feltStructures(greatest);
         const auto shown =
-            ui::numbersOf(p.model.rows()[0].loaded, QStringLiteral("felt:stiffness"), felt[0]); // what is coloured
+            ui::numbersOf(p.model.rows()[0].loaded, QStringLiteral("felt:stiffness"), felt[0]); // the colour values
         QVERIFY(std::abs(*std::max_element(shown.values.begin(), shown.values.end()) - 0.8F) < 1e-6F);
-        // A map that is softer everywhere than the tissue isn't the device's doing.
+        // A map that is softer than the tissue everywhere is not due to the device.
         meshio::SceneStructure soft = p.model.structure(0);
         soft.maps = std::vector<core::TissueMapping>{{MappedQuantity::Stiffness, MapUnit::Scale, "StiffnessScale", ""}};
         soft.maps->at(0).clamp = {0.1, 0.2};
@@ -228,7 +228,7 @@ class MapEditor : public QObject
         p.choose("Map", "By hand");
         p.choose("By", "mre");
         p.choose("In", "Shear modulus, kPa");
-        QCOMPARE(p.box("Show")->currentText(), QStringLiteral("mre: shear modulus, kPa")); // still the one chosen
+        QCOMPARE(p.box("Show")->currentText(), QStringLiteral("mre: shear modulus, kPa")); // still the chosen array
     }
     void aVolumeIsReadOffTheWindowsThread()
     {
@@ -256,14 +256,14 @@ class MapEditor : public QObject
         auto* editor = p.panel.findChild<ui::MapEditor*>();
         p.choose("Map", "By hand");
         editor->load(file);
-        QCOMPARE(asked, 0); // its unit isn't said
+        QCOMPARE(asked, 0); // the unit is unknown
         p.choose("In", "Shear modulus, kPa");
         QCOMPARE(asked, 1);
         QTRY_VERIFY_WITH_TIMEOUT(std::abs(p.felt().second - 8.0 * 5.0 * 4e-3) < 1e-6, 10000);
         QCOMPARE(p.box("By")->currentText(), QStringLiteral("mre.mha"));
-        p.model.undoStack().undo(); // quickly made steps undo together
+        p.model.undoStack().undo(); // quick successive steps undo together
         QVERIFY(isFeltAs(p.felt().second, 1.0));
-        // Cancelled, it is said, and the tissue's own is felt.
+        // After a cancelled load there is a message, and the tissue's own stiffness applies.
         p.choose("Map", "By hand");
         editor->load(file);
         p.choose("In", "Shear modulus, kPa");
@@ -273,7 +273,7 @@ class MapEditor : public QObject
         QVERIFY(isFeltAs(p.felt().second, 0.5) && !loader.isBuildingMaps());
         p.model.undoStack().undo();
         QVERIFY(isFeltAs(p.felt().second, 1.0));
-        // One that isn't there is said, and what was felt stays out.
+        // A missing file gives a message, and the previous map stays off.
         p.choose("Map", "By hand");
         editor->load(file.parent_path() / "gone.mha");
         p.choose("In", "Shear modulus, kPa");

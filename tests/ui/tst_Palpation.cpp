@@ -15,7 +15,8 @@
 
 using namespace palpate;
 
-/// The whole way from pointer to number: view, hand, device, servo thread, snapshot, reading. Nothing is drawn.
+/// Tests the whole path from pointer to displayed number without rendering: view, hand, device, servo thread, snapshot,
+/// reading.
 class Palpation : public QObject
 {
     Q_OBJECT
@@ -33,7 +34,7 @@ class Palpation : public QObject
         pictures.push_back({view::StructureActor(rows[0].picture), rows[0].touch});
         m_viewport->view().setStructures(std::move(pictures));
         m_model->setRows(std::move(rows));
-        (void)m_viewport->rayAt({0, 0}); // gives the window its size
+        (void)m_viewport->rayAt({0, 0}); // sets the size of the window
         m_viewport->view().look(view::ViewFrom::Front);
         m_palpation->setSceneSize(200.0);
         QVERIFY(m_live->start().isOk());
@@ -55,9 +56,9 @@ class Palpation : public QObject
         m_palpation->pressAt({300, 200});
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
         QCOMPARE(m_reading->structure, QStringLiteral("liver"));
-        // Straight onto the sphere: 4 mm at 0.5 N/mm, but for the tilt of the facet that is hit.
+        // Straight onto the sphere: 4 mm at 0.5 N/mm, except for the tilt of the facet.
         QTRY_VERIFY2(m_reading && std::abs(m_reading->force_N - 2.0) < 0.02,
-                     qPrintable(QString::number(m_reading->force_N))); // the last of the way is slow
+                     qPrintable(QString::number(m_reading->force_N))); // the approach is slow near its end
         QVERIFY(m_reading->constraints >= 1);
         const view::TouchState& shown = m_viewport->view().cursor().state();
         QVERIFY(shown.isInContact);
@@ -90,12 +91,12 @@ class Palpation : public QObject
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.0, 10000);
         QVERIFY(m_palpation->letGo());
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
-        QVERIFY(!m_palpation->letGo()); // nothing was pressed any more
+        QVERIFY(!m_palpation->letGo()); // nothing was pressed
         m_palpation->setPalpating(false);
         QTRY_VERIFY(!m_reading.has_value());
         QVERIFY(!m_viewport->view().cursor().state().isPresent);
     }
-    /// Near the ball's rim, deep: the surface leads the finger aside, and that is said.
+    /// Deep near the ball's rim: the surface deflects the finger, with a message.
     void slidingOffIsSaid()
     {
         m_palpation->setPalpating(true);
@@ -117,7 +118,7 @@ class Palpation : public QObject
         m_palpation->letGo();
         QVERIFY(!m_palpation->isSlidOff());
     }
-    /// A 6-axis mouse presses where the pointer is, with its share of the hardest press, and lets go when it rests.
+    /// A 6-axis mouse presses at the pointer with a fraction of the maximum press, and releases at rest.
     void aPuckPressesWithItsPush()
     {
         ui::HandSettings byEffort;
@@ -126,7 +127,7 @@ class Palpation : public QObject
         m_palpation->setPress(byEffort);
         m_palpation->push(0.5); // palpation is off
         m_palpation->setPalpating(true);
-        m_palpation->push(0.5); // the pointer is nowhere
+        m_palpation->push(0.5); // no pointer position
         QTest::qWait(50);
         QVERIFY(!m_reading);
         m_palpation->moveTo({300, 200});
@@ -137,7 +138,7 @@ class Palpation : public QObject
         }
         m_palpation->push(0.0);
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
-        // What the pointer pressed is not the puck's to let go.
+        // The puck does not release a press by the pointer.
         m_palpation->pressAt({300, 200});
         m_palpation->push(0.0);
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->force_N > 1.0, 10000);
@@ -154,9 +155,9 @@ class Palpation : public QObject
         QCOMPARE(said.first().first().toString(),
                  QStringLiteral("200 mm is the deepest press: the scene is no larger."));
         Q_EMIT m_viewport->depthTurned(-400.0);
-        QCOMPARE(said.count(), 1); // not at all deep needs no words
+        QCOMPARE(said.count(), 1); // zero depth gives no message
     }
-    /// The hand is put in the middle, moved, pressed and let go without a pointer.
+    /// The hand is placed in the middle, moved, pressed and released without a pointer.
     void keysPressWithoutAPointer()
     {
         connect(m_palpation.get(), &ui::PalpationController::palpationWanted, this,
@@ -166,7 +167,7 @@ class Palpation : public QObject
         QTRY_VERIFY(m_reading.has_value());
         const view::TouchState& shown = m_viewport->view().cursor().state();
         QTRY_VERIFY(shown.isPresent && shown.hasCrosshair && std::abs(shown.p_WH.x()) > 1.0);
-        // Seen from the front, 2 mm to the right are 2 mm to the patient's left.
+        // Seen from the front, 2 mm to the right is 2 mm to the patient's left.
         QVERIFY2(std::abs(shown.p_WH.x() - 2.0) < 0.2 && std::abs(shown.p_WH.z()) < 0.2,
                  qPrintable(QString::number(shown.p_WH.x())));
         m_palpation->stepAlongScreen(0, 2);
@@ -175,8 +176,8 @@ class Palpation : public QObject
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
         m_palpation->stepDepth(4);
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 5.8, 10000);
-        QTest::qWait(300); // the last of the way is slow
-        // A turned camera leaves a pressed hand where it is; steps go along the new screen.
+        QTest::qWait(300); // the approach is slow near its end
+        // Turning the camera leaves a pressed hand in place; steps follow the new screen axes.
         const core::Vec3 before = shown.p_WH;
         view::turn(m_viewport->view().camera(), 15.0, 0.0);
         m_palpation->followCamera();
@@ -196,7 +197,7 @@ class Palpation : public QObject
         m_palpation->setPalpating(true);
         for (int i = 0; i < 5; ++i) {
             m_palpation->pressAt({250.0 + 20.0 * i, 200.0});
-            QTest::qSleep(200); // a slow frame, longer than the press takes to go in
+            QTest::qSleep(200); // a slow frame, longer than the press ramp
             QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.0, 10000);
             m_palpation->letGo();
             QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
@@ -204,7 +205,7 @@ class Palpation : public QObject
     }
     void theForceShownIsWhatTheHandGets()
     {
-        /// Presses 4 mm deep, at most 1 N; then gives the same state for ever.
+        /// Presses 4 mm deep with a force limit of 1 N, then repeats the same state for ever.
         struct Stuck final : palpate::device::HapticDevice
         {
             explicit Stuck(const std::atomic<bool>& isStuck)
@@ -237,7 +238,7 @@ class Palpation : public QObject
         std::atomic<bool> isStuck = false;
         QVERIFY(m_live->useDevice(std::make_unique<Stuck>(isStuck)).isOk());
         QVERIFY(m_live->start().isOk());
-        // 2 N of the model; the device gives half of that.
+        // The model force is 2 N; the device output is half.
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
         QTRY_VERIFY2(std::abs(m_reading->force_N - 1.0) < 0.02, qPrintable(QString::number(m_reading->force_N)));
         isStuck = true;
@@ -267,10 +268,10 @@ class Palpation : public QObject
         QCOMPARE(reader.value()->scenes().back().structures.front().layer, 1u);
     }
 
-    /// 12 mm deep over the phantom's larger lump: what is felt, said and shown is both.
+    /// 12 mm deep over the phantom's larger lump: the reading contains liver and lump.
     void aLumpBelowTheSurfaceIsNamed()
     {
-        /// Goes straight down to a place and stays there.
+        /// Moves straight down to a position and stays there.
         struct Press final : palpate::device::HapticDevice
         {
             palpate::device::DeviceInfo info() const override

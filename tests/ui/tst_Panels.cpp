@@ -74,13 +74,13 @@ class Panels : public QObject
         QVERIFY(!says(panel, QStringLiteral("very fine mesh here: the force follows late")));
         QVERIFY(std::abs(panel.findChild<ui::ForceBar*>()->share() - 0.2314) < 1e-12);
     }
-    /// What is marked is what was felt: the innermost layer, or the lump below, with its own numbers.
+    /// Highlights the structure in contact: the innermost layer, or the buried lump, with its own numbers.
     void whatIsFeltIsNamedBeforeItsOrgan()
     {
         ui::TouchReading reading{1.0, 6.0, 12.4, QStringLiteral("liver"), 0.8, 1};
         QCOMPARE(ui::whereText(ui::feltStructure(reading)), QStringLiteral("liver"));
         reading.lump = QStringLiteral("tumour");
-        reading.lumpRatio = 1.09; // below what a trained hand notices
+        reading.lumpRatio = 1.09; // below the threshold of a trained hand
         QCOMPARE(ui::whereText(ui::feltStructure(reading)), QStringLiteral("liver"));
         reading.lumpRatio = 1.55;
         QCOMPARE(ui::whereText(ui::feltStructure(reading)), QStringLiteral("tumour in liver"));
@@ -100,7 +100,7 @@ class Panels : public QObject
         QCOMPARE(ui::whereText(felt), QStringLiteral("lump in liver"));
         QVERIFY(felt.force_N == 3.6 && felt.depth_mm == 5.8);
     }
-    /// The parts that are shown add up to the force, also where the layers push in different directions.
+    /// The displayed parts add up to the force, also if the layers push in different directions.
     void layersAddUpToTheForce()
     {
         servo::TickRecord tick;
@@ -114,7 +114,7 @@ class Panels : public QObject
         const auto layers = ui::feltLayers(tick, tick.felt.f_W.norm(), [](std::uint32_t number) {
             return ui::LayerLook{QString::number(number), {}};
         });
-        QVERIFY(layers[0].force_N + layers[1].force_N > tick.felt.f_W.norm() + 0.1); // lengths do not
+        QVERIFY(layers[0].force_N + layers[1].force_N > tick.felt.f_W.norm() + 0.1); // magnitudes alone do not
         const QString text = ui::layersText(layers);
         double shown = 0.0;
         for (const QString& layer : text.split(QStringLiteral(" · "))) {
@@ -142,7 +142,7 @@ class Panels : public QObject
         panel.show(reading);
         QVERIFY(says(panel, QStringLiteral("liver")));
         QVERIFY(!says(panel, QStringLiteral("liver · lump <20 mm>")));
-        QCOMPARE(panel.findChild<ui::TouchChart*>()->height(), height); // nothing jumps
+        QCOMPARE(panel.findChild<ui::TouchChart*>()->height(), height); // the layout stays stable
     }
 
     void frictionIsSaidAndShown()
@@ -174,7 +174,7 @@ class Panels : public QObject
         QCOMPARE(state.friction.radius_mm, 0.0);
         QCOMPARE(ui::layersText(ui::feltLayers(tick, tick.felt.f_W.norm(), look)), QStringLiteral("liver"));
     }
-    /// Each layer's area is as high as its part of the force, in its structure's colour.
+    /// The height of each area is the layer's part of the force, in the colour of the structure.
     void chartStacksTheLayers()
     {
         const QColor outer(221, 130, 101);
@@ -199,10 +199,10 @@ class Panels : public QObject
         }
         QVERIFY(layered.hasLayers() && !plain.hasLayers());
         const int below = count(layered, outer);
-        const int above = count(layered, inner); // less by its hatching
+        const int above = count(layered, inner); // minus the hatching
         QVERIFY2(below > 5000 && above > 500, qPrintable(QStringLiteral("%1 %2").arg(below).arg(above)));
         QVERIFY2(above < 0.36 * below, qPrintable(QStringLiteral("%1 %2").arg(below).arg(above)));
-        QCOMPARE(count(plain, outer), 0); // one layer: as it always was
+        QCOMPARE(count(plain, outer), 0); // one layer: unchanged
     }
     void aTickThatStoppedAtItsBoundSaysSo()
     {
@@ -226,7 +226,7 @@ class Panels : public QObject
         QVERIFY(says(panel, QStringLiteral("press on a structure to feel it")));
         QCOMPARE(panel.findChild<ui::ForceBar*>()->share(), 0.0);
     }
-    /// Names that were shortened are whole again once the panel is wide enough.
+    /// Shortened names are complete again in a wider panel.
     void namesAreWholeInAWiderPanel()
     {
         const QString name = QStringLiteral("right posterior segmental branch");
@@ -257,7 +257,7 @@ class Panels : public QObject
         bar.setLimit(5.0);
         bar.setForce(50.0);
         QCOMPARE(bar.share(), 1.0);
-        bar.setLimit(0.0); // no limit known: keeps the one it had
+        bar.setLimit(0.0); // unknown limit: keeps the previous limit
         QCOMPARE(bar.limit_N(), 5.0);
     }
     void tissueFieldsEditTheSelection()
@@ -273,7 +273,7 @@ class Panels : public QObject
         QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.5);
         panel.select(0);
         QCOMPARE(stiffness->value(), 0.5);
-        QCOMPARE(model.structure(1).tissue.stiffness_N_per_mm, 1.1); // showing is not editing
+        QCOMPARE(model.structure(1).tissue.stiffness_N_per_mm, 1.1); // display without an edit
     }
     void stifferThanTheDeviceHoldsIsRefusedInWords()
     {
@@ -291,7 +291,7 @@ class Panels : public QObject
         stiffness->setFocus();
         stiffness->selectAll();
         QTest::keyClicks(stiffness, QLocale().toString(1.75));
-        QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.5); // nothing while it is typed
+        QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.5); // no change while typing
         QTest::keyClick(stiffness, Qt::Key_Return);
         QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.5);
         QCOMPARE(stiffness->value(), 0.5);
@@ -310,7 +310,7 @@ class Panels : public QObject
         QVERIFY(!refusal->isHidden());
         panel.select(1);
         QVERIFY(refusal->isHidden());
-        // What a scene came with stays, and can be made softer or damped otherwise.
+        // The initial values of a scene stay, and can be made softer or given other damping.
         panel.setGreatest({0.3, 0.004}, {});
         panel.select(0);
         QCOMPARE(stiffness->value(), 0.7);
@@ -342,13 +342,13 @@ class Panels : public QObject
             model.edit(row, one);
         }
         panel.select(1);
-        QVERIFY(bound->isHidden()); // one beside the other
+        QVERIFY(bound->isHidden()); // side by side
         model.setLayers({0, 1}, {});
         QVERIFY(!bound->isHidden());
         QCOMPARE(bound->text(),
                  QStringLiteral("felt as 0.4 N/mm: the device can show 1.2 N/mm in all, liver capsule takes 0.8"));
         panel.select(0);
-        QVERIFY(bound->isHidden()); // the outer one is felt as it is
+        QVERIFY(bound->isHidden()); // the outer layer is unchanged
         panel.select(1);
         auto* stiffness = panel.findChildren<QDoubleSpinBox*>().first();
         stiffness->setValue(0.9);
@@ -371,7 +371,7 @@ class Panels : public QObject
         auto* list = panel.findChild<QTreeView*>();
         auto* layer = test::boxNamed(panel, "Felt, in order from outside");
         QCOMPARE(layer->currentText(), QStringLiteral("on its own surface, outermost"));
-        QTest::keyClick(list, Qt::Key_Up, Qt::ControlModifier); // there is nothing farther out
+        QTest::keyClick(list, Qt::Key_Up, Qt::ControlModifier); // already outermost
         QVERIFY(!model.undoStack().canUndo());
         const QStringList texts{"as a layer, below liver capsule", "as a layer, 2 below", "as a layer, 3 below",
                                 "as a layer, 3 below"};
@@ -386,7 +386,7 @@ class Panels : public QObject
         const QModelIndex name = model.index(1, ui::StructureModel::Name);
         QCOMPARE(name.data(ui::StructureModel::kLayerRole).toUInt(), 2u);
         QVERIFY(name.data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("felt 2 below")));
-        model.undoStack().undo(); // each key is a step of its own
+        model.undoStack().undo(); // each key press is a separate undo step
         QCOMPARE(model.structure(1).layer, 3u);
         layer->setCurrentIndex(1);
         Q_EMIT layer->activated(1);
@@ -405,7 +405,7 @@ class Panels : public QObject
         QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, ui::tissuePresets()[4].tissue.stiffness_N_per_mm);
         QCOMPARE(presets->currentIndex(), 5);
         panel.findChildren<QDoubleSpinBox*>().first()->setValue(0.77);
-        QCOMPARE(presets->currentIndex(), 0); // own values
+        QCOMPARE(presets->currentIndex(), 0); // custom values
     }
     void keysInTheListShowAndFeel()
     {
@@ -533,7 +533,7 @@ class Panels : public QObject
             }
         }
     }
-    /// Texts of the view stand on a ground through which tissue of any colour shines.
+    /// Texts in the view have a translucent background over tissue of any colour.
     void textsOnTissueRead()
     {
         const auto over = [](const view::Colour& tissue, double opacity) {
@@ -551,7 +551,7 @@ class Panels : public QObject
         for (const view::Colour& ink : {view::kTextInk, view::inkOf(black), view::inkOf({1.0, 0.0, 0.0})}) {
             for (const view::Colour& tissue : {white, black}) {
                 QVERIFY(contrast(colour(ink), over(tissue, view::TextStyle().groundOpacity)) >= 4.5);
-                QVERIFY(contrast(colour(ink), over(tissue, 1.0)) >= 7.0); // in high contrast nothing shines through
+                QVERIFY(contrast(colour(ink), over(tissue, 1.0)) >= 7.0); // opaque in high contrast
             }
         }
     }
@@ -599,7 +599,7 @@ class Panels : public QObject
     void systemsPaletteIsSeen()
     {
         ui::applyTheme(ui::Theme::System);
-        QVERIFY(!ui::noteSystemPalette(false)); // it is ours
+        QVERIFY(!ui::noteSystemPalette(false)); // set by the application
         const bool wasDark = ui::isDarkTheme();
         QPalette other;
         other.setColor(QPalette::Window, wasDark ? Qt::white : Qt::black);
@@ -609,7 +609,7 @@ class Panels : public QObject
         ui::applyTheme(ui::Theme::System);
         QCOMPARE(ui::isDarkTheme(), !wasDark);
         QVERIFY(!ui::noteSystemPalette(false));
-        QVERIFY(ui::noteSystemPalette(true)); // as it is without what the test set
+        QVERIFY(ui::noteSystemPalette(true)); // same as before the test
         ui::applyTheme(ui::Theme::System);
         QCOMPARE(ui::isDarkTheme(), wasDark);
     }

@@ -12,7 +12,7 @@ using Phase = ui::PointerHand::Phase;
 namespace {
 
 const Vec3 kEye(0, 0, 100);
-const Vec3 kDown(0, 0, -1); // looking along -z on a surface at z = 0
+const Vec3 kDown(0, 0, -1); // looking along -z at a surface at z = 0
 
 ui::PointerHand over(const Vec3& surface_W)
 {
@@ -21,13 +21,13 @@ ui::PointerHand over(const Vec3& surface_W)
     return hand;
 }
 
-/// A hand and the device that it moves.
+/// A hand and the device under its control.
 struct Touch
 {
     ui::PointerHand hand = over(Vec3::Zero());
     device::PointerDevice device;
 
-    /// A tick of the device.
+    /// Runs one tick of the device.
     device::DeviceState tick(double now_s)
     {
         device.setState(hand.state(now_s));
@@ -67,7 +67,7 @@ class PointerHand : public QObject
     void waitsOutsideUntilTheDeviceFeltIt()
     {
         Touch touch;
-        touch.hand.press(); // at 1 s; the device's first tick with it comes late
+        touch.hand.press(); // at 1 s; the first device tick with the press is late
         QVERIFY(touch.hand.state(1.0).isPresent);
         QVERIFY(touch.hip(5.0).z() > 0.0);
         QVERIFY(touch.hip(5.0 + touch.hand.settings().pressTime_s).z() < 0.0);
@@ -87,12 +87,13 @@ class PointerHand : public QObject
             before = z;
         }
         QVERIFY(std::abs(before + settings.depth_mm) < 1e-9);
-        QVERIFY(steepest < 0.02 * (settings.depth_mm + settings.hover_mm)); // no knock
+        QVERIFY(steepest < 0.02 * (settings.depth_mm + settings.hover_mm)); // no impact
         QVERIFY(touch.hip(1.0 + 2.0 * time_s).z() == before);
         QCOMPARE(touch.tick(2.0).buttons, 1u);
         QCOMPARE(touch.tick(2.0).time_ns, std::int64_t{2'000'000'000});
     }
-    /// The window says it once and then is busy with a picture: the press goes in all the same, tick by tick.
+    /// The press is signalled once, then the window is busy with rendering: the press proceeds tick by tick
+    /// nevertheless.
     void aBusyWindowMakesNoKnock()
     {
         Touch touch;
@@ -111,7 +112,7 @@ class PointerHand : public QObject
         for (int tick = 200; tick <= 310; ++tick) {
             const auto state = touch.device.read(tick * 1'000'000LL);
             QVERIFY(!state.isPresent || state.p_D.z() - before < 0.12);
-            QVERIFY(isPresent || !state.isPresent); // gone once it is off
+            QVERIFY(isPresent || !state.isPresent); // stays absent after leaving
             isPresent = state.isPresent;
             before = state.p_D.z();
         }
@@ -123,7 +124,7 @@ class PointerHand : public QObject
         touch.press(0.0);
         QVERIFY(std::abs(touch.hip(1.0).z() + 4.0) < 1e-9);
         touch.hand.turnDepth(4);
-        QVERIFY(std::abs(touch.hip(1.0).z() + 4.0) < 1e-9); // it goes there, it is not there at once
+        QVERIFY(std::abs(touch.hip(1.0).z() + 4.0) < 1e-9); // moves there gradually
         const double halfway = touch.hip(1.0 + 0.5 * touch.hand.settings().pressTime_s).z();
         QVERIFY(halfway < -4.5 && halfway > -5.5);
         QVERIFY(std::abs(touch.hip(2.0).z() + 4.0 + 4 * 0.5) < 1e-9);
@@ -140,7 +141,7 @@ class PointerHand : public QObject
         (void)touch.tick(1.0);
         QVERIFY(std::abs(touch.hip(2.0).z() + 7.0) < 1e-9);
         QCOMPARE(touch.hand.settings().depth_mm, 4.0);
-        touch.hand.setAim(-50.0); // no farther out than it hovers
+        touch.hand.setAim(-50.0); // at most the hover height
         QCOMPARE(touch.hand.state(2.0).depth_mm, -touch.hand.settings().hover_mm);
         touch.hand.setAim(1e9);
         QCOMPARE(touch.hand.state(2.0).depth_mm, touch.hand.settings().deepest_mm);
@@ -162,7 +163,7 @@ class PointerHand : public QObject
         Touch touch;
         touch.press(0.0);
         const Vec3 aside = Vec3(0.1, 0, -1).normalized();
-        touch.hand.pointAt(kEye, aside, Vec3(kEye + 300.0 * aside)); // 200 mm behind: another organ
+        touch.hand.pointAt(kEye, aside, Vec3(kEye + 300.0 * aside)); // 200 mm behind: a different organ
         QVERIFY(std::abs((touch.hip(1.0) - 4.0 * aside).z()) < 1e-6);
         touch.hand.pointAt(kEye, aside, std::nullopt);
         QVERIFY(std::abs((touch.hip(1.0) - 4.0 * aside).z()) < 1e-6);
@@ -190,7 +191,7 @@ class PointerHand : public QObject
         (void)touch.tick(0.9);
         touch.hand.release(1.0);
         (void)touch.tick(1.0);
-        (void)touch.tick(1.5); // the hand was gone in between
+        (void)touch.tick(1.5); // the hand was absent in between
         touch.hand.press();
         QVERIFY(touch.hip(9.0).z() > 0.0);
     }
@@ -211,8 +212,8 @@ class PointerHand : public QObject
         QCOMPARE(ui::settingsForSize(1700.0).depth_mm, 4.0);
         QCOMPARE(ui::settingsForSize(20.0).depth_mm, 0.4);
         QVERIFY(ui::settingsForSize(0.0).depth_mm > 0.0);
-        QCOMPARE(ui::settingsForSize(1700.0).deepest_mm, 1700.0);              // through all of it
-        QVERIFY(ui::settingsForSize(40.0 * std::sqrt(3.0)).deepest_mm > 12.0); // a ball 40 mm across
+        QCOMPARE(ui::settingsForSize(1700.0).deepest_mm, 1700.0);              // through the whole model
+        QVERIFY(ui::settingsForSize(40.0 * std::sqrt(3.0)).deepest_mm > 12.0); // a ball of 40 mm diameter
     }
     void aNotchGrowsWithTheDepth()
     {
@@ -222,13 +223,13 @@ class PointerHand : public QObject
             (void)hand.turnDepth(notches);
             return hand.settings().depth_mm;
         };
-        QCOMPARE(depthAfter(12), 10.0); // 0.5 mm each
+        QCOMPARE(depthAfter(12), 10.0); // 0.5 mm per step
         QCOMPARE(depthAfter(1), 11.0);
         QCOMPARE(depthAfter(-1), 10.0);
         QCOMPARE(depthAfter(-1), 9.5);
-        QCOMPARE(depthAfter(1 + 10 + 1), 22.0); // 1 mm each, then 2
+        QCOMPARE(depthAfter(1 + 10 + 1), 22.0); // 1 mm per step, then 2
         QCOMPARE(depthAfter(14 + 1), 55.0);     // then 5
-        QCOMPARE(depthAfter(0.5), 57.5);        // a touch pad's
+        QCOMPARE(depthAfter(0.5), 57.5);        // a touch pad's step
         QVERIFY(hand.turnDepth(40));
         QVERIFY(!hand.turnDepth(40));
         QCOMPARE(hand.settings().depth_mm, 300.0);
@@ -239,7 +240,8 @@ class PointerHand : public QObject
         QCOMPARE(hand.settings().depth_mm, 1.5);
         QVERIFY(!hand.stepDepth(-4));
     }
-    /// A click with a depth of 27 mm set before: it goes in from the surface, gently, and goes on while it is held.
+    /// A click with a preset depth of 27 mm: the press starts at the surface, ramps gently and continues while the
+    /// button is held.
     void aDeepPressGoesInOverTime()
     {
         Touch touch;
@@ -257,14 +259,14 @@ class PointerHand : public QObject
         }
         QVERIFY(std::abs(before + 27.0) < 1e-9);
         QVERIFY2(fastest_mm_per_s < 61.0, qPrintable(QString::number(fastest_mm_per_s))); // of 4 mm: 60
-        // Let go and pressed again: from the surface again.
+        // Released and pressed again: starts at the surface.
         touch.hand.release(3.0);
         (void)touch.tick(3.0);
         (void)touch.tick(3.5);
         touch.press(4.0);
         QVERIFY(touch.hip(4.001).z() > 0.0);
         QVERIFY(touch.hip(4.15).z() > -6.0);
-        // The wheel while it goes in: no jump.
+        // Wheel steps during the press: no jump.
         double z = touch.hip(4.5).z();
         (void)touch.hand.turnDepth(3);
         for (int tick = 1; tick <= 2500; ++tick) {

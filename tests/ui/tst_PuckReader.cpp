@@ -24,7 +24,7 @@ class PushedPuck final : public device::HapticDevice
     device::DeviceInfo info() const override
     {
         device::DeviceInfo info;
-        info.workspaceRadius_mm = 10.0; // a sixth of a second to the half of it
+        info.workspaceRadius_mm = 10.0; // a sixth of a second to half the radius
         info.isRateControlled = true;
         return info;
     }

@@ -13,7 +13,7 @@
 
 using namespace palpate;
 
-/// What touch sounds like, as numbers.
+/// Parameters of the touch sound.
 class TouchTone : public QObject
 {
     Q_OBJECT

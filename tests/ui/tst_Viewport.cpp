@@ -141,7 +141,7 @@ class Viewport : public QObject
         const auto palpable = m_viewport->palpablePlace();
         QVERIFY(palpable && (*palpable - QPointF(250, 200)).manhattanLength() < 1.0);
     }
-    /// Space is the view's; Tab goes on to what comes next, as everywhere.
+    /// Space belongs to the view; Tab moves the focus as usual.
     void spaceIsTheViewsAndTabLeavesIt()
     {
         QSignalSpy space(m_viewport.get(), &ui::VtkViewport::spaceHeld);

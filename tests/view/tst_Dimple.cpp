@@ -62,7 +62,7 @@ view::TouchState pressed(double depth_mm, double fingertip_mm)
     return state;
 }
 
-/// What is left is the outline of one structure.
+/// Only the outline of one structure remains.
 void hideAllBut(vtkRenderWindow& window, vtkProp* shown)
 {
     for (int i = 0; i < window.GetRenderers()->GetNumberOfItems(); ++i) {

@@ -45,7 +45,7 @@ std::vector<view::FindingMark> at(const std::vector<Vec3>& places_W)
     return marks;
 }
 
-/// What is drawn flat: 0 shapes, 1 numbers.
+/// Items of the overlay: 0 shapes, 1 numbers.
 vtkPolyData* flat(vtkRenderer& renderer, int i)
 {
     auto* actor = vtkActor2D::SafeDownCast(renderer.GetViewProps()->GetItemAsObject(i));
@@ -212,7 +212,7 @@ class FindingMarkers : public QObject
         QVERIFY(width[0] > 10.0 && std::abs(width[1] - width[0]) < 1e-3);
     }
 
-    /// What is behind the eye is not drawn in front of it.
+    /// Findings behind the eye are not drawn in front.
     void behindTheEyeNothingIsDrawn()
     {
         vtkNew<vtkRenderer> overlay;

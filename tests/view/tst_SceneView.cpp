@@ -27,7 +27,7 @@ view::ViewStructure makeStructure(const geometry::TriangleMesh& mesh, const view
 
 } // namespace
 
-/// Draws into a window that is never shown.
+/// Renders into a window that is never shown.
 class SceneView : public QObject
 {
     Q_OBJECT
@@ -74,7 +74,7 @@ class SceneView : public QObject
         QVERIFY(after[2] > before[2] + 20);
         QVERIFY(after[0] > after[1]); // still reddish
     }
-    /// Sorted by depth peeling or drawn once: the same colours, also of what lies translucent in something translucent.
+    /// Depth peeling and unsorted rendering give the same colours, also for a translucent object inside another.
     void translucentColoursAreTheSameAtRestAndInMotion()
     {
         for (const bool isInnerFirst : {true, false}) {
@@ -91,7 +91,7 @@ class SceneView : public QObject
             const auto still = picture();
             m_view->setSortedTransparency(false);
             const auto moving = picture();
-            QVERIFY(still[150 * 400 + 200] != still[150 * 400 + 270]); // the inner one shows
+            QVERIFY(still[150 * 400 + 200] != still[150 * 400 + 270]); // the inner object is visible
             int compared = 0;
             for (int y = 1; y < 299; ++y) {
                 for (int x = 1; x < 399; ++x) {
@@ -175,7 +175,7 @@ class SceneView : public QObject
         const view::ColourRange range = view::colourRange(values);
         const auto plain = view::makeSurface(ball);
         QVERIFY(!m_view->legend().isShown());
-        const auto before = pixel(28, 151); // where its bar will be
+        const auto before = pixel(28, 151); // future position of the legend's bar
         m_view->setPicture(0, view::coloured(*plain, ball, values, false, range));
         m_view->legend().show({"ball: felt, N/mm", "not said", range});
         const auto soft = pixel(160, 150), stiff = pixel(240, 150), bar = pixel(28, 151);
@@ -185,10 +185,10 @@ class SceneView : public QObject
                  "dark blue");
         const auto texts = m_view->legend().texts();
         QVERIFY(texts[0] == "ball: felt, N/mm" && texts[1] == "4" && texts[2] == "2.5" && texts[3] == "1");
-        QVERIFY(texts[4].empty()); // nothing is grey
+        QVERIFY(texts[4].empty()); // no unknown values
         const auto pick = m_view->pick(m_view->rayThrough(200, 150));
         QVERIFY(pick && pick->structure == 0);
-        // Translucent it keeps its colours and lets the inner one through.
+        // When translucent, the object keeps its colours and shows the inner object.
         m_view->setAppearance(0, {{0.9, 0.1, 0.1}, 0.4, true});
         const auto through = pixel(200, 150), side = pixel(252, 150);
         QVERIFY(through[2] > stiff[2]);
@@ -209,7 +209,7 @@ class SceneView : public QObject
     }
     void orientationCubeNamesTheSideSeen()
     {
-        // Its face takes the lower left corner: light, with a dark letter.
+        // The face of the orientation cube is in the lower left corner: light, with a dark letter.
         int light = 0;
         int dark = 0;
         for (int y = 25; y < 80; ++y) {
@@ -223,7 +223,7 @@ class SceneView : public QObject
     }
     void picturesForTheEye()
     {
-        // Kept where PALPATE_TEST_PICTURES says, for a person to look at.
+        // Saved in the folder in PALPATE_TEST_PICTURES for visual inspection.
         const char* folder = std::getenv("PALPATE_TEST_PICTURES");
         if (folder == nullptr) {
             QSKIP("set PALPATE_TEST_PICTURES to a folder to keep pictures of each view");
@@ -258,7 +258,7 @@ class SceneView : public QObject
         }
         return all;
     }
-    /// A neighbour differs: edges may fall on another pixel there.
+    /// Returns whether a neighbouring pixel differs: edges may fall on another pixel.
     static bool isEdge(const Picture& picture, int x, int y)
     {
         const auto& own = picture[static_cast<std::size_t>(y * 400 + x)];

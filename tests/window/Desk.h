@@ -13,36 +13,37 @@
 
 namespace palpate::test {
 
-/// The whole window on a display, with settings, documents and pictures in a folder of its own, driven by keys and
+/// The whole window on a display, with settings, documents and pictures in a separate folder, driven by keyboard and
 /// pointer. Use in `initTestCase`: `if (!Desk::hasDisplay()) QSKIP(...)`.
 class Desk
 {
   public:
     Desk();
 
-    /// OpenGL needs a display: run under xvfb-run with QT_QPA_PLATFORM=xcb.
+    /// Returns whether a display for OpenGL is available: run under xvfb-run with QT_QPA_PLATFORM=xcb.
     [[nodiscard]] static bool hasDisplay();
     static constexpr const char* kNoDisplay =
         "no OpenGL without a display: run under xvfb-run with QT_QPA_PLATFORM=xcb";
 
-    /// A new window; the one before is closed without a question.
-    /// @return false when it is not shown in time
+    /// Shows a new window and closes the previous one without a question.
+    /// @return false on timeout
     [[nodiscard]] bool show(QSize size = {1280, 800});
-    /// Opens files in the window and waits until they are drawn.
+    /// Opens files in the window and waits until they are rendered.
     [[nodiscard]] bool open(const std::vector<std::filesystem::path>& files);
-    /// The phantom with its recording. @return false when it is not there
+    /// Opens the phantom with its recording.
+    /// @return false if the files are missing
     [[nodiscard]] bool openPhantom();
     void close();
 
     [[nodiscard]] MainWindow& window() { return *m_window; }
-    /// A command by its name in `ui::ActionList`; one that is not there ends the test program.
+    /// Returns a command by its name in `ui::ActionList`; an unknown name ends the test program.
     [[nodiscard]] QAction& command(const char* id);
-    /// Presses a key as a person would: it goes to the widget that has the focus.
+    /// Sends a key press to the widget with the keyboard focus.
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
-    /// Presses a command's first key.
+    /// Presses a command's first shortcut.
     void pressKeyOf(const char* id);
     [[nodiscard]] QImage picture();
-    /// The folder for the test's files.
+    /// Returns the folder for the test's files.
     [[nodiscard]] std::filesystem::path folder() const { return m_folder.path().toStdString(); }
     /// Writes a mesh as a binary STL into the folder.
     std::filesystem::path writeStl(const char* name, const geometry::TriangleMesh& mesh) const;
@@ -52,16 +53,17 @@ class Desk
     std::unique_ptr<MainWindow> m_window;
 };
 
-/// Whether what a widget shows may be scrolled away: it lies in the moving part of a scrolling panel.
+/// Returns whether a widget is inside the scrolled content of a panel, so that scrolling may hide the widget.
 [[nodiscard]] bool isScrolled(const QWidget* widget);
 
-/// Of the messages over the view, a line each, the one on top.
+/// Returns the top line of the messages over the view.
 [[nodiscard]] inline QString newest(const QString& messages)
 {
     return messages.section(QLatin1Char('\n'), 0, 0);
 }
 
-/// The first button of the message on top. @return nothing when it has none
+/// Returns the first button of the top message.
+/// @return null if the message has no button
 [[nodiscard]] inline QPushButton* answerOf(const palpate::ui::MessageBar& messages)
 {
     for (const ui::MessageRow* row : messages.findChildren<ui::MessageRow*>()) {

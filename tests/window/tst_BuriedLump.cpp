@@ -25,8 +25,8 @@
 using namespace palpate;
 using core::Vec3;
 
-/// Two spheres as STL, 40 mm across and 10 mm across under 8 mm of the first, opened in the window and pressed: the
-/// lump is felt through the organ. On a real display.
+/// Opens two spheres as STL, 40 mm across and 10 mm across at a depth of 8 mm in the first, and presses: the lump is
+/// palpable through the organ. Requires a display.
 class BuriedLump : public QObject
 {
     Q_OBJECT
@@ -44,7 +44,7 @@ class BuriedLump : public QObject
         put(static_cast<std::uint32_t>(mesh.triangles.size()));
         for (const geometry::Triangle& t : mesh.triangles) {
             for (int i = 0; i < 3; ++i) {
-                put(0.0F); // normals are computed, never read
+                put(0.0F); // normals are computed, not read
             }
             for (const std::uint32_t corner : t) {
                 for (const double v : mesh.vertices[corner]) {
@@ -72,16 +72,16 @@ class BuriedLump : public QObject
 
     std::filesystem::path folder() const { return m_folder.path().toStdString(); }
 
-    /// Presses 12 mm in the middle of the view. @return the force [N]
+    /// Presses 12 mm in the middle of the view.
+    /// @return the force [N]
     double pressed(view::ViewFrom from)
     {
         ui::VtkViewport& viewport = m_window->viewport();
         ui::PalpationController& hand = m_window->palpation();
         m_window->setPalpating(true);
-        QTest::qWait(200); // a layer that came while the hand is in it would let it out freely
+        QTest::qWait(200); // a layer that appeared around the hand would exert no force until the hand left
         viewport.view().look(from);
-        for (int i = 0; i < 8 && std::abs(hand.depth_mm() - 12.0) > 1e-9;
-             ++i) { // a notch of the wheel grows with depth
+        for (int i = 0; i < 8 && std::abs(hand.depth_mm() - 12.0) > 1e-9; ++i) { // wheel steps grow with depth
             const double before_mm = hand.depth_mm();
             Q_EMIT viewport.depthTurned(1.0);
             const double notch_mm = hand.depth_mm() - before_mm;
@@ -110,7 +110,7 @@ class BuriedLump : public QObject
     ui::MessageBar& message() const { return *m_window->findChild<ui::MessageBar*>(); }
     QPushButton& wayBack() const { return *test::answerOf(message()); }
 
-    /// Until what is felt through organs is handed to the hand, a lump is felt as a layer.
+    /// Waits for the lump maps; until then, lumps are simulated as layers.
     void awaitMaps() const { QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<ui::LumpMaps*>()->isHandUpToDate(), 30000); }
 
   private Q_SLOTS:
@@ -141,7 +141,7 @@ class BuriedLump : public QObject
         awaitMaps();
         const double beside_N = pressed(view::ViewFrom::Left);
         const double over_N = pressed(view::ViewFrom::Front);
-        // Its name makes the liver a healthy one: 12 mm × 0.092 N/mm, and some 3 % by the lump, 15 mm aside.
+        // By its name the liver is healthy: 12 mm × 0.092 N/mm, plus some 3 % from the lump, 15 mm to the side.
         QVERIFY2(beside_N > 1.105 && beside_N < 1.16, qPrintable(QString::number(beside_N)));
         QVERIFY2(over_N > 1.1 * beside_N, qPrintable(QString::number(over_N)));
 
@@ -169,8 +169,8 @@ class BuriedLump : public QObject
         QVERIFY2(std::abs(through_N - below_N) > 0.05, qPrintable(QString::number(through_N)));
     }
 
-    /// The way in which a lump is felt, changed twice under the pressing hand while a recording runs: each scene is
-    /// recorded as it was felt, and the whole is computed again to the bit.
+    /// The lump simulation changes twice under the pressing hand during a recording: each scene is recorded as
+    /// simulated, and the whole recording is reproduced bit for bit.
     void changedDuringARecordingItIsRecorded()
     {
         open({folder() / "two"});
@@ -185,7 +185,7 @@ class BuriedLump : public QObject
         QTRY_VERIFY_WITH_TIMEOUT(isHeld(), 20000);
         wayBack().click(); // as a layer
         QTest::qWait(300);
-        action("Undo")->trigger(); // through the organ again
+        action("Undo")->trigger(); // transmitted through the organ again
         awaitMaps();
         QTest::qWait(300);
         hand.letGo();
@@ -197,7 +197,7 @@ class BuriedLump : public QObject
         const auto reader = session::RecordingReader::open(recorded->path());
         QVERIFY2(reader.isOk(), reader.status().message().c_str());
         QCOMPARE(reader.value()->extent().dropped, 0);
-        QByteArray ways; // of each scene: through the organ, or as a layer
+        QByteArray ways; // per scene: transmitted through the organ, or a layer
         for (const session::SceneRecord& scene : reader.value()->scenes()) {
             const session::StructureRecord &organ = scene.structures[0], &lump = scene.structures[1];
             QCOMPARE(lump.palpable, !organ.tissueMaps.hasFelt());
@@ -216,7 +216,7 @@ class BuriedLump : public QObject
         QVERIFY(again.value().compared > 500);
     }
 
-    /// Where the model of felt lumps does not hold, the line says why.
+    /// Outside the range of the lump model, a message gives the reason.
     void whatCannotBeFeltThroughIsALayer()
     {
         QVERIFY(QDir(m_folder.path()).mkpath("out"));
@@ -239,7 +239,7 @@ class BuriedLump : public QObject
                                 "is it? Type it in What can be felt (B)."));
     }
 
-    /// A scene file says its layers itself: it gets the offer.
+    /// A scene file defines its layers: the new layers are offered but not applied.
     void aSceneIsOfferedLayersAndNotChanged()
     {
         std::ofstream(m_folder.filePath("flat.palpate.json").toStdString())
@@ -274,7 +274,7 @@ class BuriedLump : public QObject
         open({folder() / "two/liver.stl", folder() / "two/liver.stl"});
         QVERIFY(message().isVisible());
         QCOMPARE(test::newest(message().text()), QStringLiteral("liver and liver are the same surface twice."));
-        QCOMPARE(action("Undo")->text(), QStringLiteral("Undo: Tissue by names")); // of their layers nothing was done
+        QCOMPARE(action("Undo")->text(), QStringLiteral("Undo: Tissue by names")); // layers are unchanged
     }
 };
 

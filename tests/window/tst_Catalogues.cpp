@@ -55,7 +55,7 @@ QList<Message> readCatalogue(const QString& path)
     return xml.hasError() ? QList<Message>{} : messages;
 }
 
-/// What a pattern finds in a text, sorted.
+/// Matches of a pattern in a text, sorted.
 QStringList found(const QString& text, const char* pattern)
 {
     QStringList all;
@@ -67,7 +67,7 @@ QStringList found(const QString& text, const char* pattern)
     return all;
 }
 
-/// What is wrong with a translation. @return nothing when all is well
+/// Checks a translation. @return the error; empty if valid
 QString faultOf(const Message& message, const QString& translation)
 {
     if (translation.isEmpty()) {
@@ -116,7 +116,7 @@ QStringList markedTexts(const QStringList& folders)
 
 } // namespace
 
-/// The catalogues of what the window says: resources/translations.
+/// The translation catalogues of the window: resources/translations.
 class Catalogues : public QObject
 {
     Q_OBJECT

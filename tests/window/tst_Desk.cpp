@@ -24,7 +24,7 @@ using namespace palpate;
 
 namespace {
 
-/// Keeps a key from its command, and says that it came.
+/// Intercepts a key before its command and records the event.
 class ShortcutCatcher : public QObject
 {
   public:
@@ -38,7 +38,7 @@ class ShortcutCatcher : public QObject
 
 } // namespace
 
-/// The window's commands: each stands once in the list that menus, key card and these tests read.
+/// Tests the window's commands: each appears once in the list that menus, the key card and these tests read.
 class Desk : public QObject
 {
     Q_OBJECT
@@ -74,14 +74,14 @@ class Desk : public QObject
         }
     }
 
-    /// A key that the card promises does what it says, whatever the platform's theme.
+    /// Each key on the card triggers its command under any platform theme.
     void everyKeyTriggersItsCommand()
     {
         for (QAction* action : m_desk->window().commands().all()) {
             const bool wasEnabled = action->isEnabled();
             action->setEnabled(true);
             for (const QKeySequence& key : action->shortcuts()) {
-                ShortcutCatcher catcher; // in place of what the command does
+                ShortcutCatcher catcher; // in place of the command
                 action->installEventFilter(&catcher);
                 m_desk->window().viewport().setFocus();
                 const QKeyCombination combination = key[0];
@@ -114,7 +114,7 @@ class Desk : public QObject
         QVERIFY(!card->isVisible());
     }
 
-    /// What stands in a menu stands in the list, but for what is made while the program runs.
+    /// All menu entries are in the command list, except those created at run time.
     void menusAreMadeOfTheList()
     {
         const std::vector<QAction*> all = m_desk->window().commands().all();
@@ -128,7 +128,7 @@ class Desk : public QObject
         QVERIFY(all.size() > 20);
     }
 
-    /// A label's accessible name stands in place of its text: one that names what a number is would hide the number.
+    /// A label's accessible name replaces its text: a name that only describes a number would hide the number.
     void aScreenReaderHearsWhatLabelsSay()
     {
         int heard = 0;
@@ -160,7 +160,7 @@ class Desk : public QObject
             QVERIFY(box != nullptr);
             for (QAbstractButton* button : box->buttons()) {
                 if (box->buttonRole(button) == QMessageBox::ActionRole) {
-                    button->click(); // copies, and leaves the box open
+                    button->click(); // copies, and keeps the box open
                 }
             }
             QVERIFY(box->isVisible() && box->informativeText().contains(QStringLiteral("Not a medical device")));

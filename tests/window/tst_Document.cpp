@@ -35,7 +35,7 @@ class Document : public QObject
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("nothing");
     }
 
-    /// A scene of one structure, as the window opens it.
+    /// Returns a scene of one structure, as opened by the window.
     static ui::OpenedScene opened(ui::StructureModel& model, const std::filesystem::path& file)
     {
         ui::OpenedScene scene;
@@ -81,7 +81,7 @@ class Document : public QObject
         scene.unopened = {gone};
         document.take(scene);
         QVERIFY(!document.isModified());
-        std::vector<std::string> told; // what a recording that runs is told
+        std::vector<std::string> told; // messages to an active recording
         connect(&document, &SceneDocument::marked, this, [&](const core::Finding& f) { told.push_back("+" + f.name); });
         connect(&document, &SceneDocument::unmarked, this,
                 [&](const core::Finding& f) { told.push_back("-" + f.name); });
@@ -108,7 +108,7 @@ class Document : public QObject
         const QJsonObject saved = json(path("elsewhere/b.palpate.json"));
         QCOMPARE(saved["author"].toString(), QString("A"));
         const QJsonArray structures = saved["structures"].toArray();
-        QCOMPARE(structures.size(), 2); // with the one that is not there
+        QCOMPARE(structures.size(), 2); // including the missing structure
         QCOMPARE(structures.at(0).toObject().value("mesh").toString(), QString("../a.stl"));
         QCOMPARE(structures.at(0).toObject().value("breathing").toInt(), 1);
         QCOMPARE(structures.at(0).toObject().value("sha256").toString().toStdString(), meshio::fileHash(path("a.stl")));
@@ -127,13 +127,13 @@ class Document : public QObject
             document.take(opened(model, path("a.palpate.json")));
             document.addFinding({"unsaved", {7, 8, 9}, {}});
             QTRY_COMPARE_WITH_TIMEOUT(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files).size(), 1, 20000);
-            QVERIFY(!SceneDocument::findLeftover()); // its program is alive
+            QVERIFY(!SceneDocument::findLeftover()); // its process is alive
             QFile file(QDir(copies()).filePath(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files)[0]));
             QVERIFY(file.open(QIODevice::ReadOnly));
             copy = file.readAll();
         }
-        QVERIFY(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files).isEmpty()); // an orderly end
-        QFile left(QDir(copies()).filePath("1.palpate.json"));                        // of a program that is gone
+        QVERIFY(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files).isEmpty()); // a regular exit
+        QFile left(QDir(copies()).filePath("1.palpate.json")); // from a process that no longer exists
         QVERIFY(left.open(QIODevice::WriteOnly));
         left.write(copy);
         left.close();
@@ -147,7 +147,7 @@ class Document : public QObject
         QVERIFY(document.isModified());
         QCOMPARE(document.findings().size(), std::size_t{2});
         QCOMPARE(document.findings()[1].name, std::string("unsaved"));
-        QVERIFY(!SceneDocument::findLeftover()); // it is ours now
+        QVERIFY(!SceneDocument::findLeftover()); // now owned by this process
         QVERIFY(document.save(path("c.palpate.json"), {}).isOk());
         QVERIFY(!json(path("c.palpate.json")).contains("copy_of"));
         QCOMPARE(json(path("c.palpate.json"))["author"].toString(), QString("A"));
@@ -156,7 +156,7 @@ class Document : public QObject
         QVERIFY(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files).isEmpty());
     }
 
-    /// The disk is full: neither file nor copy gets worse, and the scene stays unsaved.
+    /// The disk is full: file and backup are unchanged, and the scene stays unsaved.
     void aFailedSaveLosesNothing()
     {
         QVERIFY(QFile::copy(m_folder.filePath("a.palpate.json"), m_folder.filePath("f.palpate.json")));
@@ -174,8 +174,8 @@ class Document : public QObject
             document.addFinding({"second", {7, 8, 9}, {}});
             QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 20000);
             document.addFinding({"third", {7, 8, 9}, {}});
-            QTest::qWait(2000);          // longer than it waits after an edit
-            QCOMPARE(failed.count(), 1); // told once
+            QTest::qWait(2000);          // longer than the delay after an edit
+            QCOMPARE(failed.count(), 1); // one message
         }
         QCOMPARE(bytes(copy), copied);
         core::Status saved(core::StatusCode::Internal, "");
@@ -197,7 +197,7 @@ class Document : public QObject
         QCOMPARE(copyNames(), QStringList());
     }
 
-    /// Unsaved changes that come back on a full disk stay in the file that they were left in.
+    /// Restored changes stay in the old backup while a full disk prevents a new one.
     void aCopyIsKeptUntilThereIsAnother()
     {
         QVERIFY(QDir().mkpath(copies()));
@@ -218,14 +218,14 @@ class Document : public QObject
             }
             QCOMPARE(document.findings().size(), std::size_t{1});
             QCOMPARE(bytes(left.fileName()), before);
-            QVERIFY(!SceneDocument::findLeftover()); // it is ours
+            QVERIFY(!SceneDocument::findLeftover()); // owned by this process
             document.addFinding({"second", {7, 8, 9}, {}});
             QTRY_VERIFY_WITH_TIMEOUT(bytes(left.fileName()).contains("second"), 20000);
         }
-        QCOMPARE(copyNames(), QStringList()); // an orderly end
+        QCOMPARE(copyNames(), QStringList()); // a regular exit
     }
 
-    /// Two programs may have the same number, in containers or on machines that share the folder.
+    /// Two processes may have the same process ID, in containers or on machines with a shared folder.
     void twoProgramsHaveTwoCopies()
     {
         ui::StructureModel models[2];

@@ -16,7 +16,7 @@
 
 using namespace palpate;
 
-/// The phantom pressed by effort, by pointer alone: the same hold sinks less over its lump than beside it.
+/// Presses the phantom by effort, with the pointer alone: the same hold penetrates less over the lump than beside.
 class Effort : public QObject
 {
     Q_OBJECT
@@ -46,7 +46,7 @@ class Effort : public QObject
         QApplication::sendEvent(&viewport(), &event);
     }
 
-    /// Holds the button until the force has come to its bound and the hand has settled.
+    /// Holds the button until the force is at its bound and the hand has settled.
     ui::TouchReading held(const QPointF& place, double most_N)
     {
         m_touch = {};
@@ -128,13 +128,13 @@ class Effort : public QObject
         const QPointF aside = viewport().placeOf(lump_W + core::Vec3(35, 0, 0));
         const ui::TouchReading beside = held(aside, 4.0), lump = held(over, 4.0);
         QVERIFY2(std::abs(beside.force_N - 4.0) < 0.4, qPrintable(QString::number(beside.force_N)));
-        // Effort is along the press; the lump's push aside (maps.md) comes on top.
+        // The effort is along the press; the sideways force of the lump (maps.md) is added.
         QVERIFY2(lump.force_N > 3.6 && lump.force_N < 5.2, qPrintable(QString::number(lump.force_N)));
         const QString depths =
             QStringLiteral("%1 mm over the lump, %2 mm beside it").arg(lump.depth_mm).arg(beside.depth_mm);
         QVERIFY2(lump.depth_mm > 2.0 && lump.depth_mm < 0.85 * beside.depth_mm, qPrintable(depths));
     }
-    /// A pen says the force at once: half its pressure is half the bound.
+    /// A pen sets the force directly: half pressure is half the bound.
     void aPenSaysTheForce()
     {
         const QPointF place = viewport().placeOf(lumpCentre() + core::Vec3(35, 0, 0));
@@ -146,7 +146,7 @@ class Effort : public QObject
                                Qt::NoModifier, Qt::LeftButton,
                                type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
             QApplication::sendEvent(&viewport(), &event);
-            QVERIFY(!event.isAccepted()); // so that Qt makes the mouse's event of it
+            QVERIFY(!event.isAccepted()); // so that Qt synthesises the mouse event
         };
         send(QEvent::TabletPress, 0.5);
         QTest::mousePress(&viewport(), Qt::LeftButton, {}, place.toPoint());
@@ -168,7 +168,7 @@ class Effort : public QObject
     }
 
   private:
-    /// In the middle of the phantom's larger lump. [mm]
+    /// Returns the centre of the phantom's larger lump [mm].
     [[nodiscard]] core::Vec3 lumpCentre() const
     {
         const auto lump = meshio::readMesh(m_desk->folder() / "phantom" / "lump-20-mm.stl");

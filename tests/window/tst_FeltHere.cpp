@@ -32,7 +32,7 @@ using core::Vec3;
 using ui::FeltOverlay;
 using ui::FeltPanel;
 
-/// What can be felt of the phantom's lumps, in the whole window: colours, legend, words under the pointer, the table.
+/// Palpability of the phantom's lumps in the window: colours, legend, texts at the pointer, the table.
 class FeltHere : public QObject
 {
     Q_OBJECT
@@ -89,7 +89,7 @@ class FeltHere : public QObject
         }
     }
 
-    /// What is said beside the pointer in the middle of the view.
+    /// The text beside the pointer in the middle of the view.
     QString saidInTheMiddle()
     {
         const QPointF middle(0.5 * viewport().width(), 0.5 * viewport().height());
@@ -134,7 +134,7 @@ class FeltHere : public QObject
         QTRY_VERIFY(middle().x() < 0.0 && middle().y() > 0.0); // from behind it is the other way about
     }
 
-    /// Where the table is narrow its words get brief: no column hides, and a screen reader says them all.
+    /// A narrow table uses short texts: no column is hidden, and a screen reader gets the full texts.
     void theTableHasAllColumnsInView()
     {
         showFelt({1024, 700});

@@ -16,8 +16,8 @@
 using namespace palpate;
 using core::Vec3;
 
-/// A whole liver from a reference library, 30,000 triangles, vessels and ducts, with a lump of 24 mm put below its
-/// front: in the window and by the command's own functions.
+/// Tests a whole liver from a reference library (30,000 triangles, vessels and ducts) with a lump of 24 mm below its
+/// front, in the window and with the functions of the command.
 class FeltLiver : public QObject
 {
     Q_OBJECT
@@ -33,10 +33,10 @@ class FeltLiver : public QObject
     }
     ui::LumpMaps& lumps() { return *m_desk->window().findChild<ui::LumpMaps*>(); }
 
-    /// Closes the rim that the caudate lobe left: a fan around its middle.
+    /// Closes the rim at the missing caudate lobe with a fan around its centre.
     static geometry::TriangleMesh closed(geometry::TriangleMesh mesh)
     {
-        std::map<std::uint32_t, std::uint32_t> rim; // as the triangles beyond it would go
+        std::map<std::uint32_t, std::uint32_t> rim; // in the direction of the missing triangles
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
         for (const geometry::Triangle& t : mesh.triangles) {
             for (std::size_t k = 0; k < 3; ++k) {
@@ -58,7 +58,7 @@ class FeltLiver : public QObject
         return mesh;
     }
 
-    /// Where the liver's front is nearest to the middle of its right lobe, and the outward normal there.
+    /// Returns the point of the liver's front nearest to the middle of the right lobe, and the outward normal there.
     static std::pair<Vec3, Vec3> front(const geometry::TriangleMesh& mesh)
     {
         const Vec3 about(-50.0, 360.0, 0.0);
@@ -130,8 +130,8 @@ class FeltLiver : public QObject
     }
     void cleanupTestCase() { m_desk.reset(); }
 
-    /// As the library has it, the capsule is open where the caudate lobe was: nothing is felt through it, and that is
-    /// said of the lump first.
+    /// In the library the capsule is open at the missing caudate lobe: no lump is transmitted, and the message about
+    /// the lump comes first.
     void anOpenCapsuleIsSaid()
     {
         open(m_openCapsule);

@@ -19,7 +19,7 @@
 
 using namespace palpate;
 
-/// The window in German: what the engine says of files that cannot be used is German too.
+/// The window in German: engine messages about unusable files are also in German.
 class German : public QObject
 {
     Q_OBJECT
@@ -46,7 +46,7 @@ class German : public QObject
         return match.hasMatch() ? text : QString();
     }
 
-    /// What the window says after it was asked to open a file: messages over the picture and the list of all.
+    /// Messages of the window after opening a file: the bar over the picture and the list.
     QString saidOf(const std::filesystem::path& file)
     {
         if (!m_desk->show()) {

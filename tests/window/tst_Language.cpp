@@ -27,7 +27,7 @@ using namespace palpate;
 
 namespace {
 
-/// A language that nobody speaks: every text in brackets and a third longer, as German is than English.
+/// Pseudo-locale: every text in brackets and a third longer, like German compared to English.
 class PseudoLanguage : public QTranslator
 {
   public:
@@ -39,7 +39,7 @@ class PseudoLanguage : public QTranslator
     }
 };
 
-/// Without what is translated.
+/// Returns the text without its translated part.
 QString untranslated(QString text)
 {
     static const QRegularExpression inner(QStringLiteral("⟦[^⟦⟧]*⟧"));
@@ -51,8 +51,8 @@ QString untranslated(QString text)
 
 } // namespace
 
-/// Every text of the window goes through the translation, and has room when it is a third longer and in each language
-/// that is offered. On a real display.
+/// Checks that every text of the window is translated and fits, also when a third longer and in each supported
+/// language. Requires a display.
 class Language : public QObject
 {
     Q_OBJECT
@@ -60,8 +60,8 @@ class Language : public QObject
     std::unique_ptr<test::Desk> m_desk;
     PseudoLanguage m_pseudo;
 
-    /// Notes what is not translated and not data: names of files, structures and languages, and the engine's own
-    /// sentences, which are English.
+    /// Collects texts that are neither translated nor data: names of files, structures and languages, and engine
+    /// messages, which are English.
     static void check(const QString& text, const QString& where, QStringList& found)
     {
         static const QStringList kData{"Palpate", "liver", "English", "Deutsch", "Français"};
@@ -80,7 +80,7 @@ class Language : public QObject
         }
     }
 
-    /// Notes what is seen and wider than its widget.
+    /// Collects visible texts that are wider than their widget.
     static QStringList cutTexts(const QWidget& window)
     {
         QStringList found;
@@ -116,10 +116,10 @@ class Language : public QObject
         }
         return found;
     }
-    /// Whether nothing of the same panel lies over a widget, and it has its height.
+    /// Returns whether a widget has its full height and no sibling of the panel covers the widget.
     static bool isOnTop(const QWidget& widget)
     {
-        const QWidget* ground = &widget; // down to what a panel scrolls, or the window
+        const QWidget* ground = &widget; // up to the scrolled content of a panel, or the window
         while (ground->parentWidget() != nullptr &&
                qobject_cast<const QAbstractScrollArea*>(ground->parentWidget()->parentWidget()) == nullptr) {
             ground = ground->parentWidget();
@@ -127,7 +127,7 @@ class Language : public QObject
         return widget.height() >= widget.minimumSizeHint().height() &&
                ground->childAt(widget.mapTo(ground, widget.rect().center())) == &widget;
     }
-    /// Width in which a box writes its entry [px].
+    /// Returns the width available for a combo box's entry [px].
     static int roomFor(const QComboBox& box)
     {
         QStyleOptionComboBox option;
@@ -136,13 +136,13 @@ class Language : public QObject
         option.frame = box.hasFrame();
         return box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width();
     }
-    /// Speaks a language as the program does when it starts; the window is to be shown after it.
+    /// Installs a language as at program start; show the window afterwards.
     static void speak(const QString& code)
     {
         QSettings().setValue(QStringLiteral("language"), code);
         app::speakChosenLanguage();
     }
-    /// As before `speak`.
+    /// Restores the state before `speak`.
     static void beSilent()
     {
         qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly));
@@ -250,7 +250,7 @@ class Language : public QObject
         QVERIFY(m_desk->show({1280, 800}));
         QVERIFY(m_desk->openPhantom());
         ui::Playback& playback = m_desk->window().playback();
-        QTRY_VERIFY(playback.peakTime_s() > 0.0); // it is looked for in the background
+        QTRY_VERIFY(playback.peakTime_s() > 0.0); // computed in the background
         playback.seek(playback.peakTime_s());
         QTest::qWait(300);
         const QString right = QLocale(code).decimalPoint();

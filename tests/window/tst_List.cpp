@@ -26,7 +26,8 @@
 using namespace palpate;
 using core::Vec3;
 
-/// The list of structures by keys and pointer: add, rename, filter, group, select, remove, undo. On a real display.
+/// Tests the structure list by keyboard and pointer: add, rename, filter, group, select, remove, undo. Requires a
+/// display.
 class List : public QObject
 {
     Q_OBJECT
@@ -48,7 +49,7 @@ class List : public QObject
         return names;
     }
 
-    /// Presses what the command's key is and types a file's path into the dialog that opens.
+    /// Presses the command's shortcut and types a file path into the dialog.
     bool add(const std::filesystem::path& file)
     {
         QSignalSpy ready(&window(), &MainWindow::ready);
@@ -63,7 +64,7 @@ class List : public QObject
         typist.start(100);
         m_desk->pressKeyOf("add");
         typist.stop();
-        window().activateWindow(); // without a window manager nothing else does when a dialog closes
+        window().activateWindow(); // without a window manager nothing activates the window after a dialog
         return QTest::qWaitFor([&] { return ready.count() > 0 && window().isActiveWindow(); }, 60000);
     }
 
@@ -72,7 +73,7 @@ class List : public QObject
         QMimeData files;
         files.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
         QDragEnterEvent enter({400, 400}, Qt::CopyAction, &files, Qt::LeftButton,
-                              Qt::NoModifier); // makes it the target
+                              Qt::NoModifier); // drop target
         QApplication::sendEvent(&window(), &enter);
         QDropEvent drop(QPointF(400, 400), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&window(), &drop);
@@ -88,7 +89,7 @@ class List : public QObject
         }
     }
 
-    /// A scene of many structures in one file, 4 triangles each.
+    /// Writes a scene with many structures in one file, 4 triangles each.
     std::filesystem::path writeMany(int count) const
     {
         const std::filesystem::path path = m_desk->folder() / "many.obj";
@@ -149,7 +150,7 @@ class List : public QObject
         QTest::keyClick(editor, Qt::Key_Return);
         QTRY_COMPARE(names(), QStringList({"liver", "lesion in IV"}));
 
-        QTRY_VERIFY(list().hasFocus()); // the field in it gave the keys back
+        QTRY_VERIFY(list().hasFocus()); // the filter field returned the focus
         m_desk->pressKeyOf("filter");
         QVERIFY(filter().hasFocus());
         QTest::keyClicks(&filter(), "iv les");
@@ -167,7 +168,7 @@ class List : public QObject
         QVERIFY(window().viewport().view().structure(1).picture.appearance().isVisible);
         m_desk->pressKeyOf("undo");
         QCOMPARE(names(), QStringList({"liver", "tumour"}));
-        m_desk->pressKeyOf("undo"); // added, layered and given its tissue in one step
+        m_desk->pressKeyOf("undo"); // added, with layer and tissue, in one step
         QCOMPARE(names(), QStringList({"liver"}));
         QVERIFY(!window().isWindowModified());
         m_desk->pressKeyOf("redo");
@@ -207,7 +208,7 @@ class List : public QObject
         QCOMPARE(list().model()->rowCount(), 3);
     }
 
-    /// Names that choose a colour choose tissue, opacity and what the hand meets, and it can be taken back.
+    /// Names that determine a colour also determine tissue, opacity and contact, and one undo reverts this.
     void namesChooseTissue()
     {
         QVERIFY(m_desk->show());
@@ -233,7 +234,7 @@ class List : public QObject
         viewport.view().fitAll();
         viewport.update();
         QTest::qWait(50);
-        std::vector<QPoint> places; // of the liver's and the spleen's middle
+        std::vector<QPoint> places; // centres of liver and spleen
         for (const std::size_t wanted : {std::size_t{0}, std::size_t{2}}) {
             for (int x = 5; x < viewport.width(); x += 5) {
                 const auto pick = viewport.view().pick(viewport.rayAt(QPointF(x, 0.5 * viewport.height())));
@@ -256,13 +257,13 @@ class List : public QObject
         QCOMPARE(selected(), QStringList({"spleen"}));
         QTest::mouseClick(&viewport, Qt::LeftButton, Qt::ControlModifier, places[0]);
         QCOMPARE(selected(), QStringList({"liver", "spleen"}));
-        QTest::mousePress(&viewport, Qt::LeftButton, {}, places[1]); // turning the view selects nothing
+        QTest::mousePress(&viewport, Qt::LeftButton, {}, places[1]); // dragging the view does not select
         QTest::mouseMove(&viewport, places[1] + QPoint(40, 0));
         QTest::mouseRelease(&viewport, Qt::LeftButton, {}, places[1] + QPoint(40, 0));
         QCOMPARE(selected(), QStringList({"liver", "spleen"}));
     }
 
-    /// A recording that runs meanwhile has every tick, and says what was there when.
+    /// A concurrent recording has every tick and describes the scene at each time.
     void aRecordingRunsThroughAddingAndRemoving()
     {
         QVERIFY(m_desk->show());
@@ -286,7 +287,7 @@ class List : public QObject
         m_desk->pressKeyOf("undo");
         QTest::qWait(200);
         hand.letGo();
-        window().viewport().setFocus(); // letters are names in the list
+        window().viewport().setFocus(); // in the list, letters select by name
         m_desk->pressKeyOf("record");
         const ui::RecordedTouch* recorded = window().playback().recording();
         QVERIFY(recorded != nullptr);

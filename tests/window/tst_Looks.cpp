@@ -16,7 +16,7 @@ using namespace palpate;
 
 namespace {
 
-/// Goes down a menu that is open to an entry.
+/// Moves down an open menu to an entry.
 bool goTo(QMenu& menu, const QAction* entry)
 {
     for (int i = 0; i < 80 && menu.activeAction() != entry; ++i) {
@@ -27,7 +27,7 @@ bool goTo(QMenu& menu, const QAction* entry)
 
 } // namespace
 
-/// Appearance and size of texts, chosen by the menu's keys in the whole window, with the phantom.
+/// Tests appearance and text size, chosen by menu keys in the whole window, with the phantom.
 class Looks : public QObject
 {
     Q_OBJECT
@@ -37,7 +37,7 @@ class Looks : public QObject
     [[nodiscard]] MainWindow& window() const { return m_desk->window(); }
     [[nodiscard]] view::SceneView& view() const { return window().viewport().view(); }
     [[nodiscard]] double ground() const { return view().renderer().GetBackground()[0]; }
-    /// The command's entry by Alt+V, arrows and Enter.
+    /// Chooses the command's entry by Alt+V, arrows and Enter.
     [[nodiscard]] bool choose(const char* id)
     {
         QAction& command = m_desk->command(id);
@@ -61,15 +61,15 @@ class Looks : public QObject
         QCoreApplication::processEvents();
         return QApplication::activePopupWidget() == nullptr;
     }
-    /// The recording's strongest moment, with force, depths and a finding in the view.
+    /// Goes to the peak force of the recording, with force, depths and a finding in the view.
     void toThePeak()
     {
-        QTRY_VERIFY(window().playback().peakTime_s() > 0.0); // it is looked for in the background
+        QTRY_VERIFY(window().playback().peakTime_s() > 0.0); // computed in the background
         window().playback().seek(window().playback().peakTime_s());
         window().viewport().update();
         QTest::qWait(300);
     }
-    /// Heights of the view's texts: numbers at the hand, then findings. [px]
+    /// Returns the heights of the view's texts: numbers at the hand, then findings [px].
     [[nodiscard]] std::vector<double> heights() const
     {
         std::vector<double> all;
@@ -129,7 +129,7 @@ class Looks : public QObject
         for (const ui::Chip* chip : window().findChildren<ui::Chip*>()) {
             QVERIFY(chip->palette().color(QPalette::WindowText).lightness() > 128);
         }
-        // What is drawn: the panel's ground, and the view's upper corner.
+        // Rendered pixels: the background of the panel, and the upper corner of the view.
         const QImage picture = m_desk->picture();
         QCOMPARE(picture.pixelColor(panel->mapTo(&window(), QPoint(2, 2))), QColor(Qt::black));
         QCOMPARE(picture.pixelColor(window().viewport().mapTo(&window(), QPoint(4, 4))), QColor(Qt::black));
@@ -146,13 +146,13 @@ class Looks : public QObject
         QPalette dark;
         dark.setColor(QPalette::Window, Qt::black);
         dark.setColor(QPalette::WindowText, Qt::white);
-        QApplication::setPalette(dark); // as the system's plugin does
+        QApplication::setPalette(dark); // like the platform plugin
         QTRY_COMPARE(ui::warningColour().lightness() > 128, true);
         QTRY_VERIFY(ui::isDarkTheme() && ground() < light);
         QVERIFY(window().palette().color(QPalette::Window) != QColor(Qt::black)); // the theme's own dark
         QVERIFY(choose("appearance-light"));
         QVERIFY(!ui::isDarkTheme());
-        QApplication::setPalette(dark); // what was chosen stays
+        QApplication::setPalette(dark); // the user's choice stays
         QTRY_VERIFY(!ui::isDarkTheme() && ground() == light);
     }
 
@@ -200,7 +200,7 @@ class Looks : public QObject
                          .arg(size.height());
         };
         for (const QWidget* widget : window().findChildren<QWidget*>()) {
-            // What is behind another's tab, or in the bar behind "»", shows nothing.
+            // Widgets behind another tab, or in the overflow menu "»", are not visible.
             if (!widget->isVisible() || widget->isWindow() || test::isScrolled(widget) ||
                 widget->visibleRegion().isEmpty()) {
                 continue;
@@ -211,7 +211,8 @@ class Looks : public QObject
             }
             const auto* label = qobject_cast<const QLabel*>(widget);
             const auto* button = qobject_cast<const QAbstractButton*>(widget);
-            const bool isHint = qobject_cast<const ui::HintLine*>(widget) != nullptr; // says it shortened, and F4 all
+            // shortened text with a mark; F4 shows all
+            const bool isHint = qobject_cast<const ui::HintLine*>(widget) != nullptr;
             if ((label != nullptr || button != nullptr) && !isHint && widget->parentWidget() != nullptr &&
                 qobject_cast<const QDockWidget*>(widget->parentWidget()) == nullptr) {
                 const QSize needed = widget->sizeHint();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ratio and verdict of lumps: the window's model and the commands felt, replay and info say the same, to the last
-// digit.
+// Tests stiffness ratio and verdict of lumps: the window's model and the commands felt, replay and info agree to the
+// last digit.
 #include "LumpLayout.h"
 #include "TestRunner.h"
 
@@ -51,7 +51,7 @@ class LumpVerdicts : public QObject
         }
         return text;
     }
-    /// What a command writes into the file that its last argument names.
+    /// Returns the JSON that a command writes to its last argument.
     QJsonDocument said(const QStringList& arguments) const
     {
         QProcess process;
@@ -62,8 +62,8 @@ class LumpVerdicts : public QObject
         return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()) : QJsonDocument();
     }
 
-    /// What the window makes of a scene as it opens it: tissue by names and the layout of mesh files, then the maps
-    /// that its table of lumps shows.
+    /// Returns the verdicts as the window computes them on opening: tissue by name, layout of mesh files, then the maps
+    /// for the table of lumps.
     QJsonArray ofWindow(const QString& scene) const
     {
         const std::filesystem::path path = m_folder.filePath(scene).toStdString();
@@ -108,7 +108,7 @@ class LumpVerdicts : public QObject
         return QJsonDocument::fromJson(QJsonDocument(study::lumpsJson(names, organs)).toJson()).array();
     }
 
-    /// A folder of mesh files: an organ of 80 mm with a lump.
+    /// Writes a folder of mesh files: an organ of 80 mm with a lump.
     void folder(const QString& name, const char* organ, const char* lump, double radius_mm, double cover_mm) const
     {
         QVERIFY(QDir(m_folder.path()).mkpath(name));
@@ -129,7 +129,7 @@ class LumpVerdicts : public QObject
     void allSayTheSame_data()
     {
         QTest::addColumn<QString>("scene");
-        QTest::addColumn<double>("ratio"); ///< 0: not known
+        QTest::addColumn<double>("ratio"); ///< 0: unknown
         const auto named = [this](const char* organ, const char* lump, double radius_mm, double cover_mm,
                                   double ratio) {
             const QString name = QStringLiteral("%1-%2-%3").arg(organ, lump).arg(radius_mm);

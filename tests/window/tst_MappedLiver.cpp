@@ -19,8 +19,8 @@
 using namespace palpate;
 using core::Vec3;
 
-/// A real liver whose right half is soft and whose left is stiff by an array of its file, opened in the window,
-/// coloured and pressed. On a real display.
+/// Opens a real liver whose right half is soft and left half stiff by a file array, colours the surface and presses.
+/// Requires a display.
 class MappedLiver : public QObject
 {
     Q_OBJECT
@@ -29,8 +29,8 @@ class MappedLiver : public QObject
     std::unique_ptr<MainWindow> m_window;
     double m_force_N = 0.0, m_depth_mm = 0.0, m_said_N_per_mm = 0.0;
 
-    /// Writes the mesh with an array that steps from 0.5 to 2 where x passes the middle; every 50th vertex of the stiff
-    /// half says nothing.
+    /// Writes the mesh with an array that steps from 0.5 to 2 at the middle in x; every 50th vertex of the stiff half
+    /// has no value.
     void writeMapped(const geometry::TriangleMesh& mesh, const char* name) const
     {
         const double middle = mesh.bounds().center().x();
@@ -82,18 +82,20 @@ class MappedLiver : public QObject
     {
         if (const QByteArray to = qgetenv("PALPATE_MAP_PICTURES"); !to.isEmpty()) {
             QTest::qWait(300);
-            m_window->grab().save(QString::fromLocal8Bit(to + "/" + QByteArray(name) + ".png")); // to be looked at
+            // for visual inspection
+            m_window->grab().save(QString::fromLocal8Bit(to + "/" + QByteArray(name) + ".png"));
         }
     }
 
-    /// Presses at a share of the view's width. @return what is felt there [N/mm]
+    /// Presses at a fraction of the view's width.
+    /// @return the resulting stiffness [N/mm]
     double stiffnessAt(double share, const char* picture)
     {
         ui::VtkViewport& viewport = m_window->viewport();
         ui::PalpationController& hand = m_window->palpation();
         m_window->setPalpating(true);
         QTest::qWait(200);
-        for (int i = 0; i < 8 && std::abs(hand.depth_mm() - 6.0) > 1e-9; ++i) { // a notch of the wheel grows with depth
+        for (int i = 0; i < 8 && std::abs(hand.depth_mm() - 6.0) > 1e-9; ++i) { // wheel steps grow with depth
             const double before_mm = hand.depth_mm();
             Q_EMIT viewport.depthTurned(1.0);
             const double notch_mm = hand.depth_mm() - before_mm;
@@ -102,7 +104,7 @@ class MappedLiver : public QObject
         m_depth_mm = m_force_N = 0.0;
         hand.pressAt({share * viewport.width(), 0.5 * viewport.height()});
         (void)QTest::qWaitFor([this] { return m_depth_mm > 2.0; }, 20000);
-        QTest::qWait(600); // eased in
+        QTest::qWait(600); // after the force ramp
         keep(picture);
         const double felt = m_depth_mm > 2.0 ? m_force_N / m_depth_mm : -1.0;
         if (!(std::abs(m_said_N_per_mm / felt - 1.0) < 0.02)) {
@@ -126,7 +128,7 @@ class MappedLiver : public QObject
     }
     void cleanup() { m_window.reset(); }
 
-    /// What colours a structure comes back with its scene: opened, changed, saved, opened again.
+    /// The colouring of a structure is saved with the scene: opened, changed, saved, opened again.
     void theShownMapIsKept()
     {
         writeMapped(test::sphere(24, 20.0), "ball.vtp");
@@ -154,14 +156,15 @@ class MappedLiver : public QObject
         choose(QStringLiteral("Show"), QStringLiteral("stiffness felt, N/mm"));
         QVERIFY(save());
         QCOMPARE(title(), QStringLiteral("ball\nstiffness felt, N/mm"));
-        box(QStringLiteral("Show"))->setCurrentIndex(0); // its own colour
+        box(QStringLiteral("Show"))->setCurrentIndex(0); // plain colour
         Q_EMIT box(QStringLiteral("Show"))->activated(0);
         QVERIFY(save());
         QCOMPARE(title(), QString());
     }
 
-    /// A map whose step can keep a device swinging is warned of where it is shown and in the messages: when it is
-    /// opened, chosen or its tissue changes, and when the device changes; not with a pointer, which nothing pushes.
+    /// A map with a step that can make a device oscillate causes a warning beside the map and in the messages: on
+    /// opening, on choosing a map, on a change of tissue and on a change of device; not with a pointer, which has no
+    /// motors.
     void aSharpStepIsWarnedOf()
     {
         writeMapped(test::sphere(24, 20.0), "ball.vtp");
@@ -214,7 +217,7 @@ class MappedLiver : public QObject
         QCOMPARE(inMessages(), 2);
 
         choose(QStringLiteral("Friction"), QStringLiteral("Moist (0.15, chosen)"));
-        QTRY_VERIFY(!isWarned()); // it takes the push
+        QTRY_VERIFY(!isWarned()); // the sideways force is suppressed
         choose(QStringLiteral("Friction"), QStringLiteral("None"));
         QTRY_VERIFY(isWarned());
 
@@ -228,7 +231,7 @@ class MappedLiver : public QObject
     {
         PALPATE_SHARED_OR_SKIP(anatomy, "anatomy");
         meshio::ReadOptions options;
-        options.unit_mm = 25.0; // as large as a liver
+        options.unit_mm = 25.0; // size of a liver
         const auto liver = meshio::readMesh(anatomy / "liver-smooth.obj", options);
         QVERIFY2(liver.isOk(), liver.status().message().c_str());
         writeMapped(liver.value().structures[0].mesh, "liver.vtp");
@@ -255,15 +258,15 @@ class MappedLiver : public QObject
         QCOMPARE(QString::fromStdString(texts[0]), QStringLiteral("liver\nstiffness felt, N/mm"));
         QCOMPARE(QString::fromStdString(texts[1]), QStringLiteral("1"));
         QCOMPARE(QString::fromStdString(texts[3]), QStringLiteral("0.25"));
-        QVERIFY(!texts[4].empty()); // grey is there and named
+        QVERIFY(!texts[4].empty()); // unknown values are grey and named
 
-        // From the front x grows to the right.
+        // Seen from the front, x grows to the right.
         const double soft = stiffnessAt(0.40, "soft"), stiff = stiffnessAt(0.60, "stiff");
         QVERIFY2(std::abs(soft / 0.25 - 1.0) < 0.02, qPrintable(QString::number(soft)));
         QVERIFY2(std::abs(stiff / 1.0 - 1.0) < 0.02, qPrintable(QString::number(stiff)));
 
         choose(QStringLiteral("Map"), QStringLiteral("None"));
-        QVERIFY(!view.legend().isShown()); // nothing of it is felt any more
+        QVERIFY(!view.legend().isShown()); // the map no longer affects the force
         const double plain = stiffnessAt(0.40, "none");
         QVERIFY2(std::abs(plain / 0.5 - 1.0) < 0.02, qPrintable(QString::number(plain)));
         for (QAction* one : m_window->actions()) {

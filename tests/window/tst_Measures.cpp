@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dialog that says what the phantom's recording says.
+// Tests the dialog of measures on the phantom's recording.
 #include "MeasuresDialog.h"
 #include "TestRunner.h"
 
@@ -23,7 +23,7 @@ class Measures : public QObject
 {
     Q_OBJECT
 
-    /// The dialog on the phantom's recording, when it has its results.
+    /// Returns the dialog for the phantom's recording with its results.
     static std::unique_ptr<MeasuresDialog> measured()
     {
         auto dialog = std::make_unique<MeasuresDialog>(PALPATE_SOURCE_DIR "/data/phantom/palpation.palpate",
@@ -62,7 +62,7 @@ class Measures : public QObject
             QVERIFY2(text->toPlainText().contains(QLatin1String(part)), part);
         }
         if (const QByteArray to = qgetenv("PALPATE_MEASURES_PICTURE"); !to.isEmpty()) {
-            dialog.grab().save(QString::fromLocal8Bit(to)); // to be looked at
+            dialog.grab().save(QString::fromLocal8Bit(to)); // for visual inspection
         }
         QVERIFY(!text->horizontalScrollBar()->isVisible());
         for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
@@ -70,7 +70,7 @@ class Measures : public QObject
         }
     }
 
-    /// Ctrl+C gives what a spreadsheet takes: rows of as many cells as their head has.
+    /// Ctrl+C copies for a spreadsheet: rows with as many cells as the header.
     void copiesItsTables()
     {
         const auto dialog = measured();
@@ -117,7 +117,7 @@ class Measures : public QObject
         dialog->exportTo(MeasuresDialog::Export::Csv, path);
         QCOMPARE(line(*dialog)->text(), QStringLiteral("Nothing was written: session.vtp ends in .vtp. A name for Data "
                                                        "table (CSV) ends in .csv."));
-        // What is there under the name with an ending was not agreed to be replaced.
+        // The user did not confirm replacing the file whose name includes the added extension.
         QFile old(folder.filePath("ticks.csv"));
         QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
         old.close();

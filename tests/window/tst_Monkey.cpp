@@ -98,7 +98,7 @@ class Monkey : public QObject
         constexpr Qt::MouseButton kButtons[] = {Qt::LeftButton, Qt::LeftButton, Qt::LeftButton, Qt::RightButton,
                                                 Qt::MiddleButton};
         const Qt::MouseButton button = kButtons[upTo(std::size(kButtons))];
-        const QPointer<QWidget> there(&on); // what is pressed may be gone then
+        const QPointer<QWidget> there(&on); // the pressed widget may be deleted
         switch (upTo(4)) {
         case 0: {
             const QPointF at(place());

@@ -41,7 +41,7 @@ QJsonObject jsonOf(const std::filesystem::path& file)
     return in.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(in.readAll()).object() : QJsonObject();
 }
 
-QStringList said; // by Qt, since the test began
+QStringList said; // Qt messages since the start of the test
 
 void hear(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QString& line)
 {
@@ -50,7 +50,8 @@ void hear(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QStri
 
 } // namespace
 
-/// What the window does with files: their axes, names, other windows, copies of unsaved changes. By its commands.
+/// Tests how the window opens and saves files, driven by its commands: axes, names, other windows, backups of unsaved
+/// changes.
 class OpenedFiles : public QObject
 {
     Q_OBJECT
@@ -60,7 +61,7 @@ class OpenedFiles : public QObject
     std::filesystem::path folder() const { return m_desk->folder(); }
     CoordinatesChoice& coordinates() const { return *m_desk->window().findChild<CoordinatesChoice*>(); }
     view::SceneView& view() const { return m_desk->window().viewport().view(); }
-    /// All that was said since the window opened, as its list of messages has it.
+    /// Returns all messages of the window since it opened, from its message list.
     QString told() const
     {
         QStringList lines;
@@ -83,8 +84,8 @@ class OpenedFiles : public QObject
                                std::string(fields) + R"(}], "findings": [)" + findings + "]}");
     }
 
-    /// Triggers a command; the question that it asks is answered by the button of that text. Without one it must not
-    /// ask.
+    /// Triggers a command and answers its question with the named button. An empty name means that no question may
+    /// appear.
     void answer(const char* command, const QString& button) const
     {
         bool isAsked = false, isAnswered = false;
@@ -119,7 +120,7 @@ class OpenedFiles : public QObject
     {
         return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/unsaved";
     }
-    /// A copy of unsaved changes, as a program that is gone leaves it.
+    /// Writes a backup of unsaved changes, as a crashed process leaves behind.
     QString leaveCopy(const std::filesystem::path& of) const
     {
         QDir().mkpath(copies());
@@ -136,7 +137,7 @@ class OpenedFiles : public QObject
         }
         return file.fileName();
     }
-    /// The button that brings unsaved changes back; null where that is not offered.
+    /// Returns the button that restores unsaved changes; null if restoring is not offered.
     QPushButton* offer() const
     {
         for (QPushButton* button : m_desk->window().findChild<ui::MessageBar*>()->findChildren<QPushButton*>()) {
@@ -155,7 +156,7 @@ class OpenedFiles : public QObject
         }
         m_desk = std::make_unique<test::Desk>();
         QDir(copies()).removeRecursively();
-        // Longer to x, y and z by 10, 20 and 30 mm: the same after no turn.
+        // Longer in x, y and z by 10, 20 and 30 mm: no rotation maps the shape to itself.
         m_desk->writeStl("liver.stl", test::box(Vec3(-20, -20, -20), Vec3(30, 40, 50), 2));
         for (const char* name : {"a.stl", "b.stl", "c.stl"}) {
             m_desk->writeStl(name, test::box(Vec3(60, 0, 0), Vec3(80, 20, 20), 2));
@@ -180,7 +181,7 @@ class OpenedFiles : public QObject
         QCOMPARE(coordinates().button().text(), QStringLiteral("LPS assumed"));
         QCOMPARE(view().cube().left(), std::string("L?"));
         QVERIFY(!m_desk->command("frame-lps").isChecked());
-        QVERIFY(readAgain("frame-lps")); // said: nothing moves
+        QVERIFY(readAgain("frame-lps")); // explicitly stated: nothing moves
         QCOMPARE(coordinates().button().text(), QStringLiteral("LPS"));
         QCOMPARE(view().cube().left(), std::string("L"));
         QVERIFY(view().bounds().max() == Vec3(30, 40, 50));
@@ -213,7 +214,8 @@ class OpenedFiles : public QObject
         const QJsonObject saved = jsonOf(scene);
         QCOMPARE(saved["structures"][0]["frame"].toString(), QStringLiteral("RAS"));
         QCOMPARE(saved["structures"][0]["stiffness_N_per_mm"].toDouble(), 0.3);
-        QCOMPARE(saved["findings"][0]["position"], (QJsonArray{-30.0, -10.0, 5.0})); // on the same place of the liver
+        // at the same position on the liver
+        QCOMPARE(saved["findings"][0]["position"], (QJsonArray{-30.0, -10.0, 5.0}));
         QCOMPARE(saved["findings"][0]["camera"]["position"], (QJsonArray{-300.0, 0.0, 50.0}));
         QVERIFY(readAgain("frame-y-up"));
         QVERIFY(view().bounds().min() == Vec3(-20, -50, -20) && view().bounds().max() == Vec3(30, 20, 40));
@@ -238,7 +240,7 @@ class OpenedFiles : public QObject
         QCOMPARE(shown.model()->index(0, ui::StructureModel::Shown).data(Qt::CheckStateRole).toInt(),
                  static_cast<int>(Qt::Unchecked));
         QCOMPARE(coordinates().button().text(), QStringLiteral("RAS"));
-        QVERIFY(view().bounds().min() == Vec3(-80, -20, 0)); // of what is shown
+        QVERIFY(view().bounds().min() == Vec3(-80, -20, 0)); // bounds of the visible structures
     }
 
     void notesStandAmongTheMessages()
@@ -251,17 +253,17 @@ class OpenedFiles : public QObject
     {
         const auto scene = writeScene("two.palpate.json");
         QVERIFY(m_desk->open({scene}));
-        answer("save", {}); // nobody else was here
+        answer("save", {}); // no other process changed the file
         const auto other = [&] { writeScene("two.palpate.json", "", R"({"name": "theirs", "position": [1, 2, 3]})"); };
         other();
         answer("save", QStringLiteral("Cancel"));
         QCOMPARE(jsonOf(scene)["findings"][0]["name"].toString(), QStringLiteral("theirs"));
         answer("save", QStringLiteral("Save anyway"));
         QCOMPARE(jsonOf(scene)["findings"].toArray().size(), 0);
-        answer("save", {}); // what it wrote itself is not another's
+        answer("save", {}); // the window's own write is no foreign change
         other();
         answer("save", QStringLiteral("Cancel"));
-        QVERIFY(QFile::remove(textOf(scene))); // gone: nothing to be lost
+        QVERIFY(QFile::remove(textOf(scene))); // deleted: nothing can be lost
         answer("save", {});
         QVERIFY(QFile::exists(textOf(scene)));
     }
@@ -315,7 +317,7 @@ class OpenedFiles : public QObject
         const QString copy = leaveCopy(scene);
         QVERIFY(m_desk->show());
         QTRY_VERIFY(offer() != nullptr);
-        QLockFile others(copy + ".lock"); // has it open
+        QLockFile others(copy + ".lock"); // the other process has the scene open
         others.setStaleLockTime(0);
         QVERIFY(others.tryLock(0));
         offer()->click();
@@ -323,7 +325,7 @@ class OpenedFiles : public QObject
         others.unlock();
         QVERIFY(m_desk->show());
         QTRY_VERIFY(offer() != nullptr);
-        QVERIFY(QFile::remove(copy)); // was done with it
+        QVERIFY(QFile::remove(copy)); // the other process has finished
         offer()->click();
         QVERIFY2(told().contains("already restored in another window"), qPrintable(told()));
     }

@@ -14,15 +14,15 @@
 using namespace palpate;
 using core::Vec3;
 
-/// What the view shows of a touch and of what is pointed at, and the keys for camera and pressing: in the whole window,
-/// with the phantom. Pictures are kept where PALPATE_TEST_PICTURES says, for a person to look at.
+/// Tests how the view shows contacts and the structure under the pointer, and the keys for camera and pressing, in the
+/// full window with the phantom. Screenshots go to the folder in PALPATE_TEST_PICTURES for visual inspection.
 class Picture : public QObject
 {
     Q_OBJECT
 
     std::unique_ptr<test::Desk> m_desk;
     std::optional<ui::TouchReading> m_reading;
-    Vec3 m_lump_W = Vec3::Zero(); ///< middle of the larger one
+    Vec3 m_lump_W = Vec3::Zero(); ///< centre of the larger lump
 
     ui::VtkViewport& viewport() { return m_desk->window().viewport(); }
     ui::PalpationController& palpation() { return m_desk->window().palpation(); }
@@ -30,13 +30,13 @@ class Picture : public QObject
 
     void keep(const char* name)
     {
-        QTest::qWait(700); // the picture stands still
+        QTest::qWait(700); // the camera has stopped
         const QString folder = qEnvironmentVariable("PALPATE_TEST_PICTURES");
         if (!folder.isEmpty()) {
             QVERIFY(m_desk->picture().save(QStringLiteral("%1/%2.png").arg(folder, QLatin1String(name))));
         }
     }
-    /// Where the larger lump is seen.
+    /// Returns the view position of the larger lump.
     QPointF overLump() { return viewport().placeOf(m_lump_W); }
     bool sees(const std::vector<Eigen::AlignedBox2d>& boxes)
     {
@@ -79,7 +79,7 @@ class Picture : public QObject
     }
     void cleanup() { m_desk->close(); }
 
-    /// Along the line of sight the force is a circle; labels are off the cursor; the lump says its own depth.
+    /// Seen along the line of sight the force is a circle; labels avoid the cursor; the lump's depth is shown.
     void pressedAlongTheView()
     {
         viewport().view().look(view::ViewFrom::Front);
@@ -94,7 +94,7 @@ class Picture : public QObject
         for (const Eigen::AlignedBox2d& box : cursor.labels().boxes()) {
             QVERIFY(box.exteriorDistance(frame.pixelOf(shown().p_WG)) > 10.0);
         }
-        // And from aside, the hand held where it is.
+        // Then from the side, with the hand held in place.
         for (int i = 0; i < 5; ++i) {
             viewport().setFocus();
             m_desk->press(Qt::Key_Right);
@@ -103,7 +103,7 @@ class Picture : public QObject
         QVERIFY(shown().isInContact && !cursor.arrow().circle()->GetVisibility());
         QVERIFY(cursor.arrow().shaft()->GetVisibility() && sees(cursor.labels().boxes()));
     }
-    /// The dent is drawn under the finger, or not, as the menu says.
+    /// The dimple under the finger is rendered depending on the menu setting.
     void tissueBendsUnderTheFinger()
     {
         viewport().view().look(view::ViewFrom::Front);
@@ -131,7 +131,7 @@ class Picture : public QObject
         QVERIFY2(changed > 30, qPrintable(QString::number(changed)));
         dent->trigger();
     }
-    /// Where nothing can be heard the command says why and stays off; the touch goes on.
+    /// Without an audio device the command gives a reason and stays off; the touch continues.
     void touchIsHeardWhereThereIsALoudspeaker()
     {
         QAction* sound = m_desk->window().findChild<QAction*>(QStringLiteral("sound"));
@@ -150,7 +150,7 @@ class Picture : public QObject
         viewport().view().look(view::ViewFrom::Front);
         const double half = 0.5 * viewport().width() / viewport().height();
         for (const double side : {-1.0, 1.0}) {
-            // The lump comes to the border of the view.
+            // Move the lump to the border of the view.
             viewport().view().centreOn(m_lump_W);
             view::shift(viewport().view().camera(), side * (half - 0.02), 0.4);
             press(overLump(), side < 0.0 ? 20 : 0);
@@ -160,7 +160,7 @@ class Picture : public QObject
             QTRY_VERIFY(!shown().isInContact);
         }
     }
-    /// The whole palpation with a finding, by keys alone.
+    /// A whole palpation with a finding, using only the keyboard.
     void keysAlonePalpateThePhantom()
     {
         viewport().setFocus();
@@ -170,7 +170,7 @@ class Picture : public QObject
         QTRY_VERIFY_WITH_TIMEOUT(shown().isInContact && shown().hasCrosshair, 10000);
         m_desk->press(Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(!shown().isInContact, 10000);
-        // To the lump, which is seen through the liver.
+        // To the lump, visible through the liver.
         const double stride_mm = 2.0;
         for (int i = 0; i < 80; ++i) {
             const Vec3 way = m_lump_W - shown().p_WH;
@@ -223,14 +223,14 @@ class Picture : public QObject
         const QPoint over = overLump().toPoint();
         QTest::mouseMove(&viewport(), over);
         QTRY_VERIFY(name->isVisible());
-        QCOMPARE(name->text(), QStringLiteral("liver")); // the lump lies behind its wall
+        QCOMPARE(name->text(), QStringLiteral("liver")); // the lump is behind the wall of the liver
         keep("hover");
         QVERIFY(viewport().rect().contains(name->geometry()));
         QVERIFY(!name->geometry().contains(over));
         QTest::mouseClick(&viewport(), Qt::LeftButton, {}, over);
         QVERIFY(!name->isVisible());
         QCOMPARE(selectedRow(), 0);
-        // One that can't be felt is named and found too: the vein that comes out of the liver, below.
+        // A structure without contact is named and found as well: the vein below the liver.
         const auto vein = placeOf(3);
         QVERIFY(vein.has_value());
         QTest::mouseMove(&viewport(), *vein);
@@ -243,7 +243,7 @@ class Picture : public QObject
 
   private:
     int selectedRow() { return m_desk->window().findChild<ui::StructurePanel*>()->currentRow(); }
-    /// A place of the view where a structure is seen before all others.
+    /// Returns a view position where a structure is in front of all others.
     std::optional<QPoint> placeOf(int row)
     {
         const auto* pointed = m_desk->window().findChild<ui::PointedStructure*>();

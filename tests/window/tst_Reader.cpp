@@ -46,10 +46,10 @@ long countOf(const QObject* object, QAccessible::Event kind)
                          [&](const Heard& one) { return one.object == object && one.kind == kind; });
 }
 
-/// Whether a person acts on it or comes to it by Tab.
+/// Returns whether a widget is interactive or reachable by Tab.
 bool isForActing(const QWidget* widget)
 {
-    // Qt's own: a tab bar that lost its panels and waits for others, and the button in a field that empties it.
+    // Qt's own widgets: a tab bar without panels, kept for reuse, and the clear button in a text field.
     const auto* tabs = qobject_cast<const QTabBar*>(widget);
     const bool isQts = (tabs != nullptr && tabs->currentIndex() < 0) ||
                        qobject_cast<const QLineEdit*>(widget->parentWidget()) != nullptr;
@@ -61,8 +61,8 @@ bool isForActing(const QWidget* widget)
 
 } // namespace
 
-/// What a screen reader hears of the window: names of all that is acted on, numbers as they are shown, and no more than
-/// can be listened to.
+/// Tests the window with a screen reader: names of all interactive widgets, numbers as displayed, and a limited rate of
+/// announcements.
 class Reader : public QObject
 {
     Q_OBJECT
@@ -101,7 +101,7 @@ class Reader : public QObject
     }
     [[nodiscard]] double position_s() const { return window().playback().position_s(); }
 
-    /// To the first touch of the recording, by the timeline's keys.
+    /// Moves to the first contact of the recording with the keys of the timeline.
     void goToTouch()
     {
         the<ui::ForceTimeline>().setFocus();
@@ -127,7 +127,7 @@ class Reader : public QObject
     void theTimelineSaysWhereItStands()
     {
         goToTouch();
-        QTRY_VERIFY(heard(the<ui::ForceTimeline>(), QAccessible::Value).endsWith(QStringLiteral(" N"))); // it is read
+        QTRY_VERIFY(heard(the<ui::ForceTimeline>(), QAccessible::Value).endsWith(QStringLiteral(" N"))); // loaded
         const QString value = heard(the<ui::ForceTimeline>(), QAccessible::Value);
         const QLocale locale;
         const QString position = locale.toString(position_s(), 'f', 1);
@@ -136,7 +136,7 @@ class Reader : public QObject
         QCOMPARE(heard(the<ui::ForceTimeline>(), QAccessible::Description), value);
         const QString clock = labelThatSays(the<ui::SessionPanel>(), QStringLiteral("Position and length"));
         QVERIFY2(clock.startsWith(ui::clockText(position_s())) && clock.contains(length), qPrintable(clock));
-        // Force of this moment and that of its bin are nearly one.
+        // The force of this moment and of its bin are almost equal.
         const double said_N = locale.toDouble(value.section(QLatin1Char(' '), -2, -2));
         QVERIFY2(std::abs(said_N - the<ui::TouchPanel>().reading().force_N) < 0.2, qPrintable(value));
 
@@ -168,11 +168,11 @@ class Reader : public QObject
         const QString view = QStringLiteral("3D view: liver, %1 N, %2 mm deep").arg(force, depth);
         QTRY_COMPARE(heard(window().viewport(), QAccessible::Name), view);
         the<ui::ForceTimeline>().setFocus();
-        m_desk->press(Qt::Key_Home); // before the touch
+        m_desk->press(Qt::Key_Home); // before the contact
         QTRY_COMPARE(heard(window().viewport(), QAccessible::Name), QStringLiteral("3D view"));
     }
 
-    /// Counted by what the view is called, and as a reader is told where one listens.
+    /// Counts changes of the view's accessible name, and announcements if a screen reader listens.
     void aReaderIsToldNoMoreThanTwiceASecond()
     {
         goToTouch();
@@ -195,7 +195,7 @@ class Reader : public QObject
         QAccessible::installUpdateHandler(before);
         QVERIFY2(changes >= 2 && changes <= most, qPrintable(QString::number(changes)));
         the<ui::MessageBar>().forgetScene();
-        if (!QAccessible::isActive()) { // a screen reader's bus is needed for the rest
+        if (!QAccessible::isActive()) { // the rest requires the bus of a screen reader
             return;
         }
         const long named = countOf(&window().viewport(), QAccessible::NameChanged);
@@ -207,7 +207,7 @@ class Reader : public QObject
                  1L);
     }
 
-    /// Home is a command of the window, but not where it goes to the start of a list, a slider or a text.
+    /// Home is a window command, except where the key goes to the start of a list, a slider or a text.
     void homeStaysInListsSlidersAndTexts()
     {
         goToTouch();
@@ -260,7 +260,7 @@ class Reader : public QObject
 
     void allThatIsActedOnHasAName()
     {
-        window().chooseDevice("simulated"); // its panel has the most
+        window().chooseDevice("simulated"); // the panel of this device has the most widgets
         m_desk->pressKeyOf("messages");
         the<ui::MessageBar>().offer(QStringLiteral("An offer"), QStringLiteral("Take it"), [] {});
         int count = 0;

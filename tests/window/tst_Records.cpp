@@ -32,19 +32,20 @@ using namespace palpate;
 
 namespace {
 
-/// A folder on a small disk to fill, where there is one; else a limit on the size of files stands for it.
+/// Returns a folder on a small disk that the test may fill, if there is one; otherwise a limit on file sizes takes its
+/// place.
 QByteArray smallDisk()
 {
     return qgetenv("PALPATE_SMALL_DISK");
 }
 
-/// Lets no file of this program grow beyond a size while it lives.
+/// Limits the size of all files that this process writes, while the object lives.
 class SmallFiles
 {
   public:
     explicit SmallFiles(rlim_t bytes)
     {
-        std::signal(SIGXFSZ, SIG_IGN); // a write then fails instead
+        std::signal(SIGXFSZ, SIG_IGN); // a write then fails instead of raising the signal
         getrlimit(RLIMIT_FSIZE, &m_before);
         rlimit small = m_before;
         small.rlim_cur = bytes;
@@ -60,7 +61,7 @@ class SmallFiles
 
 } // namespace
 
-/// Recordings in the window: a disk that gets full, closing while one runs, opening one alone.
+/// Tests recordings in the main window: full disk, closing during a recording, opening a recording alone.
 class Records : public QObject
 {
     Q_OBJECT
@@ -89,14 +90,14 @@ class Records : public QObject
         }
         qFatal("no button \"Colour\"");
     }
-    /// Of the structure that is selected.
+    /// Returns the colour of the selected structure.
     QColor colourOnButton() const
     {
         const QImage image = colourButton()->icon().pixmap(32, 32).toImage();
         return image.pixelColor(image.rect().center());
     }
 
-    /// The newest recording in the documents.
+    /// Returns the newest recording in the documents folder.
     std::filesystem::path newest() const
     {
         const QDir folder(QDir::homePath() + QStringLiteral("/Documents/Palpate"));
@@ -104,13 +105,14 @@ class Records : public QObject
         return std::filesystem::path(files.isEmpty() ? std::string() : folder.filePath(files.front()).toStdString());
     }
 
-    /// Answers the next question with a button. @param asked  gets its text
+    /// Answers the next question with a button.
+    /// @param asked  receives the text of the question
     static void answer(const char* button, QString& asked)
     {
         QTimer::singleShot(300, qApp, [button, &asked] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (box == nullptr) {
-                return; // the test sees that nothing was asked
+                return; // the test detects that no question appeared
             }
             asked = box->text();
             for (QAbstractButton* one : box->buttons()) {
@@ -127,11 +129,11 @@ class Records : public QObject
     {
         if (const QByteArray to = qgetenv("PALPATE_RECORDS_PICTURES"); !to.isEmpty()) {
             m_desk->window().grab().save(QString::fromLocal8Bit(to) + QLatin1Char('/') +
-                                         QLatin1String(name)); // to look at
+                                         QLatin1String(name)); // saved for visual inspection
         }
     }
 
-    /// What the menu says is touched with.
+    /// Returns the fingertip that the menu shows.
     QString fingertip()
     {
         for (QMenu* menu : m_desk->window().findChildren<QMenu*>()) {
@@ -157,12 +159,13 @@ class Records : public QObject
         QLocale::setDefault(QLocale::c());
         m_desk = std::make_unique<test::Desk>();
         const QByteArray own = QByteArray::fromStdString(m_desk->folder().string());
-        qputenv("HOME", smallDisk().isEmpty() ? own : smallDisk()); // documents go there
+        qputenv("HOME", smallDisk().isEmpty() ? own : smallDisk()); // location of the documents folder
     }
     void init() { QVERIFY(m_desk->show()); }
     void cleanupTestCase() { m_desk.reset(); }
 
-    /// Told once and truly: the recording ends, chip and button say so, the file opens and says why it ends.
+    /// The failure is reported once and correctly: the recording ends, chip and button show the state, and the file
+    /// opens and contains the reason.
     void aFullDiskEndsTheRecordingAndIsToldOnce()
     {
         QVERIFY(m_desk->open({phantom() / "phantom-layers.palpate.json"}));
@@ -193,7 +196,7 @@ class Records : public QObject
         QVERIFY(reader.value()->verify().isOk());
         QVERIFY(!reader.value()->extent().isComplete && reader.value()->extent().ticks > 500);
 
-        QTest::qWait(1200); // it stays until something is done
+        QTest::qWait(1200); // the message stays until the user acts
         QVERIFY(chip()->text().startsWith(QStringLiteral("recording failed")));
         m_desk->pressKeyOf("fit");
         QTRY_VERIFY(chip()->text().isEmpty());
@@ -204,7 +207,8 @@ class Records : public QObject
                  qPrintable(message().text()));
     }
 
-    /// The name tells a second: an older recording of it stays, and so does a file that SQLite would take for a part.
+    /// Names have a resolution of one second: an older recording with the same name is kept, and so is a file that
+    /// SQLite would treat as a companion file.
     void aSecondRecordingGetsANumber()
     {
         QVERIFY(m_desk->openPhantom());
@@ -256,7 +260,7 @@ class Records : public QObject
         QVERIFY(reader.value()->extent().isComplete && reader.value()->extent().ticks > 300);
     }
 
-    /// A device whose hand came into the picture and is gone again leaves the recording's moment in view.
+    /// Connecting and removing a device keeps the shown moment of the recording.
     void theMomentStaysWhenTheDeviceChanges()
     {
         QVERIFY(m_desk->open({phantom() / "palpation.palpate"}));
@@ -268,13 +272,13 @@ class Records : public QObject
         const view::TouchState before = shown();
         QVERIFY(before.isPresent && before.isInContact);
         window.chooseDevice("simulated");
-        QTRY_VERIFY(shown().isPresent && shown().p_WH != before.p_WH); // its own hand
+        QTRY_VERIFY(shown().isPresent && shown().p_WH != before.p_WH); // hand of the device
         window.chooseDevice("mouse");
         QTRY_VERIFY(shown().isPresent && shown().p_WH == before.p_WH && shown().f_W == before.f_W);
         QCOMPARE(window.playback().position_s(), peak_s);
     }
 
-    /// What it was made on comes with it: the phantom's own tissue and looks, not those of bare meshes.
+    /// A recording restores the tissue and appearance of the phantom instead of the defaults for bare meshes.
     void aRecordingAloneBringsItsStructures()
     {
         QVERIFY(m_desk->open({phantom() / "palpation.palpate"}));
@@ -292,7 +296,7 @@ class Records : public QObject
         picture("alone.png");
     }
 
-    /// A colour chosen by hand and never saved comes back with the recording.
+    /// A colour chosen by hand and never saved is restored from the recording.
     void aRecordingKeepsTheColours()
     {
         QVERIFY(m_desk->open({phantom() / "lump-20-mm.stl"}));
@@ -305,7 +309,7 @@ class Records : public QObject
         });
         colourButton()->click();
         QCOMPARE(colourOnButton(), chosen);
-        m_desk->window().activateWindow(); // there is no window manager that does it after the dialog
+        m_desk->window().activateWindow(); // no window manager does this after the dialog
         QVERIFY(QTest::qWaitForWindowActive(&m_desk->window()));
         m_desk->window().viewport().setFocus();
         m_desk->pressKeyOf("record");
@@ -321,7 +325,7 @@ class Records : public QObject
         QCOMPARE(colourOnButton(), chosen);
     }
 
-    /// The fingertip of a recording is touched with until another scene is open; what a person chose is kept.
+    /// The recorded fingertip applies until another scene is open; then the user's choice returns.
     void aRecordingAloneBringsItsFingertip()
     {
         const std::filesystem::path folder = m_desk->folder() / "tip";
@@ -342,12 +346,12 @@ class Records : public QObject
         QVERIFY(!QSettings().contains(QStringLiteral("fingertip_mm")));
         QVERIFY(m_desk->open({folder / "phantom.palpate.json"}));
         QCOMPARE(fingertip(), QStringLiteral("Point"));
-        m_desk->window().open({file}); // played in the open scene, which is touched as before
+        m_desk->window().open({file}); // replayed in the open scene, which keeps its fingertip
         QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
         QCOMPARE(fingertip(), QStringLiteral("Point"));
     }
 
-    /// Findings of a recording are drawn over the open scene, and the scene stays as it is.
+    /// Findings of a recording are drawn over the open scene, which stays unchanged.
     void aRecordingsFindingsAreDrawnOverTheScene()
     {
         const auto from = session::RecordingReader::open(phantom() / "palpation.palpate");

@@ -34,7 +34,8 @@ void catchAlert(QAccessibleEvent* event)
     }
 }
 
-/// Whether a panel, or what lies in one, is behind another one's tab: Qt puts it outside the window.
+/// Returns whether a panel, or a widget inside, is behind another panel's tab: Qt then places the panel outside the
+/// window.
 bool isBehindATab(QMainWindow& window, const QWidget* widget)
 {
     for (const QWidget* one = widget; one != nullptr; one = one->parentWidget()) {
@@ -49,7 +50,7 @@ bool isBehindATab(QMainWindow& window, const QWidget* widget)
 
 } // namespace
 
-/// What goes round the parts of the window: sizes, chips, messages, keys from panel to panel.
+/// Tests the layout around the panels: sizes, chips, messages, keyboard navigation between panels.
 class Shell : public QObject
 {
     Q_OBJECT
@@ -94,7 +95,7 @@ class Shell : public QObject
     }
     void cleanupTestCase() { m_desk.reset(); }
 
-    /// Also run with fonts as on a screen of 160 dots per inch.
+    /// Also run with fonts for a display of 160 dots per inch.
     void fitsASmallScreen()
     {
         QCoreApplication::processEvents();
@@ -129,7 +130,7 @@ class Shell : public QObject
         QTRY_VERIFY(recording.isVisible() && recording.visibleRegion().boundingRect() == recording.rect());
         QVERIFY(recording.text().startsWith(QStringLiteral("● recording 00:")));
         QVERIFY(recording.width() >= recording.fontMetrics().horizontalAdvance(recording.text()));
-        // What has no room folds into a button, and none of it is lost.
+        // Chips without room fold into a button and stay reachable.
         ui::ChipRow& row = the<ui::ChipRow>();
         QWidget small;
         ui::ChipRow folding(&small);
@@ -145,7 +146,7 @@ class Shell : public QObject
         QVERIFY(!first->isVisible() && last->isVisible());
         QCOMPARE(last->text(), QStringLiteral("recording 00:10"));
         QVERIFY(folding.findChild<QToolButton*>()->isVisible());
-        // One that warns folds last, and the button says that it did.
+        // Warnings fold last, and the button shows that a warning is folded.
         ui::Chip* calm = folding.add("calm", QStringLiteral("calm"), 5);
         calm->say(QStringLiteral("pressing"));
         first->say(QStringLiteral("no device"), ui::Chip::Tone::Warning);
@@ -188,7 +189,8 @@ class Shell : public QObject
         window().chooseDevice("mouse");
     }
 
-    /// Numbers for engineers stand in their panel alone; the others say one thing: whether it runs well.
+    /// Engineering figures are in the engineering panel only; the other panels show one status, whether the loop runs
+    /// well.
     void engineeringWaitsUntilItIsAskedFor()
     {
         auto& dock = the<QDockWidget>("engineering");
@@ -210,7 +212,7 @@ class Shell : public QObject
 
     void aWindowComesBackWithItsEngineering()
     {
-        QVERIFY(m_desk->show({1024, 700})); // nothing in it that closing would ask about
+        QVERIFY(m_desk->show({1024, 700})); // no changes that closing would ask about
         for (const bool isShown : {true, false}) {
             m_desk->command("engineering").trigger();
             QVERIFY(window().close());
@@ -227,7 +229,7 @@ class Shell : public QObject
         const auto isSeen = [&](const char* dock) { return !the<QDockWidget>(dock).visibleRegion().isEmpty(); };
         QVERIFY(isSeen("touch") && !isSeen("findings") && !isSeen("device"));
         std::set<const QWidget*> been;
-        std::set<QString> panels; // seen, with the keys in them
+        std::set<QString> panels; // visible and with keyboard focus inside
         for (int i = 0; i < 14; ++i) {
             m_desk->press(Qt::Key_F6);
             QCoreApplication::processEvents();
@@ -277,7 +279,7 @@ class Shell : public QObject
         list().setFocus();
         const auto putBack = qScopeGuard(
             [before = QApplication::keyboardInputInterval()] { QApplication::setKeyboardInputInterval(before); });
-        QApplication::setKeyboardInputInterval(20000); // so that a busy machine does not begin a name anew
+        QApplication::setKeyboardInputInterval(20000); // so that a slow machine does not split the typed name
         the<ui::StructurePanel>().select(0);
         const bool wasModified = window().isWindowModified();
         QString name =
@@ -327,13 +329,13 @@ class Shell : public QObject
             bar.showError(QStringLiteral("error %1").arg(i));
         }
         QAccessible::installUpdateHandler(before);
-        if (isHeard) { // a screen reader's bus is needed for this
+        if (isHeard) { // requires the bus of a screen reader
             QCOMPARE(g_alerted.size(), std::size_t{4});
         }
         const auto rows = bar.findChildren<ui::MessageRow*>();
         QCOMPARE(rows.size(), 4);
         QCOMPARE(rows.first()->text(), QStringLiteral("An offer"));
-        QVERIFY(!rows.first()->isVisible()); // the offer waits behind three that are newer
+        QVERIFY(!rows.first()->isVisible()); // three newer messages hide the offer
         bar.forgetScene();
         QCOMPARE(bar.text(), QStringLiteral("An offer"));
         QVERIFY(rows.first()->isVisible());

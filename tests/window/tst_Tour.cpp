@@ -12,7 +12,7 @@
 
 using namespace palpate;
 
-/// *Help › Show me around* by keys: four callouts beside what they show.
+/// Tests *Help › Show me around* by keyboard: four callouts, each beside the feature described.
 class Tour : public QObject
 {
     Q_OBJECT
@@ -22,7 +22,7 @@ class Tour : public QObject
     [[nodiscard]] MainWindow& window() const { return m_desk->window(); }
     [[nodiscard]] ui::Tour& tour() const { return *window().findChild<ui::Tour*>(); }
 
-    /// The callout lies in the window, beside what it shows, and all of its text is seen.
+    /// Checks that the callout is inside the window, beside its target, with all text visible.
     void isWellPlaced()
     {
         QCoreApplication::processEvents();
@@ -60,7 +60,7 @@ class Tour : public QObject
         QVERIFY(!tour().isVisible());
     }
 
-    /// With PALPATE_PICTURES a picture of each stop is kept there.
+    /// Saves a picture of each stop in the folder in PALPATE_PICTURES.
     void picture(const char* name)
     {
         if (const QByteArray folder = qgetenv("PALPATE_PICTURES"); !folder.isEmpty()) {
@@ -105,9 +105,9 @@ class Tour : public QObject
         QCOMPARE(window().focusWidget(), static_cast<QWidget*>(&window().viewport()));
         m_desk->command("show-around").trigger();
         window().viewport().setFocus();
-        m_desk->press(Qt::Key_P); // what it tells can be tried meanwhile
+        m_desk->press(Qt::Key_P); // the described feature works during the tour
         QVERIFY(m_desk->command("palpate").isChecked());
-        m_desk->press(Qt::Key_F6, Qt::ShiftModifier); // and the keys come back to it
+        m_desk->press(Qt::Key_F6, Qt::ShiftModifier); // keyboard focus returns to the tour
         for (int i = 0; i < 12 && !tour().isAncestorOf(window().focusWidget()); ++i) {
             m_desk->press(Qt::Key_F6);
         }
@@ -115,7 +115,7 @@ class Tour : public QObject
         window().viewport().setFocus();
         m_desk->press(Qt::Key_Escape);
         QVERIFY(!tour().isVisible());
-        QVERIFY(m_desk->command("palpate").isChecked()); // it ended the tour alone
+        QVERIFY(m_desk->command("palpate").isChecked()); // only the tour ended
         m_desk->press(Qt::Key_P);
     }
 
@@ -127,7 +127,7 @@ class Tour : public QObject
         QVERIFY(window().isWindowModified());
         QSignalSpy opened(&window(), &MainWindow::ready);
         m_desk->command("show-around").trigger();
-        QVERIFY(tour().isVisible()); // at once, and nothing was asked
+        QVERIFY(tour().isVisible()); // at once, without a question
         QVERIFY(tour().accessibleDescription().startsWith(QStringLiteral("Shown on what is open")));
         walk();
         QCOMPARE(opened.count(), 0);
@@ -146,7 +146,7 @@ class Tour : public QObject
             }
             m_desk->press(Qt::Key_Return);
         }
-        m_desk->command("panels").trigger(); // all closed: each comes when it is shown
+        m_desk->command("panels").trigger(); // all closed: each opens for its stop
         m_desk->command("show-around").trigger();
         walk();
         m_desk->command("show-around").trigger();
@@ -154,7 +154,7 @@ class Tour : public QObject
         QCOMPARE(tour().at(), 1);
         m_desk->pressKeyOf("panels");
         QCoreApplication::processEvents();
-        isWellPlaced(); // the view fills the window now
+        isWellPlaced(); // the view now fills the window
         m_desk->press(Qt::Key_Escape);
     }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A device plugin that does what WAYWARD says when it is started: built several times, with metadata of its own each.
+// A device plugin that misbehaves as WAYWARD selects when started: built several times, with different metadata.
 #include <palpate/device/DevicePlugin.h>
 
 #include <QObject>

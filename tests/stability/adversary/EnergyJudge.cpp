@@ -19,7 +19,7 @@ double mayMake_mJ(const haptics::HapticStructure& on, double before, double sSha
     if (!on.tissue.hasFriction()) {
         return std::abs(rise) * std::abs(before - on.lawAt(depth).energy_mJ);
     }
-    // Friction of (W/F) |grad ln s| takes, at this depth and by this law, so much of it.
+    // Effect of a friction of (W/F) |grad ln s| at this depth and with this law.
     const haptics::ForceTable::Value held = on.lawAt(lambda);
     const double stiffer = on.lawAt(depth).force_N / depth / (held.force_N / lambda);
     return std::max(0.0, rise) *

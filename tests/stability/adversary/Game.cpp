@@ -21,11 +21,11 @@ using haptics::TickResult;
 using haptics::TickStatus;
 
 constexpr double kTick_s = 1e-3;
-// How often, a tick: rest is judged; another Palpator is restored from the state; a layer is hidden or shown; all is
-// let go of; the input is bad.
+// Probabilities per tick: check the rest position; restore another Palpator from the state; hide or show a layer;
+// reset; pass invalid input.
 constexpr double kRest = 0.02, kRestore = 1e-3, kSwitch = 5e-3, kReset = 2e-4, kBad = 5e-4;
 
-/// One layer alone: what the layers' sum is compared with, and what is judged.
+/// A single layer, for comparison with the sum of all layers and for the checks.
 struct Alone
 {
     std::unique_ptr<haptics::HapticScene> scene;
@@ -33,7 +33,7 @@ struct Alone
     std::unique_ptr<LayerJudge> judge;
 };
 
-/// Each family has seeds of its own, which a new family does not change.
+/// Seeds per family; a new family does not change the seeds of the others.
 std::uint64_t firstOf(Family family)
 {
     const auto number = static_cast<std::uint64_t>(family);
@@ -74,7 +74,7 @@ class Game
             return;
         }
         if (m_scene.layers > 1 && number > 0 && m_chance.is(kSwitch)) {
-            hip = m_hip; // the hand rests while layers come and go
+            hip = m_hip; // the hand rests while layers change
             switchLayer();
         }
         const bool isRestored = m_compared == 0 && m_chance.is(kRestore);
@@ -118,7 +118,7 @@ class Game
         }
     }
 
-    /// Hides or shows a layer. The others are given their scenes again, so that each has let go of the same things.
+    /// Hides or shows a layer. The other layers get their scenes again, so that each has released the same contacts.
     void switchLayer()
     {
         const auto layer = static_cast<std::uint32_t>(m_chance.below(m_scene.layers));
@@ -132,7 +132,7 @@ class Game
         m_alone[layer].judge->forget();
     }
 
-    /// What is not finite moves nothing and pushes nothing.
+    /// Non-finite input causes no motion and no force.
     void bad(Vec3 hip)
     {
         constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -201,8 +201,8 @@ class Game
         }
     }
 
-    /// Layers share a tick's work: at its bound only the innermost must be where it would be alone. The others go on
-    /// from where they are together.
+    /// Layers share the work of a tick: at the bound only the innermost layer must match the single layer. The others
+    /// continue from their common state.
     void followAtBound(Faults& faults)
     {
         haptics::PalpatorState whole = m_whole.state();
@@ -263,10 +263,10 @@ class Game
     bool m_isExact; ///< HIPs on vertices, on edges and in planes
     RandomHand m_hand;
     std::vector<Alone> m_alone;
-    std::uint32_t m_shown; ///< one bit a layer
+    std::uint32_t m_shown; ///< one bit per layer
     std::map<std::uint32_t, std::unique_ptr<haptics::HapticScene>> m_scenes;
     Palpator m_whole, m_twin;
-    int m_compared = 0; ///< ticks that the twin is still compared for
+    int m_compared = 0; ///< remaining ticks of comparison with the restored twin
     Vec3 m_hip = Vec3::Zero();
     bool m_hasStarted = false;
     std::int64_t m_number = 0;

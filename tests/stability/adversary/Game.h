@@ -9,14 +9,14 @@ namespace palpate::adversary {
 
 constexpr std::int64_t kTicksOfSeed = 4000;
 
-/// What many seeds add up to.
+/// Totals over many seeds.
 struct Tally
 {
     std::int64_t ticks = 0, inContact = 0, atBound = 0, sheetTicks = 0, restTicks = 0, energyTicks = 0, restores = 0,
                  switches = 0;
     std::int64_t failedSeeds = 0;
     std::map<std::string, std::int64_t> seedsByFault;
-    std::vector<std::string> lines;               ///< one a fault: seed, tick, what; the first of each kind in a seed
+    std::vector<std::string> lines;               ///< one per fault: seed, tick, kind; the first of each kind in a seed
     std::int64_t printedFrom = 0, printedTo = -1; ///< ticks that are printed as they go
     [[nodiscard]] std::string summary() const;
 };

@@ -12,7 +12,7 @@ namespace palpate::adversary {
 
 namespace {
 
-// The ray of `Body::winding` leads along no axis and no diagonal; the other two span what is seen along it.
+// The ray of `Body::winding` is not along an axis or a diagonal; the other two vectors span the projection plane.
 const Vec3 kRay = Vec3(0.5377, 0.8339, -0.1259).normalized();
 const Vec3 kAcross = kRay.cross(Vec3(0.318, -0.434, 0.843)).normalized();
 const Vec3 kUp = kRay.cross(kAcross);
@@ -23,14 +23,16 @@ Eigen::Vector2d seen(const Vec3& p)
     return {kAcross.dot(p), kUp.dot(p)};
 }
 
-/// Sign of a triple product of vectors that were differences of doubles, 0 where rounding may have decided it.
+/// Returns the sign of a triple product of differences of doubles; 0 where rounding may affect the sign.
 int signOfVolume(const Long3& a, const Long3& b, const Long3& c)
 {
     const long double volume = a.dot(b.cross(c)), doubt = kRounding * a.norm() * b.norm() * c.norm();
     return volume > doubt ? 1 : volume < -doubt ? -1 : 0;
 }
 
-/// Signed solid angle of a triangle. @par Source Van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125.
+/// Returns the signed solid angle of a triangle.
+/// @par Source
+/// Van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125.
 long double solidAngle(const Long3& a, const Long3& b, const Long3& c)
 {
     const long double la = a.norm(), lb = b.norm(), lc = c.norm();
@@ -69,13 +71,13 @@ std::optional<int> Body::windingByRay(const Vec3& p) const
                     c = t[2].cast<long double>() - from;
         const int ab = signOfVolume(ray, a, b), bc = signOfVolume(ray, b, c), ca = signOfVolume(ray, c, a);
         if (std::max({ab, bc, ca}) - std::min({ab, bc, ca}) == 2) {
-            continue; // passes beside it
+            continue; // misses the triangle
         }
         const int volume = signOfVolume(a, b, c);
         if (ab == 0 || bc == 0 || ca == 0 || volume == 0) {
             return std::nullopt;
         }
-        if (volume == ab) { // ahead, not behind; positive when the ray leaves through the front
+        if (volume == ab) { // ahead of the start; positive if the ray leaves through the front
             turns += volume;
         }
     }
@@ -124,18 +126,18 @@ JudgedLayer::JudgedLayer(const RandomScene& scene, std::uint32_t layer)
 
 namespace {
 
-/// One structure's triangles over welded vertices, each once.
+/// The triangles of one structure over welded vertices, without duplicates.
 struct Welded
 {
-    std::vector<std::uint32_t> number; ///< of each vertex: the first with the same coordinates
-    std::vector<std::uint32_t> kept;   ///< triangles of the mesh
-    std::vector<std::uint32_t> keptAs; ///< for each triangle of the mesh: its, or its duplicate's, place in `kept`
-    std::vector<std::uint32_t> part;   ///< of each in `kept`
-    std::vector<char> isTwoSided;      ///< of each in `kept`
-    std::map<std::uint32_t, std::vector<std::array<std::uint32_t, 2>>> rims; ///< by part: edges, as vertices
+    std::vector<std::uint32_t> number; ///< per vertex: the first vertex with the same coordinates
+    std::vector<std::uint32_t> kept;   ///< indices of triangles in the mesh
+    std::vector<std::uint32_t> keptAs; ///< per triangle of the mesh: index in `kept` of the triangle or its duplicate
+    std::vector<std::uint32_t> part;   ///< per entry of `kept`
+    std::vector<char> isTwoSided;      ///< per entry of `kept`
+    std::map<std::uint32_t, std::vector<std::array<std::uint32_t, 2>>> rims; ///< per part: rim edges as vertex pairs
 };
 
-/// @return -1 or 1: is `other` the same triangle turned round?
+/// @return 1 if `other` is the same triangle with the same winding, -1 if reversed
 int sameWinding(const Triangle& t, const Triangle& other)
 {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -261,7 +263,7 @@ void JudgedLayer::add(const RandomMesh& source, std::uint32_t structure)
             twoSided += welded.isTwoSided[kept] != 0 ? 1 : 0;
             turned += sameWinding(corners(welded, mesh, i), corners(welded, mesh, welded.kept[kept])) < 0 ? 1 : 0;
         }
-        // Partly of one kind, partly of the other: what may pass where is not the body's to say.
+        // A mix of one-sided and two-sided triangles does not determine where the god-object may pass.
         if (twoSided == body.size() || (twoSided == 0 && turned == 0)) {
             bodies.emplace_back(std::move(all));
             bodies.back().isOneSided = twoSided == 0;
@@ -294,7 +296,7 @@ namespace {
 
 double distanceOfSegments_mm(const Vec3& from, const Vec3& to, const Vec3& a, const Vec3& b)
 {
-    // Inside both, where the lines come closest; else at an end of one of them.
+    // Interior of both where the lines are closest; else at an end of either.
     const Vec3 u = to - from, v = b - a, w = from - a;
     const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), det = uu * vv - uv * uv;
     double least = std::min({distanceToSegment_mm(from, a, b), distanceToSegment_mm(to, a, b),

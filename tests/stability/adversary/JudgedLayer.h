@@ -16,42 +16,42 @@ struct JudgedTriangle
     core::Box box;
     std::uint32_t structure = 0;
     bool isTwoSided = false;
-    int solid = -1; ///< body of the layer that this is part of, if that is known to have no cavity; -1: none
+    int solid = -1; ///< the enclosing body of the layer, if known to have no cavity; -1: none
 };
 
-/// A closed set of triangles, as it was made: those that the engine may leave out, as duplicates, included.
+/// A closed set of triangles as generated, including duplicates that the engine may remove.
 class Body
 {
   public:
     explicit Body(std::vector<std::array<Vec3, 3>> triangles);
 
-    /// How often the surface winds around a point: signed crossings of a ray, in long double; where one of them is not
-    /// plain, the sum of the solid angles. None on the surface itself.
+    /// Returns how often the surface winds around a point: signed ray crossings in long double, or the sum of the solid
+    /// angles where a crossing is ambiguous. Returns nothing for a point on the surface.
     [[nodiscard]] std::optional<int> winding(const Vec3& p) const;
     [[nodiscard]] double distance_mm(const Vec3& p) const;
 
-    bool isOneSided = true; ///< touched from its front only
+    bool isOneSided = true; ///< only front contacts
 
   private:
     [[nodiscard]] std::optional<int> windingByRay(const Vec3& p) const;
 
     std::vector<std::array<Vec3, 3>> m_triangles;
-    std::vector<Eigen::AlignedBox2d> m_seen; ///< by triangle: its box, seen along the ray
+    std::vector<Eigen::AlignedBox2d> m_seen; ///< per triangle: bounding box projected along the ray
     core::Box m_box;
     double m_magnitude_mm = 0.0;
 };
 
-/// Triangles that are connected over edges and touched from both sides.
+/// Two-sided triangles that are connected over edges.
 struct Sheet
 {
-    std::vector<std::uint32_t> triangles; ///< of the layer
-    std::vector<std::array<Vec3, 2>> rim; ///< edges with an odd number of triangles
+    std::vector<std::uint32_t> triangles; ///< indices in the layer
+    std::vector<std::array<Vec3, 2>> rim; ///< edges that an odd number of triangles share
     core::Box box;
 };
 
-/// The structures of one layer as the documentation says that they are touched, found out without the engine's code:
-/// equal vertices of a structure are one, the same three vertices are one triangle, a part is connected over edges and
-/// has an inside when each of its edges is passed equally often in both directions.
+/// The structures of one layer as the documentation defines contact, derived without the engine's code: equal vertices
+/// of a structure are merged, the same three vertices are one triangle, a part is connected over edges, and a part has
+/// an inside if each of its edges is traversed equally often in both directions.
 struct JudgedLayer
 {
     JudgedLayer(const RandomScene& scene, std::uint32_t layer);
@@ -59,7 +59,7 @@ struct JudgedLayer
     std::vector<JudgedTriangle> triangles;
     std::vector<Body> bodies;
     std::vector<Sheet> sheets;
-    double skin_mm = 0.0; ///< what the engine says that it keeps off
+    double skin_mm = 0.0; ///< the clearance that the engine reports
 
   private:
     void add(const RandomMesh& mesh, std::uint32_t structure);
@@ -67,9 +67,10 @@ struct JudgedLayer
 
 [[nodiscard]] double distanceToSegment_mm(const Vec3& p, const Vec3& a, const Vec3& b);
 [[nodiscard]] double distanceToTriangle_mm(const Vec3& p, const std::array<Vec3, 3>& t);
-/// Least distance between a segment and a triangle, 0 where they meet. [mm]
+/// Returns the smallest distance between a segment and a triangle [mm]; 0 if they intersect.
 [[nodiscard]] double distanceOfSegment_mm(const Vec3& from, const Vec3& to, const std::array<Vec3, 3>& t);
-/// Does the segment pass through the triangle, its plane included at neither end? None when that is not plain.
+/// Returns whether the segment crosses the interior of the triangle with neither end in its plane; nothing if the
+/// answer is ambiguous.
 [[nodiscard]] std::optional<bool> crosses(const Vec3& from, const Vec3& to, const std::array<Vec3, 3>& t);
 
 } // namespace palpate::adversary

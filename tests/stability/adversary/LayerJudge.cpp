@@ -66,16 +66,17 @@ void LayerJudge::look(const haptics::TickResult& tick, const Vec3& hip, const Ve
     if (m_scene.fingertip_mm > 0.0) {
         judgeBall(god, faults);
     }
-    const bool mayHaveTouched = m_scene.fingertip_mm > 0.0 && tick.iterations > 2; // something else on its way
+    // may have touched another facet during the tick
+    const bool mayHaveTouched = m_scene.fingertip_mm > 0.0 && tick.iterations > 2;
     const double place_mm = m_rounding_mm + aside_mm(tick, hip);
-    if (m_isDeep || mayHaveTouched) { // deep it is let out, and nothing holds it
+    if (m_isDeep || mayHaveTouched) { // A ball that starts too deep is pushed out; nothing constrains the path out.
         m_energy.forget();
     } else if (const double made = m_energy.made_mJ(m_structures, tick, hip, v_WH, place_mm); made > 0.0) {
         faults.push_back({"energy from nothing", made, "mJ", m_god, god});
     }
-    // Where the bound stopped it, the god-object may be on its way.
+    // At the iteration bound the god-object may still be moving.
     if (m_isRough) {
-        judgeFriction(tick, hip, faults); // which rests where it holds
+        judgeFriction(tick, hip, faults); // friction: rests where the cone holds it
     } else if (isRestJudged && tick.status == haptics::TickStatus::Converged && !m_isDeep && faults.size() == before) {
         judgeRest(god, hip, faults);
     }
@@ -83,21 +84,21 @@ void LayerJudge::look(const haptics::TickResult& tick, const Vec3& hip, const Ve
     m_isPlaced = true;
 }
 
-/// Staying is a legal move: no tick may end farther from the HIP than it began, but for what a god-object is lifted by
-/// that comes to touch. A skin away from both walls of a groove it is skin / sin(angle / 2) away from its bottom.
+/// Checks that no tick ends farther from the HIP than it began (staying is a legal move), except for the lift at new
+/// contacts. One skin away from both walls of a groove means skin / sin(angle / 2) away from the bottom.
 void LayerJudge::judgeDistance(const Vec3& god, const Vec3& hip, Faults& faults)
 {
     if (!m_isPlaced) {
         return;
     }
     const double more = (god - hip).norm() - (m_god - hip).norm();
-    constexpr double kLift = 64.0; // skins: a groove of 1.8 degrees
+    constexpr double kLift = 64.0; // in skins: corresponds to a groove of 1.8 degrees
     if (more > kLift * m_layer.skin_mm + m_rounding_mm) {
         faults.push_back({"ends farther from the HIP than it began", more, "mm", m_god, god});
     }
 }
 
-/// The force is that of the tissue of one of the structures that are touched. None is right only at the HIP.
+/// Checks that the force is that of the tissue of a touched structure. Zero force is correct only at the HIP.
 void LayerJudge::judgeForce(const haptics::TickResult& tick, const Vec3& hip, const Vec3& v_WH, Faults& faults)
 {
     const Vec3 spring = tick.p_WG - hip;
@@ -115,7 +116,7 @@ void LayerJudge::judgeForce(const haptics::TickResult& tick, const Vec3& hip, co
     if (isOfSeveral(tick)) {
         return;
     }
-    // Where the bound stopped it, the contacts may be those of a place on the way.
+    // At the iteration bound the contacts may belong to an intermediate position.
     const double touching = tick.status == haptics::TickStatus::IterationLimit
                                 ? std::numeric_limits<double>::infinity()
                                 : m_scene.fingertip_mm + 64.0 * m_layer.skin_mm + m_rounding_mm + 1e-6 * m_scene.scale;
@@ -140,8 +141,8 @@ void LayerJudge::judgeForce(const haptics::TickResult& tick, const Vec3& hip, co
                       "N", m_god, tick.p_WG});
 }
 
-/// The winding number of a closed surface may fall, since what is inside leaves freely, and never rise. One that is
-/// touched from both sides keeps it.
+/// Checks the winding number around each closed surface: a fall is allowed, since points inside leave freely; a rise
+/// never is. The number must not change for a two-sided surface.
 void LayerJudge::judgeBodies(const Vec3& god, Faults& faults)
 {
     const double onSurface = m_layer.skin_mm + m_rounding_mm;
@@ -151,7 +152,7 @@ void LayerJudge::judgeBodies(const Vec3& god, Faults& faults)
         const std::optional<int> turns = body.winding(god);
         watch.outsideTicks = turns == 0 ? watch.outsideTicks + 1 : 0;
         if (!turns) {
-            continue; // on the surface: it stays on the side that it was on
+            continue; // on the surface: the side is unchanged
         }
         if (!watch.isKnown) {
             if (body.distance_mm(god) > 2.0 * onSurface) {
@@ -202,11 +203,12 @@ std::optional<bool> LayerJudge::isCrossed(const Sheet& sheet, const Vec3& from, 
     return isOdd;
 }
 
-/// A god-object may go around a rim, and only its places at the ends of ticks are known. But all its moves of a tick
-/// bring it no farther from the HIP, so they stay in the ball around the HIP that it began on the surface of. Where no
-/// rim reaches into that ball, every way from one place to the other passes the sheet an even number of times or every
-/// one an odd number: the straight one decides. Where the god-object is on the sheet, any place next to it does as
-/// well, as long as the way on starts there; what counts is the sum from one place that is clear of it to the next.
+/// Checks that no sheet was crossed. The god-object may go around a rim, and only the positions at the ends of ticks
+/// are known. All moves of a tick bring the god-object no farther from the HIP, so they stay within the ball around the
+/// HIP through the start position. If no rim reaches into that ball, all paths between the two positions cross the
+/// sheet with the same parity, and the straight path decides. If the god-object is on the sheet, any position next to
+/// it will do as long as the next path starts there; the parity is summed between positions that are clear of the
+/// sheet.
 void LayerJudge::judgeSheet(const Sheet& sheet, SheetWatch& watch, const Vec3& god, const Vec3& hip, Faults& faults)
 {
     const double beside = 32.0 * (m_layer.skin_mm + m_rounding_mm);
@@ -234,7 +236,7 @@ void LayerJudge::judgeSheet(const Sheet& sheet, SheetWatch& watch, const Vec3& g
         }
     }
     std::optional<bool> isOdd = isCrossed(sheet, watch.place, place);
-    for (int attempt = 0; !isOdd && attempt < 4; ++attempt) { // through an edge: by way of a place beside
+    for (int attempt = 0; !isOdd && attempt < 4; ++attempt) { // passes through an edge: try a detour
         const Vec3 way = place - watch.place;
         const Vec3 middle = watch.place + 0.5 * way + 1e-4 * way.norm() * m_chance.direction();
         const auto first = isCrossed(sheet, watch.place, middle), second = isCrossed(sheet, middle, place);
@@ -255,10 +257,10 @@ void LayerJudge::judgeSheet(const Sheet& sheet, SheetWatch& watch, const Vec3& g
     }
 }
 
-/// A ball comes no nearer to a facet that it can touch than its radius, or than it was to anything when it was put down
-/// too near. It can touch what is touched from both sides, and the facets of a body that its centre is outside of:
-/// there some facet always faces it. A centre that leaves a body from within passes the surface freely, and is too near
-/// then.
+/// Checks that the ball is no nearer to a facet than its radius, or than the smallest distance since a start that was
+/// too near. Only facets that the ball can touch count: two-sided surfaces, and facets of a body that the centre is
+/// outside of (some facet always faces the centre there). A centre that leaves a body from within passes the surface
+/// freely and is then too near.
 void LayerJudge::judgeBall(const Vec3& god, Faults& faults)
 {
     const double radius = m_scene.fingertip_mm;
@@ -284,14 +286,15 @@ void LayerJudge::judgeBall(const Vec3& god, Faults& faults)
     m_isDeep = least < radius - slack;
 }
 
-/// A ball has arrived where it comes no nearer by 1e-8 of the distance (resources/docs/fingertip.md), and what a way
-/// aside gains goes by its square.
+/// Returns the allowed sideways deviation. A ball has converged when it comes nearer by less than 1e-8 of the distance
+/// (resources/docs/fingertip.md); the gain of a sideways move grows with the square of that move.
 double LayerJudge::aside_mm(const haptics::TickResult& tick, const Vec3& hip) const
 {
     return m_scene.fingertip_mm > 0.0 ? std::sqrt(2e-8) * (tick.p_WG - hip).norm() : 0.0;
 }
 
-/// One facet alone holds it within the cone of what it touches; a tick that went on has said so.
+/// Checks that a single facet holds the god-object within the friction cone; a tick that stopped early reports that in
+/// the status.
 void LayerJudge::judgeFriction(const haptics::TickResult& tick, const Vec3& hip, Faults& faults) const
 {
     const bool isConverged = tick.status == haptics::TickStatus::Converged;
@@ -314,10 +317,10 @@ void LayerJudge::judgeFriction(const haptics::TickResult& tick, const Vec3& hip,
 void LayerJudge::judgeRest(const Vec3& god, const Vec3& hip, Faults& faults)
 {
     ++m_restTicks;
-    // A way is asked for only where it gains more than what the engine's own ways are tried from.
+    // Look only for moves that gain more than the threshold of the engine's own moves.
     const double enough = std::max(1e-6 * m_scene.scale, 128.0 * m_layer.skin_mm) + 8.0 * m_rounding_mm;
-    // In the slot between two bodies that touch, a skin from the one wall is a skin behind the other: from there no
-    // facet blocks the way into that body, but there it must not go.
+    // In the slot between two touching bodies, a point one skin away from one wall is one skin behind the other. No
+    // facet blocks the way into that body from there, but the move is still illegal.
     const auto mayEnd = [this](const Vec3& place) {
         for (std::size_t i = 0; i < m_bodies.size(); ++i) {
             const std::optional<int> turns = m_layer.bodies[i].winding(place);

@@ -5,7 +5,7 @@
 
 namespace palpate::adversary {
 
-/// A hand that does, one after the other, what god-objects are afraid of. One HIP a tick.
+/// A hand with a sequence of motions that are difficult for god-objects. One HIP per tick.
 class RandomHand
 {
   public:

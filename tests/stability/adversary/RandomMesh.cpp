@@ -146,7 +146,7 @@ TriangleMesh notch(Chance& chance)
     return prism(polygon, {-0.3, 0.0}, 0.0, chance.between(0.2, 1.5), chance.whole(1, 3));
 }
 
-/// A wheel of uneven sides, some of them next to nothing wide.
+/// A wheel with uneven sides, some of nearly zero width.
 TriangleMesh slivers(Chance& chance)
 {
     std::vector<double> angles;
@@ -166,7 +166,7 @@ TriangleMesh slivers(Chance& chance)
     return prism(polygon, {0.0, 0.0}, 0.0, chance.between(0.1, 1.5), chance.whole(1, 2));
 }
 
-/// A block whose top is a fan around the origin that goes up and down.
+/// A block with a top that is an undulating fan around the origin.
 TriangleMesh saddle(Chance& chance)
 {
     const int n = chance.whole(4, 40), waves = chance.whole(1, 5);

@@ -13,16 +13,16 @@ namespace palpate::adversary {
 using geometry::Triangle;
 using geometry::TriangleMesh;
 
-/// A mesh of about unit size, with what is known of it from how it was made.
+/// A mesh of about unit size, with properties known from its construction.
 struct RandomMesh
 {
     std::string name;
     TriangleMesh mesh;
-    /// Sets of triangles that each enclose a volume without a gap, normals outwards or (a cavity) inwards. A triangle
-    /// is in one at most; what is in none is a sheet, a fin or loose.
+    /// Sets of triangles that each enclose a volume without a gap, with normals outwards or (for a cavity) inwards. A
+    /// triangle is in at most one set; all others belong to a sheet, a fin or are loose.
     std::vector<std::vector<std::uint32_t>> bodies;
-    /// Each body winds once around its inside and not at all around what is outside: none is a cavity or passes through
-    /// itself.
+    /// True if each body winds once around its inside and zero times around the outside: no cavities and no
+    /// self-intersections.
     bool isSolid = true;
 };
 
@@ -37,16 +37,16 @@ enum class MeshKind
     Notch,
     Slivers,
     Saddle,
-    Overlapping,   ///< two bodies through each other
+    Overlapping,   ///< two intersecting bodies
     Shells,        ///< a body with a cavity
-    Tangle,        ///< a sphere that passes through itself
-    Duplicates,    ///< some triangles twice, some of those turned round
+    Tangle,        ///< a self-intersecting sphere
+    Duplicates,    ///< duplicated triangles, some of them reversed
     TouchingBoxes, ///< with a wall or a part of one in common
                    // Surfaces that have no inside, or parts without one.
-    Fins,          ///< on a sphere
+    Fins,          ///< attached to a sphere
     Sheet,
     HoledSphere,
-    TJunctions, ///< a box whose faces are cut differently
+    TJunctions, ///< a box with faces that are subdivided differently
     Soup,       ///< loose triangles
 };
 constexpr int kClosedKinds = 13, kMeshKinds = 18;

@@ -14,7 +14,7 @@ MeshKind kindFor(Family family, Chance& chance)
                                         : chance.whole(0, kClosedKinds - 1));
 }
 
-/// Where a scene lies and how large it is.
+/// Position and size of a scene.
 class Placing
 {
   public:

@@ -10,7 +10,7 @@
 
 namespace palpate::adversary {
 
-/// What a seed may become: each is a row of the test.
+/// Families of scenes: each is a row of the test.
 enum class Family
 {
     Closed, ///< a point on bodies that enclose a volume

@@ -20,7 +20,7 @@ haptics::TissueMap randomMap(const geometry::SurfaceIndex& surface, double low, 
         (*corners)[i] = {values[t[0]], values[t[1]], values[t[2]]};
     }
     haptics::TissueMap map{std::move(corners), chance.is(0.5) ? 1.0 : 0.5};
-    if (surface.triangleCount() % 2 == 0) { // linear on each triangle: what it stores follows from a formula
+    if (surface.triangleCount() % 2 == 0) { // linear on each triangle: a formula gives the stored energy
         map.bends = std::make_shared<const std::vector<std::array<float, 6>>>();
     }
     return map;

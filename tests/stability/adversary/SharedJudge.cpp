@@ -70,7 +70,7 @@ const char* SharedJudge::look(const std::vector<haptics::HapticStructure>& struc
     for (std::size_t i = 0; i < tick.contactCount; ++i) {
         sum += tick.contacts[i].f_W;
     }
-    // What a god-object is off its contact planes counts as held back by the mean stiffness.
+    // The distance of the god-object from the contact planes counts with the mean stiffness.
     const double slack_N = 256.0 * stiffest * rounding_mm + 1e-9 * stiffest * spring.norm();
     if ((sum - tick.f_W).norm() > slack_N) {
         return "parts of a shared contact do not add up";

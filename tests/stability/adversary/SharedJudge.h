@@ -12,18 +12,20 @@ namespace palpate::adversary {
 
 using core::Vec3;
 
-/// Judges the force of a god-object that several structures hold, where all of them are plain springs without damping:
-/// it lies between what the softest and the stiffest of them would answer alone, its parts add up to it, and from tick
-/// to tick it changes by no more than resources/docs/god-object.md says.
+/// Checks the force of a god-object held by several structures that are plain springs without damping: the force is
+/// between the responses of the softest and of the stiffest alone, its parts add up to the total, and its change per
+/// tick is within the bound in resources/docs/god-object.md.
 class SharedJudge
 {
   public:
     void forget() { m_last.reset(); }
-    /// @param structures  by number in the scene; @param rounding_mm  of a coordinate; @param isPoint  no ball
-    /// @return what is wrong; null: nothing
+    /// @param structures  by number in the scene
+    /// @param rounding_mm  of a coordinate
+    /// @param isPoint  point instead of a ball
+    /// @return description of the violation; null if correct
     [[nodiscard]] const char* look(const std::vector<haptics::HapticStructure>& structures,
                                    const haptics::TickResult& tick, const Vec3& hip, double rounding_mm, bool isPoint);
-    /// Ticks with several structures that were judged.
+    /// Returns the number of checked ticks with several structures.
     [[nodiscard]] std::int64_t ticks() const { return m_ticks; }
 
   private:
@@ -39,7 +41,7 @@ class SharedJudge
     std::int64_t m_ticks = 0;
 };
 
-/// True when the planes that hold the god-object belong to several structures.
+/// Returns whether the planes that hold the god-object belong to several structures.
 [[nodiscard]] bool isOfSeveral(const haptics::TickResult& tick);
 
 } // namespace palpate::adversary

@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
 
-/// Shares of the corners at the point of a triangle that is nearest to p.
-/// @par Source Ericson, Real-Time Collision Detection, 2005, section 5.1.5.
+/// Returns the barycentric coordinates of the point of a triangle nearest to p.
+/// @par Source
+/// Ericson, Real-Time Collision Detection, 2005, section 5.1.5.
 Vec3 nearestShares(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
@@ -45,8 +46,8 @@ double at(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& sha
     return map.factor * (shares[0] * double{corner[0]} + shares[1] * double{corner[1]} + shares[2] * double{corner[2]});
 }
 
-/// What a map's bends add at barycentric coordinates: the cubic's control values next to the corners, and in the middle
-/// that which makes the slope across an edge linear along it, each edge's by how near it is.
+/// Returns the cubic correction of a map at barycentric coordinates: control values next to the corners, and a central
+/// one chosen for a linear cross-edge slope along each edge, weighted by the distance to the edges.
 double bentBy(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& b, const Vec3& ab, const Vec3& ac)
 {
     if (!map.bendsOn(triangle)) {
@@ -63,7 +64,7 @@ double bentBy(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3&
         const auto c = [&](int at) -> const Vec3& { return corner[static_cast<std::size_t>(at)]; };
         const Vec3 along = c(j) - c(i);
         const double foot = std::clamp((c(j) - c(k)).dot(along) / along.squaredNorm(), -1.0, 2.0);
-        // Beside the two of its own edge, half of those next to its ends on the other edges.
+        // Besides the edge's own two control values, half of the adjacent ones on the other edges.
         const double own =
             (1.5 * foot - 0.5) * start + (1.0 - 1.5 * foot) * end + 0.5 * (from(2 * k + 1) + from(2 * j));
         middle += b[i] * b[j] * own;
@@ -72,10 +73,10 @@ double bentBy(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3&
     return map.factor * (value + (weights > 0.0 ? 6.0 * b[0] * b[1] * b[2] * middle / weights : 0.0));
 }
 
-/// How steep a map is on a triangle, across which it rises from the first corner by what the others have more: by the
-/// length of the difference of two edges, each times the rise along the other, over twice the area. In long double: on
-/// a sliver the area is a small difference. [1/mm of the map's unit]
-/// @param shares  where
+/// Returns the gradient magnitude of a map on a triangle [1/mm in units of the map]: the length of the difference of
+/// two edge vectors, each times the rise along the other, over twice the area. Computed in long double, since the area
+/// of a sliver is a small difference.
+/// @param shares  barycentric coordinates
 double slope(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& shares, const Vec3& ab, const Vec3& ac)
 {
     using Long3 = Eigen::Matrix<long double, 3, 1>;
@@ -90,7 +91,7 @@ double slope(const haptics::TissueMap& map, std::uint32_t triangle, const Vec3& 
     return static_cast<double>((rise(1) * c - rise(2) * b).norm() / b.cross(c).norm());
 }
 
-/// @return what an area in double precision is uncertain by, as a share of it: much on a sliver.
+/// @return relative rounding error of an area in double precision: large for a sliver
 double roundingOfArea(const Vec3& ab, const Vec3& ac)
 {
     return 16.0 * kUlp * std::max(ab.squaredNorm(), ac.squaredNorm()) / ab.cross(ac).norm();
@@ -152,8 +153,8 @@ bool ForceOfTissue::is(const Vec3& f_W, const Vec3& v_WH) const
     const Vec3 elastic = depth > 0.0 ? Vec3(m_stiffness * law.force_N / depth * m_spring) : Vec3::Zero();
     const Vec3 viscous = m_damping * v_WH;
     const double beside = m_on.tissue.hasFriction() ? 0.0 : law.energy_mJ * m_slope_per_mm;
-    // Without maps it is a number times a difference; with one, it depends on where on a triangle, that may be a
-    // sliver, a god-object some skins above it stands.
+    // Without maps the force is a product of a number and a difference; with a map, the value depends on the foot point
+    // of a god-object some skins above a triangle, which may be a sliver.
     const double rounding = m_on.maps.isEmpty() ? 16.0 * kUlp : 1e-6;
     const double place =
         128.0 * m_on.surface->skin_mm() * (m_slope_per_mm * law.force_N + m_dampingSlope * v_WH.norm());
@@ -171,7 +172,7 @@ double ForceOfTissue::coefficient(double mu, double lambda_mm) const
 double outsideCone_mm(const haptics::HapticStructure& structure, const haptics::TickResult& tick, const Vec3& hip)
 {
     if (structure.maps.stiffness.bendsOn(tick.active[0].triangle)) {
-        return 0.0; // friction goes by the slope where a move began
+        return 0.0; // friction depends on the slope at the start of the move
     }
     const haptics::Tissue& tissue = structure.tissue;
     const Vec3 spring = tick.p_WG - hip, n = tick.active[0].n_W;

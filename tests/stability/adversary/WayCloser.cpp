@@ -7,8 +7,8 @@ namespace palpate::adversary {
 
 namespace {
 
-/// Nothing blocks the move, by a wide margin: some that are legal are called blocked, none that is blocked is called
-/// legal. A facet counts as met where the move comes within some skins of it.
+/// Returns whether nothing blocks the move, by a wide margin: legal moves may be rejected, blocked moves are never
+/// accepted. A facet counts as hit if the move comes within some skins.
 bool isClearlyLegal(const JudgedLayer& layer, const Vec3& from, const Vec3& to, double fingertip_mm)
 {
     const double beside = fingertip_mm > 0.0 ? fingertip_mm : 4.0 * layer.skin_mm;
@@ -35,7 +35,7 @@ bool isClearlyLegal(const JudgedLayer& layer, const Vec3& from, const Vec3& to, 
     return true;
 }
 
-/// Normals and edges of the facets that are touched: what a way along them follows.
+/// Normals and edges of the touched facets, which candidate moves follow.
 struct Touched
 {
     std::vector<Vec3> normals, edges;
@@ -53,7 +53,7 @@ Touched touchedAt(const JudgedLayer& layer, const Vec3& god, double fingertip_mm
         result.normals.push_back(t.n.dot(god - t.corner[0]) < 0.0 ? Vec3(-t.n) : t.n);
         for (std::size_t k = 0; k < 3; ++k) {
             result.edges.push_back((t.corner[(k + 1) % 3] - t.corner[k]).normalized());
-            if (fingertip_mm > 0.0) { // around an edge or a corner, a ball turns about it
+            if (fingertip_mm > 0.0) { // around an edge or a corner, a ball rolls
                 const Vec3 out = (god - t.corner[k]).normalized();
                 result.edges.push_back(out.cross(result.edges.back()).normalized());
             }
@@ -98,14 +98,14 @@ WayCloser wayCloser(const JudgedLayer& layer, const Vec3& god, const Vec3& hip, 
     for (const Vec3& d : directions(touched, pull, chance)) {
         const double foot = d.dot(pull);
         for (const double share : {1.0, 0.3, 0.03, 1e-3}) {
-            // A little up from what it leads along, so that rounding does not make that a wall.
+            // Slightly raised off the facets along the path, so that rounding does not make them block.
             Vec3 to = god + share * foot * d;
             for (const Vec3& n : touched.normals) {
                 to += n.dot(d) > -1e-7 ? Vec3(16.0 * layer.skin_mm * n) : Vec3::Zero();
             }
             const double gain = depth - (to - hip).norm();
             if (gain <= std::max(best.gain_mm, enough_mm)) {
-                break; // a shorter one gains less
+                break; // a shorter move gains less
             }
             if (isClearlyLegal(layer, god, to, fingertip_mm) && mayEnd(to)) {
                 best = {gain, to};

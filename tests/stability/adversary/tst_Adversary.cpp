@@ -15,7 +15,7 @@ constexpr double kMostOfBallsAtBound = 4e-4;
 // Of other seeds, in which balls without friction are there as often.
 constexpr double kMostOfRoughBallsAtBound = 1e-3;
 
-/// @param first  seed; PALPATE_SEED says another one
+/// @param first  seed; override: PALPATE_SEED
 void checkFamily(Family family, std::uint64_t first, std::int64_t ticks)
 {
     bool isGiven = false;

@@ -98,7 +98,7 @@ class EarlyEnds : public QObject
                                    .arg(tally.restored)
                                    .arg(tally.differ)
                                    .arg(tally.first)));
-        QVERIFY(seeds == 1 || tally.atBound > tally.ticks / 1000); // there is something to tell apart
+        QVERIFY(seeds == 1 || tally.atBound > tally.ticks / 1000); // the comparison is meaningful
         QVERIFY2(tally.differ == 0, qPrintable(tally.first));
     }
 };
