@@ -139,7 +139,7 @@ class Evaluate : public QObject
         process.setWorkingDirectory(m_folder->path());
         process.start(PALPATE_EXECUTABLE, arguments);
         QVERIFY(process.waitForFinished(60000));
-        QCOMPARE(process.exitCode(), 2); // that is no mesh; the folder was made before it was looked at
+        QCOMPARE(process.exitCode(), 2); // a non-mesh file; the folder was created before inspection
         QVERIFY(QDir(file(folder)).exists());
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
                  (QStringList{"m.csv", "organs", "out"}));
@@ -185,7 +185,7 @@ class Evaluate : public QObject
         QVERIFY2(progress.contains("phantom"), progress);
         ::kill(static_cast<pid_t>(process->processId()), SIGINT);
         QVERIFY(process->waitForFinished(10000));
-        QVERIFY(process->exitStatus() == QProcess::CrashExit); // by the signal, as a shell expects it
+        QVERIFY(process->exitStatus() == QProcess::CrashExit); // by the signal, as a shell expects
         QVERIFY(QDir(file("out")).entryList(QDir::Files | QDir::Hidden).isEmpty());
     }
 };

@@ -153,7 +153,7 @@ class FrameOption : public QObject
         QVERIFY2(verified.out.contains("the same bit for bit"), verified.out);
         const Outcome again = run(QStringList{"replay"} + arguments + QStringList{"--motion", "r.palpate"});
         QVERIFY2(again.exitCode == 0 && again.out.contains("the same bit for bit"), again.error);
-        if (frame == FileFrame::Ras && arguments.contains("plain.obj")) { // read another way it is another surface
+        if (frame == FileFrame::Ras && arguments.contains("plain.obj")) { // read differently, the surface differs
             QCOMPARE(run({"replay", "plain.obj", "--motion", "r.palpate"}).exitCode, 2);
         }
     }

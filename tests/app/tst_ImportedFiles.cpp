@@ -30,7 +30,7 @@ struct Ending
     int exitCode = -1;
     std::string out, error;
     double time_s = 0.0;
-    long memory_KiB = 0; ///< most that the program, or a process that it started, had in memory at once
+    long memory_KiB = 0; ///< peak memory of the program and of child processes
 };
 
 /// Runs the real executable in `folder`, and waits for it and for all that it leaves behind.

@@ -83,7 +83,7 @@ class FeltSurface : public QObject
             QCOMPARE(isSaid, n == 12);
             before = felt.coarseness;
         }
-        QVERIFY2(before > 0.08 && before < 0.13, qPrintable(QString::number(before))); // 10.4 %, by a search of its own
+        QVERIFY2(before > 0.08 && before < 0.13, qPrintable(QString::number(before))); // 10.4 %, by a separate search
     }
 
     void aBallHoldsWhatTheQuadratureSays_data()

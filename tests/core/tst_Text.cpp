@@ -67,7 +67,7 @@ class Text : public QObject
     void noCharacterIsCutInTwo()
     {
         std::string text(39, 'x');
-        text += "äb"; // its two bytes are the 40th and the 41st
+        text += "äb"; // two bytes, the 40th and the 41st
         QCOMPARE(core::inQuotes(text), '"' + std::string(39, 'x') + "…\"");
         QCOMPARE(core::inQuotes(std::string(60, '\x80')), std::string("\"…\"")); // no character begins
     }

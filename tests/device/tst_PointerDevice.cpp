@@ -114,7 +114,7 @@ class PointerDevice : public QObject
                 QCOMPARE(ease.at(now_ns), at);
             }
             const double next = ease.at(now_ns + 1'000'000);
-            QVERIFY((next - at) * (ease.target() - next) >= -1e-12);   // towards it, and not beyond
+            QVERIFY((next - at) * (ease.target() - next) >= -1e-12);   // towards the target, and not beyond
             QVERIFY(std::abs(next - at) <= 3.0 * 40.0 * 0.001 / 0.15); // mm a tick
             at = next;
         }

@@ -86,8 +86,8 @@ class Faults : public QObject
     struct Pushed
     {
         double most_N = 0.0;
-        double aside = 0.0; ///< counts by which it is calibrated wrong
-        int calibrated = 0; ///< seconds in which it was not
+        double aside = 0.0; ///< calibration error in counts
+        int calibrated = 0; ///< seconds without calibration
     };
     void judgePush(double second, Pushed& pushed)
     {

@@ -94,7 +94,7 @@ class SpaceMouse : public QObject
         const auto mouse = make();
         const device::DeviceInfo info = mouse->info();
         QVERIFY(info.isRateControlled && info.workspaceRadius_mm == 250.0);
-        QVERIFY((info.q_UD * core::Vec3::UnitZ() - core::Vec3::UnitY()).norm() < 1e-12); // its up is up
+        QVERIFY((info.q_UD * core::Vec3::UnitZ() - core::Vec3::UnitY()).norm() < 1e-12); // up stays up
         QVERIFY(mouse->start().isOk());
         m_bench->with([](standin::Bench& b) { b.puck.axes = {350, 0, 0, 0, 0, 350}; });
         QVERIFY(readFor(*mouse, 0.5).p_D.x() > 20.0);
@@ -102,7 +102,7 @@ class SpaceMouse : public QObject
         readFor(*mouse, 0.2);
         QVERIFY(mouse->calibrate().isOk());
         const device::DeviceState first = mouse->read(core::monotonicNow_ns());
-        QVERIFY(!first.isPresent); // nobody takes it for a hand that leapt
+        QVERIFY(!first.isPresent); // not mistaken for a jump of the hand
         const device::DeviceState next = readFor(*mouse, 0.01);
         QVERIFY(next.isPresent && next.p_D == core::Vec3(0, 0, 0));
         QVERIFY(next.q_D.isApprox(core::Quaternion::Identity()));
@@ -125,7 +125,7 @@ class SpaceMouse : public QObject
         QCOMPARE(readFor(*mouse, 1.0).p_D.x(), pulled_mm);
         QCOMPARE(mouse->report().condition, device::DeviceCondition::Lost);
         m_bench->with([](standin::Bench& b) { standin::plugPuck(b, true); });
-        QVERIFY(readFor(*mouse, 1.0).p_D.x() > pulled_mm + 20.0); // it is found again, still pushed
+        QVERIFY(readFor(*mouse, 1.0).p_D.x() > pulled_mm + 20.0); // found again, still pushed
         QCOMPARE(mouse->report().condition, device::DeviceCondition::Working);
         mouse->stop();
     }

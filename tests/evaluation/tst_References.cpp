@@ -285,7 +285,7 @@ class References : public QObject
         const Surface groove(geometry::repair(shapes::groove(0.5 * std::numbers::pi)));
         ExactSolver along(groove, 1, 0.0, kMu);
         along.start(Vec3(0, 0.3, 5));
-        QVERIFY(along.step(Vec3(0, 0.3, -8)).p_WG.norm() < 0.4); // its bottom
+        QVERIFY(along.step(Vec3(0, 0.3, -8)).p_WG.norm() < 0.4); // the bottom
         const double y_mm = along.step(Vec3(0, 8, -8)).p_WG.y();
         QVERIFY2(std::abs(8.0 - y_mm - kMu * 8.0 * std::sqrt(2.0)) < 1e-9, qPrintable(QString::number(y_mm)));
     }

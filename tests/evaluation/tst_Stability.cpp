@@ -240,7 +240,7 @@ class Stability : public QObject
             const Setup setup = setupOf(*findDevicePreset(id.constData()), isControlled);
             const auto edge = worstMapEdge(sceneAt(shape, kTissue_N_per_mm), setup);
             QVERIFY(edge && edge->structure == 0 && edge->jump_N > 0.0);
-            if (!isRound) { // at its foot, where it begins to rise
+            if (!isRound) { // at the foot of the rise
                 QVERIFY2(std::abs(edge->p_W.x()) < 1e-9, qPrintable(QString::number(edge->p_W.x())));
             }
             const double moved = restlessness_mm(shape, kTissue_N_per_mm, setup);
@@ -319,7 +319,7 @@ class Stability : public QObject
         QFETCH(QByteArray, id);
         for (const bool isControlled : {false, true}) {
             Setup setup = setupOf(*findDevicePreset(id.constData()), isControlled);
-            setup.settle_s = 7.0; // a light grip rings for seconds, and the step with it
+            setup.settle_s = 7.0; // a light grip rings for seconds, as does the step
             for (const double stiffness : {0.1, 0.4}) {
                 const Shape shape = stepsAtTriangles(0.5, 1.0);
                 QVERIFY(!worstMapEdge(sceneAt(shape, stiffness), setup));
@@ -385,7 +385,7 @@ class Stability : public QObject
         Shape rough = stepOver(5.0, false);
         QVERIFY(worstMapEdge(sceneAt(rough, 0.2), setup));
         rough.structures[0].tissue.friction_static = rough.structures[0].tissue.friction_dynamic = 0.1;
-        QVERIFY(!worstMapEdge(sceneAt(rough, 0.2), setup)); // it takes the push
+        QVERIFY(!worstMapEdge(sceneAt(rough, 0.2), setup)); // takes the push
         QVERIFY(!worstMapEdge(sceneAt(touchedShapes().front(), 0.2), setup));
     }
 

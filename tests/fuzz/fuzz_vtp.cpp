@@ -22,7 +22,7 @@ std::vector<std::string> seeds()
     return {test::asciiVtp(), test::fileBytes(folder.path("w.vtp")),
             test::asciiVtp("0 0 0 2.5 0 0 0 1.5 0 3 3 0", "0 1 2 3", "NumberOfPoints=\"4\" NumberOfStrips=\"1\"", "4",
                            "Strips"),
-            named("76 80 83 0"), named("76 0 80 0")}; // VTK wrote the second string behind its array's end
+            named("76 80 83 0"), named("76 0 80 0")}; // VTK wrote the second string beyond the end of the array
 }
 
 void tryInput(std::string_view bytes)

@@ -162,7 +162,7 @@ class BoxHierarchyTest : public QObject
                 }
             }
             QVERIFY(standing > 1000);
-            QVERIFY2(4 * visited < 3 * all, qPrintable(QString("%1 of %2").arg(visited).arg(all))); // it does leave out
+            QVERIFY2(4 * visited < 3 * all, qPrintable(QString("%1 of %2").arg(visited).arg(all))); // some are omitted
         }
     }
 

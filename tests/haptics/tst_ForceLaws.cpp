@@ -214,7 +214,7 @@ class ForceLaws : public QObject
     void itBeginsAtNothingAndNeverPullsIn()
     {
         const Table falling = tableOf(tissueOf(LawKind::Points, {}, {{0, 0}, {2, 2}, {3, 0.1}, {4, 0.05}}));
-        QCOMPARE(falling->force(1000.0), falling->force(4.0)); // it was falling where it was last measured
+        QCOMPARE(falling->force(1000.0), falling->force(4.0)); // falling at the last measured point
         std::vector<Table> tables = allTables();
         tables.push_back(falling);
         for (const Table& table : tables) {

@@ -49,7 +49,7 @@ void misbehave(const char* path)
         for (std::atomic<unsigned> i = 0;; ++i) {
         }
     } else if (name == "eat") {
-        while (true) { // to the end of all memory that it can get
+        while (true) { // until no more memory is available
             std::memset(::operator new (std::size_t{1} << 24), 1, std::size_t{1} << 24);
         }
     } else if (name == "files") {

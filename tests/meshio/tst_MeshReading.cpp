@@ -26,7 +26,7 @@ class GermanLocale
   public:
     GermanLocale()
     {
-        static const QTemporaryDir folder; // making it takes seconds
+        static const QTemporaryDir folder; // creation takes seconds
         static const int made =
             QProcess::execute("localedef", {"-c", "-i", "de_DE", "-f", "UTF-8", folder.path() + "/de_DE.UTF-8"});
         Q_UNUSED(made);
@@ -34,7 +34,7 @@ class GermanLocale
         isC = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr && std::localeconv()->decimal_point[0] == ',';
         m_before = std::locale::global(std::locale(std::locale::classic(), new CommaPoint));
         if (isC) {
-            std::setlocale(LC_ALL, "de_DE.UTF-8"); // std::locale::global may have changed it
+            std::setlocale(LC_ALL, "de_DE.UTF-8"); // std::locale::global may have changed the locale
         }
     }
     ~GermanLocale()

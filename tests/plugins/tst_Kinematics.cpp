@@ -196,7 +196,7 @@ class Kinematics : public QObject
         arm.hand.isHolding = false;
         arm.q = {0.2, 0.4, 0.7};
         const standin::V3 before = standin::tipOf(arm.unit, arm.q);
-        for (int i = 0; i < 2000; ++i) { // 0.2 s: unheld it would fall by centimetres
+        for (int i = 0; i < 2000; ++i) { // 0.2 s: without a hand the arm would fall by centimetres
             arm.amps = arr(k.currents(k.torques(Vec3(arm.q[0], arm.q[1], arm.q[2]), Vec3::Zero())));
             standin::stepArm(arm, 1e-4);
         }

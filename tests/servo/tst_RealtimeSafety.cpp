@@ -193,7 +193,7 @@ class RealtimeSafety : public QObject
     void noKindOfTouchAllocatesLocksOrReads_data()
     {
         using namespace palpate::test;
-        QTest::addColumn<QList<TriangleMesh>>("meshes"); // each a layer of its own, if there are two
+        QTest::addColumn<QList<TriangleMesh>>("meshes"); // separate layers, if there are two
         QTest::addColumn<double>("radius");
         QTest::addColumn<int>("mostConstraints");
         QTest::addColumn<bool>("isTissue"); // friction, a law and maps

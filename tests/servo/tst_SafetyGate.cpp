@@ -274,7 +274,7 @@ class SafetyGate : public QObject
         driver.gate.rearm();
         const bool wasStop = kind == FaultKind::None;
         const GatedInput input = driver.admit(Vec3(500.0, 0, 0));
-        QVERIFY(input.isFirst && !input.isGated); // taken as it comes
+        QVERIFY(input.isFirst && !input.isGated); // taken unchanged
         QCOMPARE(driver.release(f)[1] > 0.0, !wasStop);
         QVERIFY(driver.gate.fault() == FaultKind::None);
     }

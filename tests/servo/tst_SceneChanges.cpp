@@ -105,7 +105,7 @@ class SceneChanges : public QObject
             most = std::max(most, last.norm());
             ++sinceChange;
         }
-        QVERIFY(most > 0.5 * limits.maxForce_N); // it was felt
+        QVERIFY(most > 0.5 * limits.maxForce_N); // contact was felt
         QVERIFY(gated > 50);                     // and changes did ask for more
     }
 

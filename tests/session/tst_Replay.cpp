@@ -153,7 +153,7 @@ class Replay : public QObject
         QTest::addColumn<double>("skins");  // that the god-object is moved by
         QTest::addColumn<double>("pushed"); // that the force is, times the stiffness
         QTest::addColumn<int>("structure");
-        QTest::addColumn<int>("triangle"); // added to its number
+        QTest::addColumn<int>("triangle"); // added to the number
         QTest::addColumn<bool>("isRounding");
         QTest::newRow("a tenth of a skin") << 0.1 << 0.0 << 0 << 0 << true;
         QTest::newRow("15 skins") << 15.0 << 0.0 << 0 << 0 << true;

@@ -56,7 +56,7 @@ class TickCsv : public QObject
         tick.tick = 8;
         tick.solve_ns = 40;
         csv.value().write(tick, kNames);
-        QVERIFY(!QFile::exists(path)); // not before it is whole
+        QVERIFY(!QFile::exists(path)); // not before completion
         QVERIFY(csv.value().finish().isOk());
         QCOMPARE(contents(path),
                  QByteArray("tick,hip_x,hip_y,hip_z,god_x,god_y,god_z,force_x,force_y,force_z,constraints,structure,"

@@ -179,7 +179,7 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
     auto* started = new standin::Started{run, argument};
     {
         const std::lock_guard guard(time.lock);
-        ++time.working; // from now on, though it has not begun
+        ++time.working; // from now on, although not begun
     }
     const int error = create(thread, attributes, standin::runCounted, started);
     if (error != 0) {

@@ -92,7 +92,7 @@ class Findings : public QObject
         later.p_W.x() = 5.0;
         const core::Finding other{.name = "Finding 2"};
         later.id.clear();
-        core::Finding first = whole(); // as older versions record it: without an id
+        core::Finding first = whole(); // as in older versions: without an id
         first.id.clear();
         const auto left = session::findingsOf({event(1, "finding", first),
                                                event(2, "finding", later),
@@ -123,7 +123,7 @@ class Findings : public QObject
         QCOMPARE(left.size(), std::size_t{3});
         QVERIFY(left[0].second == renamed);
         QVERIFY(left[1].second == same);
-        QCOMPARE(left[1].first, std::int64_t{2}); // it was marked when it was, not when it came back
+        QCOMPARE(left[1].first, std::int64_t{2}); // the time of marking, not of restoring
         QVERIFY(left[2].second == rewritten);
     }
 

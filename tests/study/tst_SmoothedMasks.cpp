@@ -48,7 +48,7 @@ void feel(const haptics::HapticScene& scene, const session::Motion& motion, cons
         const Vec3 out_mm = tick.p_WH - centre_mm;
         const double depth_mm = kRadius_mm - out_mm.norm();
         if (depth_mm < kDepth_mm - 1e-3) {
-            return true; // on its way in
+            return true; // on the way in
         }
         const Vec3& f = tick.felt.f_W;
         const double true_N = kStiffness_N_per_mm * depth_mm;

@@ -60,7 +60,7 @@ class StiffnessRatio : public QObject
             organ.tissue.stiffness_N_per_mm = study::namedStiffness_N_per_mm("liver").value();
             lump.tissue.stiffness_N_per_mm = study::namedStiffness_N_per_mm(lumpName, &organ.name).value();
             QVERIFY2(before && between(lump, organ) == before, lumpName);
-            organ.tissue.stiffness_N_per_mm = 0.3; // a firmer liver: its lumps are known by their ratio
+            organ.tissue.stiffness_N_per_mm = 0.3; // a firmer liver, with lumps given by ratio
             QVERIFY2(between(lump, organ) == before, lumpName);
         }
     }

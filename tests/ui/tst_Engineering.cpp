@@ -99,7 +99,7 @@ class Engineering : public QObject
         reading = good();
         reading.realtime.isRealtime = false;
         QCOMPARE(ui::runningState(reading).text, QStringLiteral("force may stutter"));
-        reading.hasMotors = false; // nobody feels it
+        reading.hasMotors = false; // not palpable
         QVERIFY(ui::runningState(reading).isWell);
     }
 

@@ -130,7 +130,7 @@ class Hand : public QObject
         map = ui::mapFor(settings, touch(), place);
         QVERIFY((map.q_WD * Vec3::UnitX() - Vec3(1, 0, 0)).norm() < 1e-12);
         QVERIFY((map.q_WD * Vec3::UnitY() - Vec3(0, 0, 1)).norm() < 1e-12);
-        device::DeviceInfo lying = touch(); // its x comes towards the user, its z goes up
+        device::DeviceInfo lying = touch(); // x points towards the user, z up
         Eigen::Matrix3d R_UD;
         R_UD << 0, 1, 0, 0, 0, 1, 1, 0, 0;
         lying.q_UD = core::Quaternion(R_UD);
@@ -306,7 +306,7 @@ class Hand : public QObject
     {
         ui::StructureModel model;
         ui::LiveTouch live(model);
-        QVERIFY(std::isinf(live.heldStiffness_N_per_mm())); // the mouse: no bound of its own
+        QVERIFY(std::isinf(live.heldStiffness_N_per_mm())); // the mouse: no own limit
         QSignalSpy refused(&live, &ui::LiveTouch::stiffnessRefused);
         std::vector<ui::StructureRow> rows = test::twoRows();
         rows.front().loaded.description.palpable = true;

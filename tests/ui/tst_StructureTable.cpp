@@ -27,7 +27,7 @@ class StructureTable : public QObject
         QVERIFY(model.hapticScene(kGreatest)->structures()[0].surface != nullptr);
         model.setData(model.index(0, StructureModel::Shown), Qt::Unchecked, Qt::CheckStateRole);
         QVERIFY(model.hapticScene(kGreatest)->structures()[0].surface == nullptr);
-        QVERIFY(model.hapticScene(kGreatest)->structures()[1].surface != nullptr); // keeps its number
+        QVERIFY(model.hapticScene(kGreatest)->structures()[1].surface != nullptr); // keeps the number
     }
     void tellsTheViewOfLooksAndTheHandOfTissue()
     {

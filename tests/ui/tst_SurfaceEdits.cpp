@@ -61,7 +61,7 @@ class SurfaceEdits : public QObject
         QVERIFY(row().loaded.smoothing.has_value());
         QVERIFY(row().loaded.surface != surface && row().touch != touch && row().picture != picture);
         QVERIFY(m_model.steppedRows().empty());
-        QVERIFY(m_model.structure(0).surface == meshio::SurfaceKind::Smoothed); // as it will be saved
+        QVERIFY(m_model.structure(0).surface == meshio::SurfaceKind::Smoothed); // as saved
         m_model.undoStack().undo();
         QTRY_COMPARE_WITH_TIMEOUT(replaced.count(), 2, 60000);
         QCOMPARE(row().loaded.surface.get(), surface.get());

@@ -61,7 +61,7 @@ class SurfaceColours : public QObject
     }
     void everyPointHasItsVertexsColour()
     {
-        const auto cube = geometry::repair(test::block(5.0)); // each vertex has three points: its edges are sharp
+        const auto cube = geometry::repair(test::block(5.0)); // each vertex has three points: sharp edges
         const auto picture = view::makeSurface(cube);
         QVERIFY(picture->GetNumberOfPoints() > 8);
         std::vector<float> values;
@@ -86,7 +86,7 @@ class SurfaceColours : public QObject
             grey += v == 2 ? 1 : 0;
         }
         QCOMPARE(grey, 3);
-        QVERIFY(picture->GetPointData()->GetScalars() == nullptr); // the picture itself stays as it was
+        QVERIFY(picture->GetPointData()->GetScalars() == nullptr); // the picture is unchanged
     }
     void trianglesHaveOneColourEach()
     {

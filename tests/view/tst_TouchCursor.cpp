@@ -135,7 +135,7 @@ class TouchCursor : public QObject
         QCOMPARE(radius_px(3.0 * Vec3::UnitX()), 0.0);
         QVERIFY(cursor.arrow().shaft()->GetVisibility());
         const double* b = cursor.arrow().shaft()->GetBounds();
-        QVERIFY(b[1] - b[0] > 15.0); // 24 mm, without its head
+        QVERIFY(b[1] - b[0] > 15.0); // 24 mm, without the head
         // In between both are there, and neither comes at once.
         QVERIFY(radius_px(3.0 * (at + 0.6 * Vec3::UnitX()).normalized()) > 0.0);
         QVERIFY(cursor.arrow().shaft()->GetVisibility());

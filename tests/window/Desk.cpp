@@ -47,7 +47,7 @@ bool Desk::open(const std::vector<std::filesystem::path>& files)
 
 bool Desk::openPhantom()
 {
-    const std::filesystem::path phantom = folder() / "phantom"; // a copy: the window may save it
+    const std::filesystem::path phantom = folder() / "phantom"; // a copy, because the window may save
     std::error_code error;
     std::filesystem::copy(std::filesystem::path(PALPATE_SOURCE_DIR) / "data" / "phantom", phantom,
                           std::filesystem::copy_options::overwrite_existing | std::filesystem::copy_options::recursive,

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-#ifdef WAYWARD_IID // as an older or newer header has it
+#ifdef WAYWARD_IID // as in an older or newer header
 #undef PALPATE_DEVICE_PLUGIN_IID
 #define PALPATE_DEVICE_PLUGIN_IID WAYWARD_IID
 #endif

@@ -20,8 +20,8 @@ class RandomHand
         WhiteNoise,
         Walk,     ///< at random
         Teleport, ///< anywhere around the scene
-        Strike,   ///< straight through it, fast
-        Slide,    ///< a little below the surface, along a facet and beyond it
+        Strike,   ///< straight through, fast
+        Slide,    ///< a little below the surface, along a facet and beyond
         OnFeatures,
         AlongEdge,
         ThroughVertex,

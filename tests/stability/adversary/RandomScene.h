@@ -25,7 +25,7 @@ constexpr int kFamilies = 6;
 
 struct RandomStructure
 {
-    RandomMesh mesh; ///< in its place [mm]
+    RandomMesh mesh; ///< in place [mm]
     std::shared_ptr<const geometry::SurfaceIndex> surface;
     haptics::Tissue tissue;
     std::uint32_t layer = 0; ///< 0, 1, … without gaps
