@@ -1,12 +1,13 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: BSD-3-Clause
-# check_wording.pl [--all] [ROOT]   counts words that make sentences vague, for each part of the tree, and fails where a part
+# check_wording.pl [--all] [--only KIND,…] [ROOT]   counts words that make sentences vague, for each part of the tree, and fails where a part
 # has more of them per 1,000 words than plain technical English needs. It prints the parts that fail with their worst files,
-# with --all every part. The bounds leave room for the words where they are right; rewrite the sentence, not the word.
+# with --all every part; kinds are comments, documents and texts. The bounds leave room for the words where they are right; rewrite the sentence, not the word.
 use strict;
 use warnings;
 
 my $all = @ARGV && $ARGV[0] eq '--all' && shift @ARGV;
+my %only = map { $_ => 1 } @ARGV && $ARGV[0] eq '--only' ? split(/,/, (splice @ARGV, 0, 2)[1]) : qw(comments documents texts);
 my $root = shift @ARGV // '.';
 
 # Pattern, most per 1,000 words of comments, and of documents and window texts.
@@ -61,6 +62,7 @@ die "found no sources below $root\n" unless %parts;
 
 my $bad = 0;
 for my $name (sort keys %parts) {
+    next unless $only{$name =~ s/:.*//r};
     my $whole = join "\n", map { $_->[1] } @{$parts{$name}};
     my $words = () = $whole =~ /[A-Za-z]+/g;
     next if $words < $fewest_words;
