@@ -9,7 +9,7 @@ namespace palpate::servo {
 
 namespace {
 
-/// 1 / n, so that a tick divides once an axis.
+/// 1 / n: avoids divisions in the loop over the window.
 constexpr auto kInverse = [] {
     std::array<double, MotionTrack::kLongestSlope + 1> inverse{};
     for (std::size_t n = 1; n < inverse.size(); ++n) {
@@ -44,12 +44,12 @@ Vec3 MotionTrack::step(const Vec3& p) noexcept PALPATE_NONBLOCKING
             }
             continue;
         }
-        // Places are multiples of a step only to rounding, and of one that was recognised only nearly.
+        // Tolerance: samples are multiples of the step up to rounding, and a detected step is known to about 1 %.
         const double step_mm = resolution_mm[axis] * (m_resolution_mm > 0.0 ? 1.0 + 1e-6 : 1.02);
-        // Slopes of lines through the newest sample that pass all samples so far.
+        // Bounds on the slope of a line through the newest sample within one step of all samples so far.
         double least = -std::numeric_limits<double>::infinity();
         double greatest = std::numeric_limits<double>::infinity();
-        double way = 0.0, wayOfMove = 0.0; // over `ticks` and `window`
+        double way = 0.0, wayOfMove = 0.0; // moves over the last `ticks` and `window` ticks
         std::size_t ticks = 1, window = 1;
         for (std::size_t n = 1; n <= m_count; ++n) {
             const double past = m_samples[(m_newest + m_samples.size() - n) % m_samples.size()][axis];

@@ -73,7 +73,7 @@ Vec3 PassivityController::damping(const Vec3& fAsked_W, bool isInContact) noexce
     if (!m_limits.isOn || !(tooMuch_mJ > 0.0) || !(d2 > 0.0)) {
         return Vec3::Zero();
     }
-    // Over as many ticks as the motion was measured over: a step of the sensor is no motion of one tick.
+    // Spread over the window of the motion estimate: a sensor step is the motion of several ticks.
     const double perTick_mJ = tooMuch_mJ / m_motion.window();
     m_state.damping_Ns_per_mm = std::min(perTick_mJ * m_dt_s / d2, m_limits.maxDamping_Ns_per_mm);
     return -m_state.damping_Ns_per_mm / m_dt_s * dx;

@@ -17,14 +17,14 @@ namespace palpate::servo {
 namespace {
 
 constexpr const char* kLockedMemory = "locked memory";
-/// Both limits at once; they hold from the next log-in.
+/// Command that raises both limits, effective from the next login.
 constexpr const char* kRaiseLimits = "printf '%s - rtprio 80\\n%s - memlock unlimited\\n' \"$USER\" \"$USER\" | "
                                      "sudo tee /etc/security/limits.d/70-palpate.conf   # then log out and in again";
 
 std::string reason(int error)
 {
     char buffer[128];
-    return strerror_r(error, buffer, sizeof(buffer)); // GNU's: returns the text
+    return strerror_r(error, buffer, sizeof(buffer)); // GNU version: returns the text
 }
 
 RealtimeItem priorityItem(int wanted)
@@ -62,7 +62,7 @@ RealtimeItem memoryItem()
         return item;
     }
     // Under a finite limit, MCL_FUTURE would make later allocations of the whole program fail. A privileged process may
-    // exceed the limit, which is found out by locking more than it allows.
+    // exceed the limit; mapping more than the limit shows whether this one may.
     rlimit limit{};
     if (getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
         const std::size_t size = static_cast<std::size_t>(limit.rlim_cur) + (std::size_t{1} << 20U);
@@ -81,7 +81,8 @@ RealtimeItem memoryItem()
     return item;
 }
 
-/// Touches the stack that the ticks will use, so that no tick is the first to. Not inlined: the frame must go away.
+/// Touches the stack that the ticks will use, so that no tick causes a page fault there. Not inlined, so that the frame
+/// is released on return.
 __attribute__((noinline)) void touchStack() noexcept
 {
     constexpr std::size_t kStack = 256 * 1024;
@@ -92,7 +93,7 @@ __attribute__((noinline)) void touchStack() noexcept
     static_cast<void>(stack[0]);
 }
 
-/// As taskset writes it: 0-3,8.
+/// Formats CPU numbers as in taskset: 0-3,8.
 std::string cpuList(const std::vector<int>& cpus)
 {
     std::string out;

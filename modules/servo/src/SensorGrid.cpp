@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kFinest_mm = 0.004;
 constexpr double kCoarsest_mm = 0.5;
-constexpr double kTolerance = 0.01; // of a step: positions in files are rounded
-constexpr double kLongest = 64.0;   // steps in a tick; a longer move is a jump, and tells nothing
+constexpr double kTolerance = 0.01; // share of a step: positions in files are rounded
+constexpr double kLongest = 64.0;   // steps per tick; longer moves are jumps and are ignored
 
 /// Euclid's algorithm with a tolerance. @return a common divisor; < kFinest_mm if there is no meaningful divisor
 double commonStep(double a, double b) noexcept
@@ -53,7 +53,7 @@ void SensorGrid::note(double move_mm) noexcept PALPATE_NONBLOCKING
     if (m_step_mm > 0.0 && m_step_mm <= kCoarsest_mm && m_evidence < kEnough) {
         const auto steps = [this](double move) { return std::lround(move / m_step_mm); };
         const long before = steps(m_before[1]), off = steps(m_before[0]) - before, now = steps(move_mm);
-        // A step too many or too few that the next tick goes without, or makes up for.
+        // One step more or less in a single tick, which the next tick drops or reverses.
         if (std::abs(off) == 1 && (now == before || now == before - off)) {
             ++m_evidence;
         }

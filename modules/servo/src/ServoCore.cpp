@@ -131,9 +131,9 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
     return record;
 }
 
-/// @return true when a hand returns to its last position too soon to have moved around the touched object. No time
-/// limit for an open surface, where only the side of the surface indicates contact, and none during a fault, in which
-/// the hand waits for re-arming.
+/// @return true when a hand returns to within Palpator::kNear_mm of its last position, too soon to have moved around
+/// the touched object. There is no time limit on an open surface, where only the remembered side indicates contact.
+/// Time in a fault does not count, because the hand waits for re-arming.
 bool ServoCore::isBack(const Vec3& p_WH) const noexcept
 {
     constexpr double kLongest_s = 0.5;

@@ -88,7 +88,7 @@ Status ServoLoop::restart(const ServoOptions& options)
     return startThread(options);
 }
 
-/// Without a thread the device, which was started, is stopped again.
+/// Stops the device, which is already started, if the thread cannot be created.
 Status ServoLoop::startThread(const ServoOptions& options)
 {
     Impl& impl = *m_impl;

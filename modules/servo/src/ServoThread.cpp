@@ -37,7 +37,7 @@ void ServoLoop::Impl::runThread(std::latch& ready) noexcept
     bool isReady = false;
     try {
         run(ready, isReady);
-    } catch (...) { // nothing in a tick throws; setting the thread up may run out of memory
+    } catch (...) { // ticks never throw, but the setup may run out of memory
         const auto done = static_cast<std::int64_t>(ticks.load(std::memory_order_relaxed));
         publishFault({FaultKind::LoopFailed, done, core::monotonicNow_ns()});
         device->write(Vec3::Zero());
@@ -112,7 +112,7 @@ void ServoLoop::Impl::run(std::latch& ready, bool& isReady)
         }
 
         // Missed periods are skipped, never caught up in a burst. One late tick may follow immediately; after
-        // a tick that itself took longer than a period the thread sleeps, so that it never occupies a whole CPU.
+        // a tick that took longer than a period the thread sleeps, so that the servo loop never occupies a whole CPU.
         if (isOverrun) {
             const auto gone = static_cast<std::int64_t>(std::floor(static_cast<double>(end_ns - start_ns) / period_ns));
             const bool wasLong = static_cast<double>(end_ns - woke_ns) > period_ns;
@@ -172,7 +172,7 @@ void ServoLoop::Impl::takeScene(ServoCore& core) noexcept PALPATE_NONBLOCKING
     if (retired != nullptr && returned.push(retired)) {
         retired = nullptr;
     }
-    // Without room to give the old one back, the new one waits.
+    // While `returned` has no space for the old scene, the new scene waits.
     if (retired != nullptr || incoming.load(std::memory_order_relaxed) == nullptr) {
         return;
     }
@@ -199,7 +199,7 @@ void ServoLoop::Impl::beginRecording(const ServoCore& core) noexcept PALPATE_NON
         start.scene = core.sceneGeneration();
         start.state = core.palpatorState();
         if (!recordingStarts.push(start)) {
-            return; // 64 starts wait to be fetched; a recording needs its start, so try again in the next tick
+            return; // ring of starts is full; a recording needs its start, so retry in the next tick
         }
         hasDropped = false;
     }

@@ -17,7 +17,7 @@ namespace palpate::servo {
 
 using device::PlainCopy;
 
-inline constexpr std::size_t kHistory = 100; // ticks that are kept with a fault
+inline constexpr std::size_t kHistory = 100; // ticks stored with a fault
 
 struct SceneNode
 {
@@ -29,7 +29,7 @@ struct SceneNode
 struct History
 {
     std::array<TickRecord, kHistory> ticks;
-    std::size_t count = 0; // ever added
+    std::size_t count = 0; // total number added
 };
 
 /// State shared by the owner of a loop and the servo thread, and the work of the thread.
@@ -47,7 +47,7 @@ struct ServoLoop::Impl
     std::atomic<bool> isStopRequested{false};
     std::atomic<bool> isRearmRequested{false};
     std::atomic<int> delayTicks{1};
-    std::atomic<std::uint32_t> recordingEpoch{0}; // odd while recording; another value is another recording
+    std::atomic<std::uint32_t> recordingEpoch{0}; // odd while recording; changes with each recording
     core::TripleBuffer<PlainCopy<MapSettings>> map;
     std::atomic<SceneNode*> incoming{nullptr};
     static_assert(std::atomic<SceneNode*>::is_always_lock_free);
@@ -72,16 +72,16 @@ struct ServoLoop::Impl
 
     // Owned by the servo thread while running, otherwise by the owner of the loop.
     SceneNode* current = nullptr;
-    SceneNode* retired = nullptr; // waits for room in `returned`
+    SceneNode* retired = nullptr; // waits for space in `returned`
     History history;
     std::uint32_t epochSeen = 0;
     bool hasDropped = false;
     ServoHand hand; // of the previous run, after its end
 
-    // The owner's.
-    bool isResumed = false; // the next run goes on with `hand`
+    // State of the owner of the loop.
+    bool isResumed = false; // the next run continues with `hand`
     std::uint32_t lastGeneration = 0;
-    std::atomic<std::uint64_t> droppedBefore{0}; // by runs before this one
+    std::atomic<std::uint64_t> droppedBefore{0}; // records dropped by earlier runs
 
     void runThread(std::latch& ready) noexcept;
     void run(std::latch& ready, bool& isReady);

@@ -35,13 +35,12 @@ class MotionTrack
   public:
     /// Longest window for a move, in ticks.
     static constexpr std::size_t kLongest = 32;
-    /// Longest window for the velocity, in ticks. Longer than kLongest because noise averages out in summed moves, but
-    /// the user feels noise in the velocity directly.
+    /// Longest window for the velocity, in ticks. Longer than kLongest because errors of consecutive moves cancel in
+    /// their sum, whereas each error of the velocity becomes a force of the tissue dampers at once.
     static constexpr std::size_t kLongestSlope = 64;
 
     /// @param resolution_mm  step size of the sensor, >= 0; a sample is off by at most half a step. 0: unknown; the
-    /// sensor
-    ///                       then counts as exact until the samples show steps (see SensorGrid) [mm]
+    /// sensor then counts as exact until the samples show steps (see SensorGrid) [mm]
     explicit MotionTrack(double resolution_mm) noexcept
         : m_resolution_mm(resolution_mm)
     {
@@ -54,7 +53,7 @@ class MotionTrack
     [[nodiscard]] const Vec3& moved() const noexcept { return m_moved; }
     /// Velocity at the last sample; zero for the first sample [mm per tick]
     [[nodiscard]] const Vec3& slope() const noexcept { return m_slope; }
-    /// Window of the last velocity along the axis with the largest move, >= 1 [ticks]
+    /// Window of the last move along the axis with the largest move, 1 to kLongest [ticks]
     [[nodiscard]] double window() const noexcept { return m_window; }
     /// Discards all samples but keeps the detected sensor steps.
     void reset() noexcept PALPATE_NONBLOCKING;
@@ -63,10 +62,10 @@ class MotionTrack
     [[nodiscard]] Vec3 resolutions(const Vec3& moved) noexcept;
 
     double m_resolution_mm;
-    std::array<SensorGrid, 3> m_grids;               // used where the resolution is not known
-    std::array<Vec3, kLongestSlope + 1> m_samples{}; // a ring
+    std::array<SensorGrid, 3> m_grids;               // used if the resolution is unknown
+    std::array<Vec3, kLongestSlope + 1> m_samples{}; // ring buffer
     std::size_t m_newest = 0;
-    std::size_t m_count = 0; // samples there are
+    std::size_t m_count = 0; // number of earlier samples available, at most kLongestSlope
     double m_window = 1.0;
     Vec3 m_place = Vec3::Zero();
     Vec3 m_moved = Vec3::Zero();

@@ -106,19 +106,19 @@ class SafetyGate
     double m_dt_s;
     FaultKind m_fault = FaultKind::None;
     bool m_isStopping = false;
-    bool m_hasHand = false;   // m_p_D is a good HIP
+    bool m_hasHand = false;   // m_p_D is an accepted HIP
     bool m_isPresent = false; // in this tick
     bool m_wasInContact = false;
-    std::uint32_t m_refused = 0;  // in a row
-    std::uint32_t m_overruns = 0; // in a row
-    double m_rampLeft_s = 0.0;    // of the ramp still to come
-    double m_passed_s = 0.0;      // since the tick before, at least a period
+    std::uint32_t m_refused = 0;  // consecutive
+    std::uint32_t m_overruns = 0; // consecutive
+    double m_rampLeft_s = 0.0;    // remaining time of the ramp
+    double m_passed_s = 0.0;      // since the previous tick, at least one period
     std::int64_t m_now_ns = 0;
     double m_gain = 0.0;
-    std::int64_t m_time_ns = 0; // of the last good HIP
+    std::int64_t m_time_ns = 0; // of the last accepted HIP
     Vec3 m_p_D = Vec3::Zero();
     Vec3 m_v_D = Vec3::Zero();    // [mm/s]
-    Vec3 m_sent_D = Vec3::Zero(); // in the tick before
+    Vec3 m_sent_D = Vec3::Zero(); // in the previous tick
 };
 
 } // namespace palpate::servo

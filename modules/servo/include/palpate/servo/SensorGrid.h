@@ -31,7 +31,7 @@ class SensorGrid
   private:
     static constexpr int kEnough = 2;
 
-    double m_step_mm = 0.0;           // greatest common divisor of the moves so far; 0: none yet, < 0: there is none
+    double m_step_mm = 0.0;           // greatest common divisor of the moves; 0: no move yet, < 0: no common step
     std::array<double, 2> m_before{}; // the last moves, newest first
     int m_evidence = 0;
 };

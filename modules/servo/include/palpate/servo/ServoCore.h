@@ -91,8 +91,8 @@ class ServoCore
     PassivityController m_passivity;
     WorkspaceMap m_map;
     Vec3 m_sent_D = Vec3::Zero();
-    Vec3 m_p_WH = Vec3::Zero(); // of the last hand
-    double m_away_s = 0.0;      // in ticks since then
+    Vec3 m_p_WH = Vec3::Zero(); // last HIP
+    double m_away_s = 0.0;      // time without a hand since then, a sum of tick periods; without faults
     bool m_hasBeenHere = false;
     double m_dt_s;
     std::int64_t m_tick = 0;

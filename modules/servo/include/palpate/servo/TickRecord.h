@@ -23,8 +23,8 @@ enum TickFlag : std::uint16_t
     kReset = 64,         ///< the god-object restarted at the HIP in this tick (new hand or device start)
     kClutched = 256,     ///< the device moved without the HIP: no force
     kNoHand = 128,       ///< the device returned no state: nothing was solved, the force is zero
-    kSlides = 512,       ///< the god-object of the reported layer slides (dynamic friction)
-    kHolds = 1024,       ///< the god-object of the reported layer sticks (static friction)
+    kSlides = 512,       ///< the god-object of the reported layer slides: dynamic friction of the reported structure
+    kHolds = 1024,       ///< the same god-object sticks: static friction. Neither flag without friction
 };
 
 /// Complete data of one servo tick. Passed through the ring to the recorder and as a snapshot to the window. The

@@ -62,16 +62,16 @@ class WorkspaceMap
     [[nodiscard]] Vec3 placed(const Vec3& p_D) const noexcept;
     void anchor(const Vec3& p_D, const Vec3& p_W) noexcept;
 
-    MapSettings m_used;  // decides where the HIP is
-    MapSettings m_asked; // newest
+    MapSettings m_used;  // settings in effect
+    MapSettings m_asked; // most recent request
     Eigen::Matrix3d m_R_WD = Eigen::Matrix3d::Identity();
     Vec3 m_a_D = Vec3::Zero();
     Vec3 m_a_W = Vec3::Zero();
-    Vec3 m_p_W = Vec3::Zero(); // of the tick before
-    bool m_isPlaced = false;   // the anchor means something
+    Vec3 m_p_W = Vec3::Zero(); // of the previous tick
+    bool m_isPlaced = false;   // the anchor is valid
     bool m_isClutched = false;
     bool m_isAtEdge = false;
-    bool m_wasInside = false; // the edge, since it was centred: an arm that rests beyond it comes as it is mapped
+    bool m_wasInside = false; // inside the edge since centring; until then the edge clutch stays off
 };
 
 /// Scale at which an object of this size fills the workspace within the edge.
