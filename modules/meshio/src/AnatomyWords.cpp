@@ -163,7 +163,7 @@ std::vector<std::string> wordsOf(std::string_view name)
     bool wasSmall = false;
     for (const char c : name) {
         const bool isCapital = c >= 'A' && c <= 'Z', isSmall = c >= 'a' && c <= 'z';
-        const bool isOther = (static_cast<unsigned char>(c) & 0x80U) != 0; // a letter of another alphabet
+        const bool isOther = (static_cast<unsigned char>(c) & 0x80U) != 0; // non-ASCII letter
         if (!words.back().empty() && ((isCapital && wasSmall) || (!isCapital && !isSmall && !isOther))) {
             words.emplace_back();
         }
@@ -197,7 +197,7 @@ const AnatomyWords* internal::anatomyWords(std::string_view name)
                             [](std::string_view singular, std::string_view word) { return isWord(word, singular); })) {
                 continue;
             }
-            std::for_each_n(first, length, [](std::string& word) { word.clear(); }); // a word counts once
+            std::for_each_n(first, length, [](std::string& word) { word.clear(); }); // each word counts once
             const AnatomyKind kind = phrase.group->kind;
             if (kind != AnatomyKind::Other && (best == nullptr || kind < best->kind)) {
                 best = phrase.group;

@@ -49,7 +49,7 @@ core::Result<std::vector<ForceLaw::Point>> readCurve(const std::filesystem::path
     ForceLaw law{core::LawKind::Points, {}, {}};
     bool hasHeader = false;
     std::uint64_t number = 0;
-    std::vector<std::uint64_t> lines; // that the points stand in
+    std::vector<std::uint64_t> lines; // line number of each point
     std::string_view rest = image.value().bytes();
     if (rest.starts_with("\xEF\xBB\xBF")) {
         rest.remove_prefix(3);

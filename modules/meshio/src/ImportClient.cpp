@@ -123,8 +123,8 @@ enum class End : std::uint8_t
 /// Waits for the reader's final byte and reports progress meanwhile.
 End follow(int progress, const std::function<bool(double)>& told, Clock::time_point deadline)
 {
-    constexpr int kLook_ms = 50;    // a cancel takes effect within this
-    constexpr double kShare = 0.95; // of the time; the rest is taking the mesh over
+    constexpr int kLook_ms = 50;    // maximum delay of a cancel
+    constexpr double kShare = 0.95; // share of the progress for reading; the rest is the transfer
     std::uint8_t newest = 0;
     while (true) {
         pollfd event{progress, POLLIN, 0};
@@ -178,7 +178,7 @@ int ask(const ImportTask& task, const std::filesystem::path& path, const ImportE
 /// @return the reader's exit status as from waitpid; -1 if the reader could not be started
 int exitStatus(int control)
 {
-    constexpr int kLongest_ms = 5000; // the keeper has nothing else to do
+    constexpr int kLongest_ms = 5000; // the keeper only waits for the reader
     int status = -1;
     pollfd event{control, POLLIN, 0};
     if (::poll(&event, 1, kLongest_ms) > 0 &&

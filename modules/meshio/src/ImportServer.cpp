@@ -102,11 +102,12 @@ Result<VoxelGrid> readVolumeFor(const ImportTask& task, const std::filesystem::p
 void prepareHeap(const ImportTask& task)
 {
     const auto step = static_cast<int>(std::min<std::uint64_t>(task.memory_bytes / 4, 1 << 29));
-    ::mallopt(M_MMAP_THRESHOLD, 1 << 25); // the most there is
+    ::mallopt(M_MMAP_THRESHOLD, 1 << 25); // maximum that glibc accepts
     ::mallopt(M_TRIM_THRESHOLD, INT_MAX);
     ::mallopt(M_TOP_PAD, step);
     auto* const begin = static_cast<char*>(::sbrk(0));
-    void* volatile block = std::malloc(std::size_t{1} << 22); // more than is left: one step
+    // Larger than the free heap, so that the heap grows by one step.
+    void* volatile block = std::malloc(std::size_t{1} << 22);
     std::free(block);
     const auto* const end = static_cast<char*>(::sbrk(0));
     if (end > begin) {
@@ -176,7 +177,7 @@ void serveImports(int socket, ReaderHook hook)
     socket = STDERR_FILENO + 1;
     ::closefrom(socket + 1);
     ::prctl(PR_SET_NAME, "palpate-import");
-    (void)std::signal(SIGINT, SIG_IGN); // meant for the program; this process ends with it
+    (void)std::signal(SIGINT, SIG_IGN); // Ctrl+C is meant for the program; this process ends when the program ends
     while (true) {
         alignas(ImportTask) char bytes[kMostTask + 1] = {};
         alignas(cmsghdr) char rights[CMSG_SPACE(sizeof(ImportEnds))] = {};

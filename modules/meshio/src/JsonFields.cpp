@@ -94,7 +94,7 @@ void JsonFields::read(const char* name, std::string& value)
 {
     const QJsonValue found = take(name);
     if (found.isString() && found.toString().contains(QChar::Null)) {
-        failType(name, found, "a text without the character U+0000"); // where C's texts end
+        failType(name, found, "a text without the character U+0000"); // C strings end there
     } else if (found.isString()) {
         value = found.toString().toStdString();
     } else if (!found.isUndefined()) {

@@ -27,7 +27,7 @@ using core::Status;
 using core::StatusCode;
 using namespace internal;
 
-constexpr double kFilesShare = 0.7; ///< of the time, the rest is repair
+constexpr double kFilesShare = 0.7; ///< share of the progress for reading files; the rest is repair
 
 /// A mesh file that the scene needs, read once.
 struct Source
@@ -154,7 +154,7 @@ Status Loader::addFolder(const std::filesystem::path& path)
 
 void Loader::readSources()
 {
-    constexpr unsigned kMostAtOnce = 8; // each is a separate process with separate memory
+    constexpr unsigned kMostAtOnce = 8; // each file is read in a separate process with separate memory
     std::atomic<std::size_t> done{0};
     const auto count = static_cast<double>(m_sources.size());
     const auto read = [&](std::size_t i, unsigned thread) {
@@ -205,7 +205,7 @@ void Loader::expandFiles()
     }
 }
 
-/// Names each mesh file that is not the one the scene was saved with.
+/// Reports each mesh file that has changed since the scene was saved.
 void Loader::findChanged()
 {
     std::set<std::filesystem::path> seen;
@@ -223,7 +223,7 @@ void Loader::findChanged()
     }
 }
 
-/// The structures of a scene file: the named part, or all parts of the mesh file.
+/// Creates the structures of a scene file: the named part, or all parts of the mesh file.
 void Loader::expandScene()
 {
     for (const SceneStructure& wanted : m_scene.scene.structures) {

@@ -21,7 +21,7 @@ double area2(const Vector2d& a, const Vector2d& b, const Vector2d& c)
 
 void PolygonCutter::project(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners)
 {
-    // Newell's normal, from the first corner so that a distant origin costs no digits.
+    // Newell's normal, relative to the first corner, so that a distant origin causes no cancellation.
     Vec3 normal = Vec3::Zero();
     const Vec3& origin = points[corners[0]];
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -91,7 +91,7 @@ void PolygonCutter::cut(const std::vector<Vec3>& points, std::span<const std::ui
         }
         out.push_back({corners[m_left[(ear + n - 1) % n]], corners[m_left[ear]], corners[m_left[(ear + 1) % n]]});
         m_left.erase(m_left.begin() + static_cast<std::ptrdiff_t>(ear));
-        at = ear; // the next corner: ears all round rather than a fan of slivers
+        at = ear; // continue at the next corner: a fan around one corner would give slivers
     }
     m_crossing += isSimple ? 0 : 1;
 }

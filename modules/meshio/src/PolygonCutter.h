@@ -25,7 +25,7 @@ class PolygonCutter
     void cut(const std::vector<core::Vec3>& points, std::span<const std::uint32_t> corners,
              std::vector<geometry::Triangle>& out);
 
-    /// How many polygons had no simple outline: they were cut somehow.
+    /// Number of polygons without a simple outline; the triangulation of these is arbitrary.
     [[nodiscard]] std::uint64_t crossing() const noexcept { return m_crossing; }
 
   private:

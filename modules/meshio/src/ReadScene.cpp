@@ -41,11 +41,11 @@ std::optional<Vec3> point(JsonFields& fields, const char* name)
     return values ? std::optional(Vec3((*values)[0], (*values)[1], (*values)[2])) : std::nullopt;
 }
 
-/// Of moduli [kPa] and of their ratio.
+/// Limits of moduli [kPa] and of the ratio of moduli.
 constexpr double kLeastModulus = 1e-4, kMostModulusRatio = 1e4, kMostYoung_kPa = 1e9;
-constexpr double kLeastRadius_mm = 0.1, kMostRadius_mm = 30.0; ///< of a finger
+constexpr double kLeastRadius_mm = 0.1, kMostRadius_mm = 30.0; ///< limits of the fingertip radius
 
-/// A number; nothing when the field is absent.
+/// Reads an optional number; `value` stays empty if the field is absent.
 void readIfThere(JsonFields& fields, const char* name, std::optional<double>& value, double low = 0.0,
                  double high = kMostMm)
 {
@@ -54,7 +54,7 @@ void readIfThere(JsonFields& fields, const char* name, std::optional<double>& va
     }
 }
 
-/// Row by row, the last one 0 0 0 1; must be a rotation and a translation.
+/// Reads a 4 x 4 matrix, row by row, last row 0 0 0 1; must be a rotation and a translation.
 void readPose(JsonFields& fields, const char* name, core::Transform& pose)
 {
     const auto values = fields.numbers(name, 16, -kMostMm, kMostMm);
@@ -148,7 +148,7 @@ core::TissueMapping readMapping(JsonFields& fields, const std::filesystem::path&
     return map;
 }
 
-/// The fields that make a structure a lump, or an organ with lumps.
+/// Reads the fields of lumps and of organs with lumps.
 void readBuried(JsonFields& fields, SceneStructure& s)
 {
     fields.read("inside", s.inside);
@@ -225,7 +225,7 @@ void readView(JsonFields& fields, core::ViewPose& camera)
     fields.read("viewAngle_deg", camera.viewAngle_deg, 0.1, 179.0);
 }
 
-/// A text that is empty or has as many hex digits as a SHA-256.
+/// Reads a SHA-256: empty or 64 hex digits.
 void readHash(JsonFields& fields, const char* name, std::string& hash)
 {
     fields.read(name, hash);
@@ -245,7 +245,7 @@ core::RecordedMoment readMoment(JsonFields& fields, const std::filesystem::path&
     }
     moment.file = (folder / std::filesystem::path(file)).lexically_normal().string();
     readHash(fields, "sha256", moment.sha256);
-    constexpr double kLast = 9007199254740992.0; // whole numbers are exact so far
+    constexpr double kLast = 9007199254740992.0; // 2^53: integers up to here are exact in a double
     double tick = 0.0;
     fields.read("tick", tick, -kLast, kLast);
     if (tick != std::floor(tick)) {
@@ -312,7 +312,7 @@ Status anotherPrograms(const QJsonObject& document, const std::string& file)
     return {};
 }
 
-/// Older files keep the touched structure's name as the note.
+/// In older files the note contains the name of the touched structure.
 void takeOldNotes(SceneFile& scene)
 {
     for (core::Finding& finding : scene.findings) {

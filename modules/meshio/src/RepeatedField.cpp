@@ -18,9 +18,9 @@ namespace {
 struct Level
 {
     bool isObject;
-    std::size_t element = 0;     ///< of an array
-    std::set<std::string> names; ///< of an object, so far
-    std::string name;            ///< of the current field
+    std::size_t element = 0;     ///< current index in an array
+    std::set<std::string> names; ///< field names of an object so far
+    std::string name;            ///< current field of an object
 };
 
 /// @return the position after the string that begins with the quotation mark at `begin`

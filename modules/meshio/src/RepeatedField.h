@@ -7,10 +7,10 @@
 
 namespace palpate::meshio::internal {
 
-/// Finds a field that an object of a JSON document has twice. Parsers keep one of the two without a word, and which one
-/// differs between them (RFC 8259, section 4), so that two programs would read two different scenes.
-/// @param json  a document that a parser has taken
-/// @return the path of the first such field, "structures[2].opacity"; nothing when each field is there once
+/// Finds a duplicate field name in an object of a JSON document. Parsers silently keep one of the two values, and the
+/// choice differs between parsers (RFC 8259, section 4), so that two programs could read different scenes.
+/// @param json  a document that was parsed without an error
+/// @return the path of the first duplicate, "structures[2].opacity"; nothing if there is no duplicate
 [[nodiscard]] std::optional<std::string> repeatedField(std::string_view json);
 
 } // namespace palpate::meshio::internal

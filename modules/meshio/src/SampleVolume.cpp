@@ -24,7 +24,7 @@ using core::Status;
 using core::StatusCode;
 using core::Vec3;
 
-/// Trilinear. @return NaN outside, and where a corner is not known
+/// Interpolates trilinearly. @return NaN outside the grid and next to unknown values
 double valueAt(const VoxelGrid& grid, const Vec3& p_W)
 {
     const Vec3 p = grid.toVoxel * p_W;
@@ -54,7 +54,8 @@ double valueAt(const VoxelGrid& grid, const Vec3& p_W)
     return sum;
 }
 
-/// Places below a contact, of equal share of a press's energy, in units of c = a/pi: z down, r across.
+/// Sample positions below a contact, each with an equal share of the press energy, in units of c = a/pi: z is the
+/// depth, r the distance from the axis.
 std::vector<Vec3> placesBelow()
 {
     // In spherical coordinates about the point c above the surface, where the weight is z^2 / R^6 and z = R cos - c:

@@ -19,9 +19,8 @@ namespace palpate::meshio::internal {
 /// `w(r, z) = (6c/pi) z^2 / (r^2 + (z + c)^2)^3`, c = a/pi, for a contact of radius a = `contactRadius_mm`.
 /// @return NaN where less than half of the weight falls on known values above 0
 /// @par Source resources/docs/maps.md
-/// @param frame  chosen for the surface's mesh: a volume without axes in the file (`.vti`, NRRD without `space`) uses
-/// along
-///               the same ones
+/// @param frame  frame chosen for the surface mesh; also used for a volume file that states no space (`.vti`, NRRD
+/// without `space`)
 /// @param keepGoing  called periodically, on the calling thread; false cancels
 [[nodiscard]] core::Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping,
                                                             const geometry::RepairedMesh& surface,

@@ -23,9 +23,9 @@ namespace {
 using core::Vec3;
 using geometry::RepairedMesh;
 
-constexpr int kIterations = 20; // as 3D Slicer's conversion of label maps to closed surfaces
+constexpr int kIterations = 20; // as in 3D Slicer's conversion of label maps to closed surfaces
 
-/// How far a vertex may move: a box along the axes of the voxels.
+/// Limit on the displacement of a vertex: a box along the axes of the voxels.
 struct MoveLimit
 {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -49,10 +49,10 @@ double meanEdge_mm(const geometry::TriangleMesh& mesh)
     return sum / (3.0 * static_cast<double>(std::max<std::size_t>(mesh.triangles.size(), 1)));
 }
 
-/// Voxel faces rather than marching cubes, which bevels the edges: all normals are along the axes.
+/// True if the mesh consists of voxel faces: nearly all normals are along the axes. Marching cubes bevels the edges.
 bool isOfVoxelFaces(const geometry::TriangleMesh& mesh, const Eigen::Matrix3d& axes)
 {
-    constexpr double kAlong = 0.99985, kMost = 0.01; // cosine of 1°; of the area
+    constexpr double kAlong = 0.99985, kMost = 0.01; // cosine of 1°; share of the area with other normals
     double all = 0.0, oblique = 0.0;
     for (const geometry::Triangle& t : mesh.triangles) {
         const Vec3& a = mesh.vertices[t[0]];
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkPolyData> polyDataOf(const geometry::TriangleMesh& mesh, cons
     return out;
 }
 
-/// @return where the filter moves the vertices, not limited
+/// @return vertex positions after the filter, without the displacement limit
 std::vector<Vec3> filtered(const geometry::TriangleMesh& mesh, double smoothing)
 {
     const geometry::Box box = mesh.bounds();

@@ -20,7 +20,7 @@ using core::StatusCode;
 using core::Vec3;
 using geometry::Triangle;
 
-/// True for names that programs put in for a part without a name.
+/// True for placeholder names that programs write for unnamed parts.
 bool isPlaceholder(std::string_view name)
 {
     static constexpr std::array<std::string_view, 12> kBegins{"default", "mesh",   "object",  "group",
@@ -34,7 +34,7 @@ bool isPlaceholder(std::string_view name)
            });
 }
 
-/// Converts the file's points to LPS and mm; the first one that may not be is an error.
+/// Converts the points of the file to LPS and mm; the first invalid point is an error.
 Result<std::vector<Vec3>> toWorld(const std::vector<Vec3>& points, FileFrame frame, const ScanContext& context)
 {
     std::vector<Vec3> out(points.size());
@@ -55,7 +55,7 @@ bool hasArea(const std::vector<Vec3>& p, const std::vector<Triangle>& triangles)
     return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
         const Vec3 a = p[t[1]] - p[t[0]];
         const Vec3 b = p[t[2]] - p[t[0]];
-        // Relative to the edge lengths: rounding residue of the product of parallel edges.
+        // Relative to the edge lengths: the cross product of parallel edges has a rounding residue.
         return a.cross(b).norm() > 1e-14 * a.norm() * b.norm();
     });
 }
@@ -88,7 +88,7 @@ Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, con
                      "none of " + counted(triangles.size(), "triangle") + " has an area", "at least one that has");
     }
 
-    // Triangles in the order of their parts, and in the file's within one.
+    // Triangles sorted by part; within a part in file order.
     const std::size_t parts = soup.partNames.size();
     std::vector<std::size_t> begin(parts + 1, 0);
     std::vector<std::uint32_t> order(triangles.size());
@@ -109,7 +109,7 @@ Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, con
 
     constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> user(points.size(), kNobody); // the last part that used a vertex
-    std::vector<std::uint32_t> place(points.size());         // and the index there
+    std::vector<std::uint32_t> place(points.size());         // index of the vertex in that part
     std::vector<MeshStructure> structures;
     for (std::uint32_t part = 0; part < parts; ++part) {
         if (begin[part] == begin[part + 1]) {

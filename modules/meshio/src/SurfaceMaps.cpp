@@ -19,7 +19,7 @@ using core::TissueMapping;
 using geometry::MeshArray;
 
 constexpr float kNotFelt = std::numeric_limits<float>::quiet_NaN();
-constexpr double kManyMissing = 0.2; ///< share of the values
+constexpr double kManyMissing = 0.2; ///< share of missing values that the warning points out
 
 std::string namesOf(const geometry::TriangleMesh& mesh)
 {

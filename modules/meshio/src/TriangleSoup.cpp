@@ -31,7 +31,7 @@ using core::Status;
 using core::StatusCode;
 using geometry::Triangle;
 
-/// The structure of each polygon, from the array of a VTP.
+/// Reads the structure of each polygon from the array of a VTP file.
 class StructureIds
 {
   public:
@@ -87,7 +87,7 @@ class StructureIds
     std::uint32_t m_lastPart = 0;
 };
 
-/// @param most  corners that the cell may have
+/// @param most  maximum number of corners of the cell
 Status checkCorners(const vtkIdType* corners, vtkIdType count, vtkIdType most, vtkIdType points, std::uint64_t cell,
                     const ScanContext& context)
 {
@@ -144,7 +144,7 @@ void takeArrays(vtkPolyData& data, const PreScan& scan, const std::vector<std::u
                 std::vector<geometry::MeshArray>& out)
 {
     const auto points = static_cast<std::size_t>(data.GetNumberOfPoints());
-    // 3 D Slicer's and VTK's probes: a point where nothing was there to be sampled.
+    // Written by the probe filters of VTK and 3D Slicer: 0 marks points outside the sampled data.
     vtkDataArray* valid = data.GetPointData()->GetArray("vtkValidPointMask");
     for (const std::string& name : scan.pointArrays) {
         vtkDataArray* array = data.GetPointData()->GetArray(name.c_str());
@@ -224,7 +224,7 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
                 return status;
             }
             if (isStrip) {
-                for (vtkIdType k = 0; k + 2 < count; ++k) { // every other triangle of a strip winds the other way
+                for (vtkIdType k = 0; k + 2 < count; ++k) { // the winding alternates along a strip
                     const vtkIdType odd = k % 2;
                     triangles.push_back({static_cast<std::uint32_t>(corners[k]),
                                          static_cast<std::uint32_t>(corners[k + 1 + odd]),

@@ -11,7 +11,7 @@ namespace palpate::meshio {
 
 namespace {
 
-/// Objects of which only the unknown fields are kept.
+/// Objects that only keep the unknown fields.
 constexpr std::array kGroups{"friction", "law", "camera", "recording"};
 
 /// @param path  of the object, with a trailing dot; empty for the document

@@ -37,7 +37,8 @@ inline constexpr std::uint64_t kMostVoxels = std::uint64_t{1} << 30;
 [[nodiscard]] core::Result<VoxelGrid> readVolume(const std::filesystem::path& path, core::FileFrame frame,
                                                  const std::function<bool(double)>& progress);
 
-/// Same in this process, without protection against crashes of VTK's readers.
+/// Same in this process: a crash or an endless loop of VTK's readers affects the caller. Headers are checked first.
+/// Throws std::bad_alloc.
 [[nodiscard]] core::Result<VoxelGrid> readVolumeHere(const std::filesystem::path& path, core::FileFrame frame,
                                                      const std::function<bool(double)>& progress);
 

@@ -232,7 +232,7 @@ Status checkTextHeader(const std::filesystem::path& path, const std::optional<Te
         return fault(StatusCode::BadFormat, file, "header", "directions of its axes that can't be read",
                      "three vectors that are not in a plane");
     }
-    if (!header->isEnded) { // VTK's NRRD reader searches for this end without a bound
+    if (!header->isEnded) { // VTK's NRRD reader can loop forever without an empty line
         return fault(StatusCode::BadFormat, file, "header", "it does not end",
                      "a header that says where the voxels are");
     }

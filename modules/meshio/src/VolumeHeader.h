@@ -23,7 +23,8 @@ struct TextHeader
     bool hasSpace = false;                                    ///< the file states the space
     bool isPacked = false;                                    ///< compressed voxels
     bool isText = false;     ///< voxels as text, or in an encoding that VTK cannot read
-    bool isPlain = true;     ///< without zero bytes, which VTK's readers treat as the end, possibly reading beyond
+    bool isPlain = true;     ///< without zero bytes; VTK's NRRD reader takes a zero byte for the end of the header, and
+                             ///< can then loop forever if the empty line is missing
     int dimensions = 3;      ///< of MetaImage; 0: not stated as a single number
     std::size_t longest = 0; ///< longest line [characters]
     bool isEnded = false;    ///< the required end is present: an empty line, ElementDataFile
@@ -43,7 +44,8 @@ struct TextHeader
 [[nodiscard]] core::Status checkNifti(const std::filesystem::path& path);
 
 /// Checks the fields that the VTI reader trusts: the reader loops over the declared components of an array before
-/// reading numbers, and leaves missing appended numbers uninitialised in a file that ends before the last tag.
+/// reading numbers, and accepts a short read of appended data (`vtkXMLDataParser::ReadUncompressedData`), which leaves
+/// the missing numbers uninitialised. The check is that the file ends with the last tag.
 /// @param most  limit on the numbers per voxel declared by all arrays together; below 2^32
 /// @return the numbers per voxel
 [[nodiscard]] core::Result<std::uint64_t> checkVti(const std::filesystem::path& source, std::uint64_t most);

@@ -12,7 +12,7 @@ namespace palpate::meshio::internal {
 using core::Result;
 using core::StatusCode;
 
-// Behind the head stand the values.
+// The values follow the head.
 
 bool writeVolume(int descriptor, Result<VoxelGrid> outcome)
 {
@@ -48,7 +48,7 @@ Result<VoxelGrid> takeVolume(int descriptor, const std::filesystem::path& path)
     }
     std::uint64_t voxels = 1;
     for (const std::uint32_t along : grid.size) {
-        // Each factor is at most kMostVoxels: the product can't pass 64 bits.
+        // Both factors are at most kMostVoxels, 2^30, so the product fits 64 bits.
         voxels = along > kMostVoxels || voxels > kMostVoxels ? 0 : voxels * along;
     }
     if (!head.isAtEnd() || voxels == 0 || voxels > kMostVoxels ||

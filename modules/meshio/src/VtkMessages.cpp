@@ -19,12 +19,12 @@ namespace {
 
 thread_local VtkMessages* t_collector = nullptr;
 
-// VTK logs to the console beside its window, for all threads at once: off while any thread collects.
+// VTK also logs to the console, for all threads at once. Logging is off while any thread collects messages.
 std::mutex g_mutex;
 std::atomic<int> g_collectors{0};
 vtkLogger::Verbosity g_verbosity = vtkLogger::VERBOSITY_INFO;
 
-/// Hands a message to the thread's collector, or on to the window that was there before.
+/// Passes a message to the collector of the thread or, without a collector, to the previous output window.
 class ThreadOutputWindow : public vtkOutputWindow
 {
   public:
@@ -64,7 +64,7 @@ class ThreadOutputWindow : public vtkOutputWindow
             return;
         }
         if (g_collectors.load() > 0 && std::string_view(m_before->GetClassName()) == "vtkOutputWindow") {
-            std::fputs(text, stderr); // the plain window leaves the console to VTK's logger, which is off
+            std::fputs(text, stderr); // vtkOutputWindow prints through VTK's logger, which is off
         } else {
             (m_before->*display)(text);
         }
@@ -114,7 +114,8 @@ void VtkMessages::addError(const char* text)
     }
     rest = trimmed(rest);
     for (const char c : rest.substr(0, 200)) {
-        m_firstError += static_cast<unsigned char>(c) < 0x20 ? ' ' : c; // it may quote the file
+        // VTK may quote control characters from the file.
+        m_firstError += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
     }
     if (m_firstError.empty()) {
         m_firstError = "an error without a text";

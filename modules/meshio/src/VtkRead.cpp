@@ -28,8 +28,8 @@ using core::StatusCode;
 Result<vtkSmartPointer<vtkPolyData>> readWithVtk(const MeshFormat& format, const FileImage& image, const PreScan& scan,
                                                  const ScanContext& context)
 {
-    // One at a time in one process: VTK's PLY reader keeps all its memory in one heap (vtkPLY.cxx). The program reads
-    // in child processes and never waits here.
+    // One reader per process at a time: VTK's PLY reader uses a single global heap (vtkPLY.cxx). With an import server
+    // each file has a separate process, so nothing waits here.
     static std::mutex oneAtATime;
     const std::scoped_lock lock(oneAtATime);
     const NumericLocale locale;

@@ -10,8 +10,8 @@
 
 namespace palpate::meshio::internal {
 
-/// Reads a pre-scanned image with VTK's reader of its format and compares what came with what the pre-scan counted.
-/// @return VTK's own words when it fails
+/// Reads a pre-scanned image with VTK's reader of the format and compares the counts of points and cells with the
+/// pre-scan. @return VTK's first error message on failure
 [[nodiscard]] core::Result<vtkSmartPointer<vtkPolyData>> readWithVtk(const MeshFormat& format, const FileImage& image,
                                                                      const PreScan& scan, const ScanContext& context);
 

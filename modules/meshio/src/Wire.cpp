@@ -17,7 +17,7 @@ using core::StatusCode;
 constexpr std::size_t kMostHead = std::size_t{1} << 28;
 constexpr std::size_t kMostMessage = 4000;
 
-/// A message of the child, as one line that names the file.
+/// Converts an error of the child process to one line with the file name.
 Status statusOf(std::uint8_t code, std::string message, const std::string& file)
 {
     message.resize(std::min(message.size(), kMostMessage));

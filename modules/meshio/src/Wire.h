@@ -13,8 +13,8 @@
 
 namespace palpate::meshio::internal {
 
-// How an outcome crosses from the process that reads to the program: in a memory file, head size, head, then numbers
-// as they lie in memory. Both ends are one build on one machine.
+// Transfer format between the reader process and the program: a memory file with the head size, the head, and the
+// numbers in native layout. Both ends are the same build on the same machine.
 
 /// Head of an outcome: status, names and counts.
 class WireHead
@@ -30,7 +30,7 @@ class WireHead
         put(std::uint64_t{text.size()});
         m_bytes.append(text);
     }
-    /// Begins a head. An error is all of one.
+    /// Writes the status, which begins each head. An error has no further content.
     void put(const core::Status& status);
     [[nodiscard]] const std::string& bytes() const noexcept { return m_bytes; }
     /// Writes the size and the head. @return false when writing fails
@@ -83,8 +83,8 @@ struct WireOutcome
 [[nodiscard]] bool writeAll(int descriptor, const void* data, std::size_t size);
 [[nodiscard]] bool readAll(int descriptor, void* data, std::size_t size, std::uint64_t at);
 
-/// Reads `count` items from the memory file into `out` in blocks and checks each item while in cache. Releases the
-/// file's pages on the way, so that they are never in memory twice.
+/// Reads `count` items from the memory file into `out` in blocks of 4 MiB and checks each block right after reading.
+/// Releases the pages of each block in the file, so that at most one block is in memory twice.
 template<class T, class Check>
 [[nodiscard]] bool moveItems(int descriptor, std::uint64_t& at, std::uint64_t count, std::vector<T>& out,
                              Check&& isGood)
@@ -99,7 +99,7 @@ template<class T, class Check>
             return false;
         }
         (void)::fallocate(descriptor, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, static_cast<off_t>(at),
-                          static_cast<off_t>(items * sizeof(T))); // without it only memory is lost
+                          static_cast<off_t>(items * sizeof(T))); // a failure only costs memory
         at += items * sizeof(T);
         if (!std::all_of(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(), isGood)) {
             return false;

@@ -34,7 +34,7 @@ std::uint64_t triangleCount(std::span<const MeshStructure> structures)
     return count;
 }
 
-/// All structures in one, each triangle with its structure's number in `StructureId`.
+/// Merges all structures; the cell array `StructureId` contains the index of the structure.
 VtpFile merged(std::span<const MeshStructure> structures)
 {
     VtpFile out;
@@ -48,7 +48,7 @@ VtpFile merged(std::span<const MeshStructure> structures)
             ids.push_back(static_cast<std::int32_t>(out.structureNames.size()));
         }
         out.structureNames.push_back(structure.name);
-        const auto colour = structure.colour.value_or(std::array<double, 3>{-1.0, 0.0, 0.0}); // a negative red: none
+        const auto colour = structure.colour.value_or(std::array<double, 3>{-1.0, 0.0, 0.0}); // negative red: no colour
         out.structureColours.emplace_back(colour[0], colour[1], colour[2]);
         hasColours = hasColours || structure.colour.has_value();
     }

@@ -23,7 +23,7 @@ QString text(const std::string& value)
     return QString::fromStdString(value);
 }
 
-/// The fields that a newer version or another program put there.
+/// Fields from a newer version or another program, kept on saving.
 QJsonObject unknownFields(const std::string& extra)
 {
     return QJsonDocument::fromJson(QByteArray::fromStdString(extra)).object();

@@ -76,7 +76,7 @@ void fill(vtkPolyData& data, const VtpFile& content)
     for (const std::size_t end : content.lineEnds) {
         const auto count = static_cast<vtkIdType>(end) - first;
         if (count > 0) {
-            vtkCellArray& cells = count == 1 ? *vertices : *lines; // VTK crashes on a line of one point
+            vtkCellArray& cells = count == 1 ? *vertices : *lines; // VTK crashes on lines with a single point
             cells.InsertNextCell(static_cast<int>(count));
             for (; first < static_cast<vtkIdType>(end); ++first) {
                 cells.InsertCellPoint(first);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's older file format, `.vtk`: lines of words, numbers as text or as big-endian bytes.
+// VTK's legacy file format, `.vtk`: text keywords, numbers as text or big-endian.
 // https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
 #include "MeshFormat.h"
 
@@ -58,7 +58,7 @@ const NumberType* typeOf(std::string_view word)
     return found == kNumberTypes.end() ? nullptr : &*found;
 }
 
-/// Reads words and numbers from the file one after the other.
+/// Reads words and numbers from the file in sequence.
 class LegacyBody
 {
   public:
@@ -83,7 +83,7 @@ class LegacyBody
         m_at = m_bytes.size() - rest.size();
         return found;
     }
-    /// @return what is left of the line, without its end
+    /// @return the rest of the line without the line end
     std::string_view line()
     {
         const std::size_t feed = std::min(m_bytes.find('\n', m_at), m_bytes.size());
@@ -91,7 +91,7 @@ class LegacyBody
         m_at = std::min(feed + 1, m_bytes.size());
         return found;
     }
-    /// Goes past `count` numbers. @return false when the file holds fewer
+    /// Skips `count` numbers. @return false if the file contains fewer
     bool skip(std::uint64_t count, const NumberType& type)
     {
         if (isBinary) {
@@ -123,7 +123,7 @@ class LegacyBody
         }
         return std::bit_cast<double>(*raw);
     }
-    /// @param type  of whole numbers
+    /// @param type  an integer type
     std::optional<std::int64_t> integer(const NumberType& type)
     {
         if (!isBinary) {
@@ -156,10 +156,9 @@ class LegacyBody
     std::size_t m_at = 0;
 };
 
-/// Checks points and cells and writes them as the plainest binary file of version 3. VTK's reader checks nothing: it
-/// follows a list of cells out of its memory, takes an unknown version for an older layout, sizes memory by what a
-/// field declares and reads an array's information for ever. What is not points and cells (fields, attributes,
-/// information keys) is not used here.
+/// Checks points and cells and rewrites them as a minimal binary file of version 3. VTK's reader checks nothing: cell
+/// lists can lead outside the buffer, an unknown version is read as an older layout, memory is allocated by declared
+/// counts, and malformed array information causes an endless loop. Fields, attributes and information keys are dropped.
 class LegacyScan
 {
   public:
@@ -186,14 +185,14 @@ class LegacyScan
     Status skipField();
     Status skipText(std::uint64_t count);
     Status takeIndex(std::optional<std::int64_t> index, std::string_view keyword);
-    /// A count from 0 that the rest of the file can hold, one byte each at least.
+    /// Reads a count >= 0; at most kMostElements, and at most one item per remaining byte of the file.
     Result<std::uint64_t> count(std::string_view of);
-    /// In a binary file numbers begin behind the end of the line.
+    /// Skips the line end, after which the numbers of a binary file begin.
     Status endLine();
-    /// Reads a word of two that announces an array, then its type, one of whole numbers.
+    /// Reads the keyword of an array, OFFSETS or CONNECTIVITY, and an integer type.
     Result<const NumberType*> arrayType(std::string_view word);
     Status reportProgress();
-    /// Goes to the empty line that ends the block behind an array. @param components  of the array
+    /// Skips the METADATA block after an array, up to an empty line. @param components  of the array
     void skipMetadata(std::uint64_t components);
     template<class T>
     void append(T value)
@@ -215,10 +214,10 @@ class LegacyScan
     LegacyBody m_body;
     bool m_hasOffsets = false; ///< cells as offsets and corners, since version 5
     std::optional<std::uint64_t> m_points;
-    std::vector<std::string> m_seen; ///< sections so far
+    std::vector<std::string> m_seen; ///< keywords of the sections read so far
     std::string m_plain = "# vtk DataFile Version 3.0\n\nBINARY\nDATASET POLYDATA\n";
-    std::uint64_t m_steps = 0; ///< numbers that were checked
-    bool m_isKept = false;     ///< the cells that are read are polygons or strips
+    std::uint64_t m_steps = 0; ///< numbers checked so far
+    bool m_isKept = false;     ///< the current cells are polygons or strips
     PreScan m_scan;
 };
 
@@ -436,8 +435,8 @@ Status LegacyScan::readCells(std::string_view keyword)
                         : readCellLists(first.value(), second.value(), keyword);
 }
 
-/// Strings: one line each in ASCII files; in binary files each follows a length field, whose first two bits give the
-/// size of the field.
+/// Skips strings. ASCII files have one per line; in binary files a length field precedes each string, and the first two
+/// bits of the field encode the field's size (00: 8 bytes, 01: 4, 10: 2, 11: 1).
 Status LegacyScan::skipText(std::uint64_t count)
 {
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -468,7 +467,7 @@ void LegacyScan::skipMetadata(std::uint64_t components)
         if (line.empty()) {
             return;
         }
-        if (sameWord(line, "COMPONENT_NAMES")) { // any of which may be empty
+        if (sameWord(line, "COMPONENT_NAMES")) { // each name may be empty
             for (std::uint64_t i = 0; i < components && !m_body.rest().empty(); ++i) {
                 (void)m_body.line();
             }
@@ -478,7 +477,7 @@ void LegacyScan::skipMetadata(std::uint64_t components)
 
 Status LegacyScan::skipField()
 {
-    (void)m_body.word(); // its name
+    (void)m_body.word(); // name of the field
     const Result<std::uint64_t> arrays = count("arrays");
     if (!arrays.isOk()) {
         return arrays.status();
@@ -525,7 +524,7 @@ Status LegacyScan::readSection(std::string_view keyword)
         return skipField();
     }
     if (is("METADATA")) {
-        constexpr std::uint64_t kOfPoint = 3; // cells have none
+        constexpr std::uint64_t kOfPoint = 3; // components of a point; cells have no component names
         skipMetadata(kOfPoint);
         return {};
     }

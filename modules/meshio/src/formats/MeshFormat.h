@@ -21,14 +21,14 @@ struct MeshFormat
     std::span<const std::string_view> extensions; ///< in lower case, ".stl"; the first is the usual one
     /// The extension decides when the content is ambiguous.
     bool isToldByExtension;
-    /// @param bytes  of the whole file, not empty
-    /// @return true when the content is this format's, valid or damaged
+    /// @param bytes  content of the whole file, not empty
+    /// @return true if the content is of this format, valid or damaged
     bool (*looksLike)(std::string_view bytes);
     /// Checks all bytes before VTK reads them: counts against the available bytes, and every number and index that
     /// VTK's reader would trust. Where VTK misreads valid content, the image is rewritten, with the reason at that
     /// place.
     core::Result<PreScan> (*guard)(FileImage& image, const ScanContext& context);
-    /// @return VTK's reader, set up for the file at `path`, of which `scan` is known
+    /// @return VTK's reader, configured for the file at `path` by the results of `scan`
     vtkSmartPointer<vtkAlgorithm> (*reader)(const std::string& path, const PreScan& scan);
 };
 
@@ -38,7 +38,7 @@ extern const MeshFormat kPly;
 extern const MeshFormat kLegacyVtk;
 extern const MeshFormat kObj;
 
-/// The table: all formats that can be opened, in the order in which a file's content is held against them.
+/// All formats that can be opened, in the order of detection.
 [[nodiscard]] std::span<const MeshFormat* const> formatTable();
 
 /// Detects the format of a file from the content; the extension decides only if the content is ambiguous.
@@ -47,7 +47,7 @@ extern const MeshFormat kObj;
 
 /// The first bytes of a file, as many as format detection needs, without a byte order mark.
 [[nodiscard]] std::string_view startOf(std::string_view bytes);
-/// The same without blanks and empty lines before the first word.
+/// Same without leading blanks and empty lines.
 [[nodiscard]] std::string_view startOfText(std::string_view bytes);
 
 } // namespace palpate::meshio::internal

@@ -36,7 +36,7 @@ bool isWebPage(std::string_view bytes)
     return text.starts_with('<') && (text.find("<html") != std::string::npos || text.starts_with("<!doctype html"));
 }
 
-/// Names a file of another kind.
+/// Identifies files of other kinds for the error message.
 std::string_view otherFormat(std::string_view head)
 {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kMagic{{

@@ -26,7 +26,7 @@ using core::StatusCode;
 
 constexpr std::size_t kLongestNumber = 64; ///< VTK reads lines of a bounded length
 
-/// Numbers names in the order of their first use.
+/// Assigns indices to names in the order of first use.
 class NameList
 {
   public:
@@ -126,7 +126,7 @@ Status ObjScan::readVertex(std::string_view rest)
             return wrong(StatusCode::NonFinite, bad + " (" + inQuotes(word) + ")", "finite coordinates within 10 km");
         }
         m_plain += ' ';
-        if (word.size() > kLongestNumber || word.front() == '+') { // some of VTK's versions take no plus sign
+        if (word.size() > kLongestNumber || word.front() == '+') { // some versions of VTK do not accept a plus sign
             core::appendNumber(m_plain, *value);
         } else {
             m_plain.append(word);
@@ -134,7 +134,7 @@ Status ObjScan::readVertex(std::string_view rest)
     }
     m_plain += '\n';
     ++m_points;
-    constexpr int kColour = 3; // one number more is a weight
+    constexpr int kColour = 3; // a single additional number is a weight
     int more = 0;
     while (more < kColour && !takeWord(rest).empty()) {
         ++more;
@@ -252,7 +252,7 @@ PreScan ObjScan::finish()
     return std::move(m_scan);
 }
 
-/// True when the first lines of text read like an OBJ's.
+/// True if the first lines look like OBJ.
 bool looksLikeObj(std::string_view bytes)
 {
     static constexpr std::array<std::string_view, 12> kWords{"v", "vn",     "vt",     "f", "o", "g",
@@ -281,7 +281,7 @@ Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
     Status status = scan->run();
     std::string loss;
     if (!status.isOk() && context.isPartial && status.code() != StatusCode::Cancelled && !text.ends_with('\n')) {
-        const std::string_view whole = text.substr(0, text.rfind('\n') + 1); // without the line that was cut
+        const std::string_view whole = text.substr(0, text.rfind('\n') + 1); // without the truncated last line
         scan.emplace(whole, context);
         if (!scan->run().isOk()) {
             return status;

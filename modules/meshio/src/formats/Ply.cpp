@@ -25,9 +25,9 @@ using core::Result;
 using core::Status;
 using core::StatusCode;
 
-constexpr std::uint64_t kMostFaceCorners = 255; ///< of a face, in VTK's reader
+constexpr std::uint64_t kMostFaceCorners = 255; ///< limit of VTK's reader per face
 
-/// Reads the body's numbers one after the other, from text or from bytes.
+/// Reads the numbers of the body in sequence, as text or binary.
 class PlyBody
 {
   public:
@@ -44,7 +44,7 @@ class PlyBody
     {
         return m_encoding == PlyEncoding::Ascii ? nextWord() : nextBinary(type);
     }
-    /// @return true when only blanks (text) or nothing (binary) is left.
+    /// @return true if only blanks (text) or no bytes (binary) remain.
     [[nodiscard]] bool isAtEnd() const
     {
         return m_encoding == PlyEncoding::Ascii ? trimmed(m_rest).empty() : m_rest.empty();
@@ -54,7 +54,7 @@ class PlyBody
         return m_encoding == PlyEncoding::Ascii ? atLine(m_line) : atByte(offset());
     }
     [[nodiscard]] std::size_t offset() const { return m_bytes.size() - m_rest.size(); }
-    /// The token at which `next` failed.
+    /// Token at which `next` failed.
     [[nodiscard]] std::string found() const
     {
         std::string_view rest = m_rest;
@@ -132,7 +132,7 @@ class PlyScan
     }
 
     Status run(PreScan& scan);
-    /// Faces before the one in which the file ended, when `run` failed at that.
+    /// Number of complete faces if `run` failed because the file is truncated.
     [[nodiscard]] std::uint64_t wholeFaces() const noexcept { return m_wholeFaces; }
     [[nodiscard]] const std::string& plain() const noexcept { return m_plain; }
 
@@ -157,7 +157,7 @@ class PlyScan
     PlyBody m_body;
     std::vector<double> m_list;
     std::uint64_t m_wholeFaces = 0;
-    bool m_isExact = false; ///< some coordinate is of a type that a float does not hold
+    bool m_isExact = false; ///< a coordinate has a type with more precision than float
     std::string m_plain;
 };
 

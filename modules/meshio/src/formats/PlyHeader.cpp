@@ -17,7 +17,7 @@ using core::Result;
 using core::Status;
 using core::StatusCode;
 
-constexpr std::size_t kMostProperties = 256; ///< of an element; no real file comes near
+constexpr std::size_t kMostProperties = 256; ///< limit per element; far above that of real files
 
 std::optional<PlyType> typeNamed(std::string_view name)
 {
@@ -43,7 +43,7 @@ std::optional<PlyType> typeNamed(std::string_view name)
     return found == kTypes.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// @return a property, or nothing when the words do not make one
+/// @return a property; nothing if the words are invalid
 std::optional<PlyProperty> readProperty(std::string_view rest)
 {
     PlyProperty property;
@@ -71,7 +71,7 @@ bool isColour(const PlyProperty& property)
     return property.name == "red" || property.name == "diffuse_red" || property.name == "r";
 }
 
-/// The fewest bytes that one instance of the element takes.
+/// Minimum size of one instance of the element [bytes].
 std::uint64_t leastBytes(const PlyElement& element, PlyEncoding encoding)
 {
     std::uint64_t bytes = 0;

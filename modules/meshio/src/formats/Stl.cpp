@@ -44,7 +44,7 @@ Status keepWhole(FileImage& image, std::size_t size, std::string_view end, const
     return whole.status();
 }
 
-/// Looks at every corner of a binary file.
+/// Checks every vertex of a binary file.
 Status checkFacets(std::string_view bytes, std::uint64_t declared, const ScanContext& context)
 {
     std::uint64_t notNumbers = 0;
@@ -54,7 +54,7 @@ Status checkFacets(std::string_view bytes, std::uint64_t declared, const ScanCon
         std::array<float, 12> facet; // normal, then three corners
         std::memcpy(facet.data(), bytes.data() + kFirstFacet + i * kFacet, sizeof(facet));
         float most = 0.0F;
-        float sum = 0.0F; // x - x is zero only for a number
+        float sum = 0.0F; // x - x is 0 only if x is finite
         for (std::size_t k = 3; k < facet.size(); ++k) {
             most = std::max(most, std::abs(facet[k]));
             sum += facet[k] - facet[k];
@@ -348,7 +348,7 @@ Result<PreScan> guardAscii(FileImage& image, const ScanContext& context)
     if (whole.isOk() || !context.isPartial || whole.status().code() == StatusCode::Cancelled) {
         return whole;
     }
-    // Up to the last facet that has an end.
+    // Keep up to the last complete facet.
     LineReader reader(image.bytes());
     std::size_t end = 0;
     std::uint64_t lastLine = 0;
@@ -374,7 +374,7 @@ Result<PreScan> guardAscii(FileImage& image, const ScanContext& context)
     return part;
 }
 
-/// The length that a binary file's count asks for.
+/// File size that the triangle count of a binary file implies.
 bool isExactBinary(std::string_view bytes)
 {
     if (bytes.size() < kFirstFacet) {

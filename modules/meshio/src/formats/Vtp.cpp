@@ -54,10 +54,10 @@ class VtpScan
     Status checkPiece(const VtpPiece& piece);
     Status checkPoints(const VtpPiece& piece) const;
     Status checkCells(const VtpCells& cells, const char* name, const VtpPiece& piece) const;
-    /// The bytes of an array that is not ASCII.
+    /// Decodes the bytes of a binary or appended array.
     Result<std::vector<unsigned char>> unpacked(const VtpDataArray& array) const;
     Result<std::vector<std::int64_t>> integers(const VtpDataArray& array) const;
-    /// How many strings the array holds: each ends with a zero.
+    /// Number of strings in the array; each ends with a zero byte.
     Result<std::uint64_t> countStrings(const VtpDataArray& array) const;
     Status checkFieldData() const;
     Status takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples, const char* each,
@@ -81,7 +81,7 @@ std::string unreadable(std::string_view word, const std::string& type, bool isAt
         return isWide ? "a number that an Int32 can hold" : "";
     }
     const double value = wordToNumber(word).value_or(0.0);
-    const bool isWord = word.find_first_of("nN") != std::string_view::npos; // of both nan and inf
+    const bool isWord = word.find_first_of("nN") != std::string_view::npos; // both nan and inf contain an n
     if (isWord) {
         return isAtEnd ? "a blank or a new line behind it" : "";
     }
@@ -258,7 +258,7 @@ Status VtpScan::checkCells(const VtpCells& cells, const char* name, const VtpPie
 Result<std::uint64_t> VtpScan::countStrings(const VtpDataArray& array) const
 {
     std::string characters;
-    if (array.format == VtpFormat::Ascii) { // a number each
+    if (array.format == VtpFormat::Ascii) { // each character is stored as a number
         std::string_view rest = textOf(array);
         for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
             const std::optional<std::int64_t> code = wordToInteger(word);
@@ -325,7 +325,7 @@ Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_
         }
         if (array.type == "UInt8" && (array.components == 3 || array.components == 4)) { // VTK's colours
             std::string note = "colours not read: the array " + inQuotes(array.name) + " of its " + each + "s";
-            if (std::ranges::count(m_scan.notes, note) == 0) { // once for all pieces
+            if (std::ranges::count(m_scan.notes, note) == 0) { // report once for all pieces
                 m_scan.notes.push_back(std::move(note));
             }
         }
@@ -430,7 +430,7 @@ Status VtpScan::run()
     return {};
 }
 
-/// Any XML: the header's reader names one of another kind.
+/// True for any XML; the header check reports other kinds of VTK files.
 bool looksLikeVtp(std::string_view bytes)
 {
     const std::string_view text = startOfText(bytes);

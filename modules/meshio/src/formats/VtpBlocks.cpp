@@ -24,7 +24,7 @@ using core::Result;
 using core::Status;
 using core::StatusCode;
 
-/// Maximum compression ratio; a larger claim is false.
+/// Maximum compression ratio; larger declared ratios are impossible.
 std::uint64_t mostRatio(VtpCompressor compressor)
 {
     switch (compressor) {
@@ -75,7 +75,7 @@ std::string fromBase64(std::string_view text, std::uint64_t most)
     return out;
 }
 
-/// @return characters that base64 takes for `bytes` bytes
+/// @return number of base64 characters for `bytes` bytes
 std::uint64_t base64Length(std::uint64_t bytes)
 {
     return (bytes + 2) / 3 * 4;
@@ -119,16 +119,16 @@ class VtpBlockFinder
     }
     Status findPlain(std::uint64_t size);
     Status findPacked(std::uint64_t count);
-    /// Gets the first `bytes` bytes of the data to m_head.
+    /// Decodes the first `bytes` bytes of the data into m_head.
     Status readHead(std::uint64_t bytes);
-    /// Checks the blocks' sizes. @param first  where the first begins in m_data
+    /// Checks the sizes of the blocks. @param first  offset of the first block in m_data
     Status takeBlocks(std::uint64_t count, std::uint64_t first, std::uint64_t& end);
 
     const VtpDataArray& m_array;
     const VtpHeader& m_header;
     const ScanContext& m_context;
     bool m_isBase64;
-    std::uint64_t m_width;   ///< of a word of the header [bytes]
+    std::uint64_t m_width;   ///< size of a header word [bytes]
     std::string_view m_text; ///< text of the file, from the header on
     std::string m_decoded;
     std::string_view m_head;
@@ -142,7 +142,7 @@ Status VtpBlockFinder::readHead(std::uint64_t bytes)
     return m_head.size() < bytes ? wrong("the file ends in the header of its data", counted(bytes, "byte")) : Status();
 }
 
-/// One block, after the size field.
+/// Uncompressed data: one block after a size field.
 Status VtpBlockFinder::findPlain(std::uint64_t size)
 {
     std::string_view data = m_text;
@@ -193,7 +193,8 @@ Status VtpBlockFinder::takeBlocks(std::uint64_t count, std::uint64_t first, std:
     return {};
 }
 
-/// Blocks behind their number, their size, the last one's size and the compressed size of each.
+/// Compressed data: the header contains the number of blocks, the block size, the size of the last block and all
+/// compressed sizes.
 Status VtpBlockFinder::findPacked(std::uint64_t count)
 {
     if (count > m_text.size() / m_width) {

@@ -24,9 +24,9 @@ class VtpBlocks
     [[nodiscard]] static core::Result<VtpBlocks> find(const VtpDataArray& array, const VtpHeader& header,
                                                       const ScanContext& context);
 
-    /// Bytes after unpacking.
+    /// Size of the decompressed data [bytes].
     [[nodiscard]] std::uint64_t size() const noexcept { return m_size; }
-    /// Unpacks everything. @return nothing when the data are damaged
+    /// Decompresses all data. @return nothing if the data are damaged
     [[nodiscard]] std::optional<std::vector<unsigned char>> unpack() const;
 
   private:
@@ -45,11 +45,11 @@ class VtpBlocks
     std::uint64_t m_size = 0;
 };
 
-/// @return bytes of one number of a VTP type, 0 for one that is not a number
+/// @return size of a VTP number type [bytes]; 0 for other types
 [[nodiscard]] std::size_t vtpTypeSize(std::string_view type);
 [[nodiscard]] bool isVtpIntegerType(std::string_view type);
 
-/// The whole numbers in `bytes`, of a VTP integer type and byte order.
+/// Converts `bytes` from a VTP integer type and byte order.
 [[nodiscard]] std::vector<std::int64_t> vtpIntegers(std::span<const unsigned char> bytes, std::string_view type,
                                                     bool isBigEndian);
 

@@ -47,7 +47,7 @@ class HeaderReader
     {
         return m_xml.attributes().value(QLatin1String(name)).toString().toStdString();
     }
-    /// A count from 0; nothing when absent. Anything else is noted as the error.
+    /// Reads a count >= 0; nothing if absent. Invalid values are stored as the error.
     std::optional<std::uint64_t> count(const char* name);
     void startElement(VtpHeader& header);
     void startFile(VtpHeader& header);

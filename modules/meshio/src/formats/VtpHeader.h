@@ -27,7 +27,7 @@ enum class VtpCompressor : std::uint8_t
     Lzma
 };
 
-/// The declaration of a DataArray.
+/// Declaration of a DataArray element.
 struct VtpDataArray
 {
     std::string name;
@@ -40,7 +40,7 @@ struct VtpDataArray
     std::uint64_t line = 0;
 };
 
-/// A pair of arrays that holds cells.
+/// Pair of arrays (connectivity and offsets) that define cells.
 struct VtpCells
 {
     std::uint64_t count = 0;
