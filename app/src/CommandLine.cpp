@@ -102,7 +102,7 @@ int run(int argc, char** argv)
     cli.require_subcommand(0, 1);
     app::Chosen chosen;
     app::addDevicesCommand(cli, chosen);
-    app::addHandedOver(cli, chosen);
+    app::addEvaluationCommands(cli, chosen);
     app::addFeltCommand(cli, chosen);
     app::addFindingsCommand(cli, chosen);
     app::addInfoCommand(cli, chosen);
@@ -124,7 +124,7 @@ int run(int argc, char** argv)
 int app::runCommandLine(int argc, char** argv)
 {
     if (argc > 1 && isEvaluation(argv[1])) {
-        return handOver(argv);
+        return execEvaluationProgram(argv);
     }
     return runProgram(argc, argv, run);
 }

@@ -179,7 +179,7 @@ std::filesystem::path placeOf(const std::filesystem::path& path)
 
 /// Returns whether writing `output` would replace an input file. Another hard link to the input may be replaced
 /// safely.
-bool wouldReplace(const std::filesystem::path& output, const std::filesystem::path& read)
+bool overwritesInput(const std::filesystem::path& output, const std::filesystem::path& read)
 {
     struct stat a
     {
@@ -199,10 +199,10 @@ Status checkOutputs(const std::vector<std::filesystem::path>& inputs, const std:
     for (std::size_t k = 0; isAny && k < inputs.size(); ++k) {
         for (const std::filesystem::path& file : study::filesOf(inputs[k])) {
             for (const std::filesystem::path& output : outputs) {
-                if (!wouldReplace(output, file)) {
+                if (!overwritesInput(output, file)) {
                     continue;
                 }
-                const bool isNamed = wouldReplace(output, inputs[k]);
+                const bool isNamed = overwritesInput(output, inputs[k]);
                 return {StatusCode::BadCommandLine,
                         output.string() + ": found it as " +
                             (isNamed ? std::string("input and output") : "output and a file of " + inputs[k].string()) +

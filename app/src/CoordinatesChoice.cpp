@@ -71,7 +71,7 @@ void CoordinatesChoice::show(const std::vector<ui::StructureRow>& rows, bool isF
     m_isKnown = true;
     m_isFixed = isFixed || rows.empty();
     for (const ui::StructureRow& row : rows) {
-        const FileFrame said = core::takenFrame(row.loaded.description.frame, row.loaded.frame);
+        const FileFrame said = core::resolvedFrame(row.loaded.description.frame, row.loaded.frame);
         m_isKnown = m_isKnown && said != FileFrame::Untagged;
         const FileFrame taken = said == FileFrame::Untagged ? FileFrame::Lps : said;
         if (std::find(m_taken.begin(), m_taken.end(), taken) == m_taken.end()) {

@@ -50,7 +50,7 @@ struct EvaluateOptions
     bool isStability = false;
     bool isFelt = false;
     bool isLong = false;
-    bool withLaidMotions = false; ///< in addition to the given motion
+    bool withGeneratedMotions = false; ///< in addition to the given motion
 };
 
 constexpr std::uint64_t kMostSeeds = 1000;
@@ -198,7 +198,7 @@ void printSummary(const evaluation::Evaluation& result)
         passed += hardCase.passed() ? 1 : 0;
     }
     print("%zu of %zu hard cases that were run pass\n", passed, result.hardCases.size());
-    for (const std::string& line : result.leftOut) {
+    for (const std::string& line : result.skippedItems) {
         print("Left out: %s\n", line.c_str());
     }
 }
@@ -226,7 +226,7 @@ core::Status chooseScene(EvaluateOptions& options)
     options.scenes.push_back(*folder / "phantom.palpate.json");
     if (options.motion.empty()) {
         options.motion = *folder / "palpation.palpate";
-        options.withLaidMotions = true;
+        options.withGeneratedMotions = true;
     }
     return {};
 }
@@ -304,7 +304,7 @@ int runEvaluate(EvaluateOptions options)
         how.isQuick = options.isQuick;
         how.seed = options.seed;
         how.seeds = options.seeds;
-        how.withLaidMotions = options.withLaidMotions;
+        how.withGeneratedMotions = options.withGeneratedMotions;
         how.progress = [&](double share, const std::string& what) { return progress.show(share, what); };
         if (options.isQuick) {
             how.seconds = std::max(kQuickLeast_s, kQuick_s - processorTime_s());

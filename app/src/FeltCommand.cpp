@@ -72,7 +72,7 @@ Result<std::map<std::string, double>> ratiosOption(const std::vector<std::string
     return ratios;
 }
 
-void printLump(const buried::FeltSurface& felt, const buried::FeltSurface::Lump& lump, const study::LumpOf& of)
+void printLump(const buried::FeltSurface& felt, const buried::FeltSurface::Lump& lump, const study::SceneLump& of)
 {
     print("%s\n", study::lumpSentence(lump, of).c_str());
     print("  %8s %10s %18s %12s %12s %12s  %s\n", "press mm", "felt", "bounds", "over 7 mm2", "over 14 mm2",
@@ -99,11 +99,11 @@ void printLump(const buried::FeltSurface& felt, const buried::FeltSurface::Lump&
     }
 }
 
-Result<std::vector<study::FeltOrgan>> feelAll(const meshio::LoadedScene& scene,
-                                              const std::vector<study::OrganWithLumps>& organs, buried::FeltOptions how,
-                                              std::optional<double> radius_mm)
+Result<std::vector<study::OrganPalpability>> feelAll(const meshio::LoadedScene& scene,
+                                                     const std::vector<study::OrganWithLumps>& organs,
+                                                     buried::FeltOptions how, std::optional<double> radius_mm)
 {
-    std::vector<study::FeltOrgan> felt;
+    std::vector<study::OrganPalpability> felt;
     for (const study::OrganWithLumps& organ : organs) {
         ProgressLine progress;
         how.radius_mm = radius_mm.value_or(organ.radius_mm);
@@ -119,10 +119,10 @@ Result<std::vector<study::FeltOrgan>> feelAll(const meshio::LoadedScene& scene,
 }
 
 int writeAndPrint(const FeltCommandOptions& options, const meshio::LoadedScene& scene,
-                  const std::vector<study::FeltOrgan>& felt)
+                  const std::vector<study::OrganPalpability>& felt)
 {
     std::vector<std::string> losses = scene.losses;
-    for (const study::FeltOrgan& one : felt) {
+    for (const study::OrganPalpability& one : felt) {
         losses.insert(losses.end(), one.felt.notes.begin(), one.felt.notes.end());
     }
     const std::vector<std::string> questions = study::ratioQuestions(scene, felt);
@@ -139,7 +139,7 @@ int writeAndPrint(const FeltCommandOptions& options, const meshio::LoadedScene& 
             return report(status);
         }
     }
-    for (const study::FeltOrgan& one : felt) {
+    for (const study::OrganPalpability& one : felt) {
         print("%s, finger of %g mm contact radius\n", scene.structures[one.organ.organ].description.name.c_str(),
               one.felt.radius_mm);
         for (const buried::FeltSurface::Lump& lump : one.felt.lumps) {

@@ -83,12 +83,12 @@ bool FindingsDesk::mark()
     core::Finding one = markedNow();
     one.name = tr("Finding %1").arg(m_parts.document.findings().size() + 1).toStdString();
     const TouchReading& felt = m_parts.touch.reading();
-    const FeltStructure on = feltStructure(felt);
+    const PalpatedStructure on = palpatedStructure(felt);
     one.structure = on.name.toStdString();
     one.p_W = touch.p_WG;
     one.force_N = on.force_N;
     one.depth_mm = on.depth_mm;
-    for (const FeltLayer& layer : felt.layers) {
+    for (const LayerShare& layer : felt.layers) {
         if (!on.inside.isEmpty()) { // lists all layers in contact, the organ first
             one.layers.push_back({layer.name.toStdString(), layer.along_N, layer.depth_mm});
         }
@@ -96,7 +96,7 @@ bool FindingsDesk::mark()
     QString line = tr("%1 marked on %2 with %3 N")
                        .arg(QString::fromStdString(one.name), whereText(on), QLocale().toString(on.force_N, 'f', 2));
     if (on.stiffnessRatio) {
-        line += tr(", stiffness %1").arg(feltChangeText(*on.stiffnessRatio));
+        line += tr(", stiffness %1").arg(responseChangeText(*on.stiffnessRatio));
     }
     Q_EMIT said(line);
     m_parts.document.addFinding(one);

@@ -17,16 +17,17 @@ namespace palpate::app {
 
 namespace {
 
-constexpr std::array kHandedOver{kEvaluate, kStability};
+constexpr std::array kEvaluationCommands{kEvaluate, kStability};
 
 } // namespace
 
 bool isEvaluation(std::string_view word)
 {
-    return std::any_of(kHandedOver.begin(), kHandedOver.end(), [word](const CommandText& c) { return word == c.name; });
+    return std::any_of(kEvaluationCommands.begin(), kEvaluationCommands.end(),
+                       [word](const CommandText& c) { return word == c.name; });
 }
 
-int handOver(char** argv)
+int execEvaluationProgram(char** argv)
 {
     std::error_code error;
     const std::string program =
@@ -38,9 +39,9 @@ int handOver(char** argv)
     return kFailed;
 }
 
-void addHandedOver(CLI::App& app, Chosen& chosen)
+void addEvaluationCommands(CLI::App& app, Chosen& chosen)
 {
-    for (const CommandText& text : kHandedOver) {
+    for (const CommandText& text : kEvaluationCommands) {
         CLI::App* const command = app.add_subcommand(text.name, text.description);
         command->prefix_command(); // the other program validates the rest of the command line
         command->callback([&chosen, text] {

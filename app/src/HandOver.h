@@ -16,9 +16,9 @@ inline constexpr const char* kEvaluationProgram = "palpate-evaluation";
 
 /// Replaces this process by that program with the same command line. Returns only on failure.
 /// @return an exit code, after printing an error with a remedy
-[[nodiscard]] int handOver(char** argv);
+[[nodiscard]] int execEvaluationProgram(char** argv);
 
 /// Adds that program's subcommands to the help of `app`. If one is given after an option, `chosen` prints an error.
-void addHandedOver(CLI::App& app, Chosen& chosen);
+void addEvaluationCommands(CLI::App& app, Chosen& chosen);
 
 } // namespace palpate::app

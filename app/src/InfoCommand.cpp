@@ -52,7 +52,7 @@ struct Examined
 {
     FileReport report;
     std::shared_ptr<const haptics::HapticScene> felt;
-    std::vector<study::FeltOrgan> organs; ///< computed when the scene was opened
+    std::vector<study::OrganPalpability> organs; ///< computed when the scene was opened
 };
 
 core::Result<Examined> readFile(const std::filesystem::path& file, const meshio::ReadOptions& options)
@@ -101,7 +101,7 @@ void examineFile(Examined& one)
             structure.surface != nullptr ? std::optional(geometry::examine(*structure.surface)) : std::nullopt);
     }
     one.report.examine_s = secondsSince(start);
-    auto lumps = study::feltOrgans(one.report.scene, std::move(one.organs), &one.report.lumpNotes);
+    auto lumps = study::computePalpability(one.report.scene, std::move(one.organs), &one.report.lumpNotes);
     if (lumps.isOk()) {
         one.report.lumps = std::move(lumps).value();
     }

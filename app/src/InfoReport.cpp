@@ -22,7 +22,7 @@ namespace {
 
 const char* frameName(const meshio::LoadedStructure& structure)
 {
-    return core::axesOf(core::takenFrame(structure.description.frame, structure.frame)).data();
+    return core::axesOf(core::resolvedFrame(structure.description.frame, structure.frame)).data();
 }
 
 const char* frameSource(const meshio::LoadedStructure& structure)
@@ -67,7 +67,7 @@ std::string crossings(const geometry::SurfaceExamination& e, std::size_t triangl
     std::string line = e.crossingPairs == 0
                            ? "no triangles that cross each other"
                            : grouped(e.crossingPairs) + " pairs of triangles cross each other: the tip can catch there";
-    if (e.isCrossingBounded) {
+    if (e.isPairLimitReached) {
         line +=
             " (looked at " + grouped(e.examinedTriangles) + " of " + grouped(triangles) + " triangles, then gave up)";
     }
@@ -133,7 +133,7 @@ std::string lawLine(const core::Tissue& tissue)
     std::string line = std::string(core::lawName(law.kind));
     std::array<char, 120> number = {};
     std::size_t i = 0;
-    for (const core::LawTerm& term : core::lawTerms(law.kind)) {
+    for (const core::LawParameter& term : core::lawParameters(law.kind)) {
         std::snprintf(number.data(), number.size(), ", %s %.6g", term.key.data(), law.numbers[i++]);
         line += number.data();
     }
@@ -143,7 +143,7 @@ std::string lawLine(const core::Tissue& tissue)
                       force_N);
         line += number.data();
     }
-    std::snprintf(number.data(), number.size(), "; at its steepest %.4g N/mm", haptics::greatestStiffness(tissue));
+    std::snprintf(number.data(), number.size(), "; at its steepest %.4g N/mm", haptics::maxStiffness(tissue));
     return line + number.data();
 }
 
@@ -244,7 +244,7 @@ void add(const std::optional<geometry::SurfaceExamination>& examined, std::size_
     sentences.append(text(crossings(*examined, triangles)));
     object["crossing_pairs"] = count(examined->crossingPairs);
     object["crossing_examined_triangles"] = count(examined->examinedTriangles);
-    object["crossing_bound_hit"] = examined->isCrossingBounded;
+    object["crossing_bound_hit"] = examined->isPairLimitReached;
     object["wall_samples"] = count(examined->wallSamples);
     object["thinnest_wall_mm"] = examined->thinnestWall_mm ? QJsonValue(*examined->thinnestWall_mm) : QJsonValue();
     if (examined->thinnestWall_mm) {
@@ -277,9 +277,9 @@ QJsonObject lawObject(const core::Tissue& tissue)
 {
     const core::ForceLaw& law = tissue.law;
     QJsonObject object{{"kind", text(std::string(core::lawName(law.kind)))},
-                       {"greatest_slope_N_per_mm", haptics::greatestStiffness(tissue)}};
+                       {"greatest_slope_N_per_mm", haptics::maxStiffness(tissue)}};
     std::size_t i = 0;
-    for (const core::LawTerm& term : core::lawTerms(law.kind)) {
+    for (const core::LawParameter& term : core::lawParameters(law.kind)) {
         const double number = law.numbers[i++];
         object[term.key.data()] = term.isSwitch ? QJsonValue(number != 0.0) : QJsonValue(number);
     }

@@ -27,8 +27,8 @@ struct FileReport
     std::vector<std::string> neighbours;   ///< structures of all files that obstruct each other, one sentence each
     /// Nesting of structures across all files, one sentence each, if requested.
     std::optional<std::vector<std::string>> layers;
-    std::vector<study::FeltOrgan> lumps; ///< palpability of lumps in organs
-    std::vector<std::string> lumpNotes;  ///< organs and lumps that cannot be evaluated, one sentence each
+    std::vector<study::OrganPalpability> lumps; ///< palpability of lumps in organs
+    std::vector<std::string> lumpNotes;         ///< organs and lumps that cannot be evaluated, one sentence each
     std::size_t touchBytes = 0;
     std::size_t touchTriangles = 0;
 };

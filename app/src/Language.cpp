@@ -55,7 +55,7 @@ const QList<Language>& languages()
     return all;
 }
 
-void speakChosenLanguage()
+void applyChosenLanguage()
 {
     const QString chosen = QSettings().value(kSetting).toString();
     const QString code = chosen.isEmpty() ? systemLanguage() : chosen;

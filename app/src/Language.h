@@ -23,7 +23,7 @@ struct Language
 
 /// Sets the language of all windows created later: the user's choice (setting `language`), otherwise the first system
 /// language in `languages()`, otherwise English. Also sets the decimal separator. Call once before creating a window.
-void speakChosenLanguage();
+void applyChosenLanguage();
 
 /// Adds a menu to choose the language. Open windows do not change; `said` gets a message to show.
 void addLanguageMenu(QMenu& menu, QObject& context, const std::function<void(const QString&)>& said);

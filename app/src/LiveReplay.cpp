@@ -21,7 +21,7 @@ constexpr auto kDrainInterval = 20ms;
 
 } // namespace
 
-LiveHand playedHand(const session::Motion& motion)
+LiveHand playbackHand(const session::Motion& motion)
 {
     std::vector<device::PlaybackRow> rows(static_cast<std::size_t>(kSettle_s / motion.dt_s) + 1);
     for (auto& row : rows) {

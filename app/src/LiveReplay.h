@@ -31,7 +31,7 @@ struct LiveHand
 };
 
 /// Makes a hand that plays the motion itself, row by row.
-[[nodiscard]] LiveHand playedHand(const session::Motion& motion);
+[[nodiscard]] LiveHand playbackHand(const session::Motion& motion);
 /// Makes a simulated hand that follows the motion and yields to the contact force.
 /// @param preset  the simulated device
 [[nodiscard]] core::Result<LiveHand> simulatedHand(const session::Motion& motion, const device::DevicePreset& preset);

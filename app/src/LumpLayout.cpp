@@ -27,38 +27,38 @@ LumpLayout::LumpLayout(const StructureModel& model, const study::Layering& layer
         const auto i = static_cast<std::size_t>(row);
         const bool isThere = !model.rows()[i].isRemoved;
         names.push_back(readableName(model.structure(row).name).toStdString());
-        m_isToBeTold.push_back(isThere && StructureModel::isFelt(model.structure(row)));
+        m_needsSentence.push_back(isThere && StructureModel::isFelt(model.structure(row)));
         m_layers.push_back(isThere ? layering.structures[i].layer : model.structure(row).layer);
         m_ways.push_back({row, m_layers.back()});
-        if (model.isToBeFeltThrough(row)) {
+        if (model.isTransmitted(row)) {
             m_ways.back().layer.reset();
-            m_isAnyThrough = true;
+            m_hasTransmittedLump = true;
         }
     }
-    const std::vector<bool> isFelt = m_isToBeTold;
+    const std::vector<bool> isFelt = m_needsSentence;
     for (int row = first; row < model.rowCount(); ++row) {
         const auto i = static_cast<std::size_t>(row);
         const study::Layering::Structure& one = layering.structures[i];
         if (!isFelt[i] || one.twin || !meshio::isLump(meshio::anatomyKind(model.structure(row).name))) {
             continue;
         }
-        if (const auto around = layering.feltAround(i, isFelt)) {
-            layOutLump(row, static_cast<int>(*around));
-        } else if (one.unsureIn && isFelt[*one.unsureIn]) {
+        if (const auto around = layering.palpableParent(i, isFelt)) {
+            assignLump(row, static_cast<int>(*around));
+        } else if (one.unreliableParent && isFelt[*one.unreliableParent]) {
             m_lines << tr("%1 seems to lie in %2, whose surface is open or inside out: it is felt neither through nor "
                           "below it")
-                           .arg(QString::fromStdString(names[i]), QString::fromStdString(names[*one.unsureIn]));
-            m_isToBeTold[i] = false;
+                           .arg(QString::fromStdString(names[i]), QString::fromStdString(names[*one.unreliableParent]));
+            m_needsSentence[i] = false;
         }
     }
-    for (const std::string& sentence : layering.sentences(names, m_isToBeTold)) {
+    for (const std::string& sentence : layering.sentences(names, m_needsSentence)) {
         m_lines << engineText(sentence);
     }
 }
 
-std::vector<FeltWay> LumpLayout::inLayers() const
+std::vector<TouchMode> LumpLayout::inLayers() const
 {
-    std::vector<FeltWay> ways = m_ways;
+    std::vector<TouchMode> ways = m_ways;
     for (std::size_t i = 0; i < ways.size(); ++i) {
         ways[i].layer = m_layers[i];
     }
@@ -66,37 +66,37 @@ std::vector<FeltWay> LumpLayout::inLayers() const
 }
 
 /// Lays out one lump. @param around  smallest palpable structure around the lump
-void LumpLayout::layOutLump(int row, int around)
+void LumpLayout::assignLump(int row, int around)
 {
     const auto i = static_cast<std::size_t>(row);
     const QString name = readableName(m_model.structure(row).name),
                   aroundName = readableName(m_model.structure(around).name);
-    const QString why = whyNotThrough(row, around);
+    const QString why = reasonForLayer(row, around);
     if (why.isEmpty()) {
         m_ways[i].layer.reset();
-        m_isAnyThrough = true;
+        m_hasTransmittedLump = true;
         const std::optional<study::StiffnessRatio> ratio = ratioOf(m_model, row, around);
         m_lines << tr("%1 lies inside %2, %3 times as stiff (%4), and is felt through it")
                        .arg(name, aroundName, ratioRangeText(ratio), ratioSourceText(ratio->source));
     } else {
         m_lines << tr("%1 lies in %2 and is felt below it, as a layer: %3").arg(name, aroundName, why);
     }
-    m_isToBeTold[i] = false;
+    m_needsSentence[i] = false;
 }
 
 /// Reason why the lump cannot be palpated through the organ. @return empty if the model of buried lumps applies
-QString LumpLayout::whyNotThrough(int row, int around) const
+QString LumpLayout::reasonForLayer(int row, int around) const
 {
     const StructureRow &lump = m_model.rows()[static_cast<std::size_t>(row)],
                        &organ = m_model.rows()[static_cast<std::size_t>(around)];
     const QString organName = readableName(organ.loaded.description.name);
-    if (!study::hasSureInside(lump.loaded.surface->report)) {
+    if (!study::hasReliableInterior(lump.loaded.surface->report)) {
         return tr("its surface is open or inside out");
     }
     if (meshio::isLump(meshio::anatomyKind(organ.loaded.description.name))) {
         return tr("%1 is a lump itself").arg(organName);
     }
-    if (organToFeelThrough(m_model, row) != around) {
+    if (transmittingOrgan(m_model, row) != around) {
         return tr("a scene file could not name %1 alone").arg(organName);
     }
     if (!study::isWhollyInside(*lump.loaded.surface, *organ.touch)) {

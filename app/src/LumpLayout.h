@@ -2,7 +2,7 @@
 #pragma once
 
 #include <palpate/study/Layers.h>
-#include <palpate/ui/FeltWay.h>
+#include <palpate/ui/TouchMode.h>
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -21,21 +21,21 @@ class LumpLayout
     LumpLayout(const palpate::ui::StructureModel& model, const palpate::study::Layering& layering, int first);
 
     /// Contact mode of each structure.
-    [[nodiscard]] const std::vector<palpate::ui::FeltWay>& ways() const noexcept { return m_ways; }
+    [[nodiscard]] const std::vector<palpate::ui::TouchMode>& ways() const noexcept { return m_ways; }
     /// Same layout with layers only.
-    [[nodiscard]] std::vector<palpate::ui::FeltWay> inLayers() const;
+    [[nodiscard]] std::vector<palpate::ui::TouchMode> inLayers() const;
     /// Notes for the user, one sentence each without final full stop, lumps first.
     [[nodiscard]] const QStringList& lines() const noexcept { return m_lines; }
-    [[nodiscard]] bool isAnyThrough() const noexcept { return m_isAnyThrough; }
+    [[nodiscard]] bool hasTransmittedLump() const noexcept { return m_hasTransmittedLump; }
 
   private:
-    void layOutLump(int row, int around);
-    [[nodiscard]] QString whyNotThrough(int row, int around) const;
+    void assignLump(int row, int around);
+    [[nodiscard]] QString reasonForLayer(int row, int around) const;
 
     const palpate::ui::StructureModel& m_model;
-    std::vector<palpate::ui::FeltWay> m_ways;
+    std::vector<palpate::ui::TouchMode> m_ways;
     std::vector<std::uint32_t> m_layers;
-    std::vector<bool> m_isToBeTold; ///< included in the sentences about layers
+    std::vector<bool> m_needsSentence; ///< included in the sentences about layers
     QStringList m_lines;
-    bool m_isAnyThrough = false;
+    bool m_hasTransmittedLump = false;
 };

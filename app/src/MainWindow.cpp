@@ -105,9 +105,9 @@ void MainWindow::makeDocks()
         return one;
     };
     m_structures = new StructurePanel(m_model, this);
-    m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText());
+    m_structures->setGreatest(m_live.maxTissue(), m_live.limitText());
     m_maps = new MapDisplay(*m_viewport, m_model, this);
-    m_maps->setGreatest(m_live.greatestTissue());
+    m_maps->setGreatest(m_live.maxTissue());
     m_touch = new TouchPanel(this);
     m_touch->setForceLimit(m_live.deviceInfo().maxForce_N);
     m_session = new SessionPanel(this);
@@ -181,7 +181,7 @@ void MainWindow::connectActions()
     });
     connect(m_palpateAction, &QAction::toggled, this, &MainWindow::setPalpating);
     connect(m_recordAction, &QAction::triggered, this, &MainWindow::toggleRecording);
-    connect(m_recording, &RecordingControl::troubled, this, &MainWindow::showError);
+    connect(m_recording, &RecordingControl::writeProblem, this, &MainWindow::showError);
     connect(m_recording, &RecordingControl::failed, this, [this](const QString& line) {
         m_recordAction->setChecked(false);
         showWhatPlays();
@@ -277,7 +277,7 @@ void MainWindow::connectLoading()
     connectSurfaces();
     connect(m_structures, &StructurePanel::colourChosen, m_maps, &MapDisplay::show);
     connect(m_coordinates, &CoordinatesChoice::chosen, this, &MainWindow::readAs);
-    connect(&m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_isEditedMeanwhile = true; });
+    connect(&m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_isEditedSinceReload = true; });
     connect(&m_model, &QAbstractItemModel::modelReset, this, &MainWindow::showCoordinates);
     connect(&m_model, &QAbstractItemModel::rowsInserted, this, &MainWindow::showCoordinates);
     connect(&m_model, &QAbstractItemModel::rowsRemoved, this, &MainWindow::showCoordinates);
@@ -319,8 +319,8 @@ void MainWindow::connectTouch()
     connect(&m_live, &LiveTouch::statusChanged, this, &MainWindow::showStatus);
     connect(&m_live, &LiveTouch::faulted, this, &MainWindow::tellFault);
     connect(&m_live, &LiveTouch::greatestChanged, this, [this] {
-        m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText());
-        m_maps->setGreatest(m_live.greatestTissue());
+        m_structures->setGreatest(m_live.maxTissue(), m_live.limitText());
+        m_maps->setGreatest(m_live.maxTissue());
     });
     connect(&m_live, &LiveTouch::stiffnessRefused, this, [this](const QString& line) { say(line, 20000); });
     auto* mapWarnings = new MapWarnings(m_live, this);

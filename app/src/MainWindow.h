@@ -111,7 +111,7 @@ class MainWindow : public QMainWindow
     bool saveScene();
     bool saveSceneAs();
     bool saveSceneTo(const std::filesystem::path& path);
-    bool mayDiscard();
+    bool confirmDiscard();
     void offerLeftover();
     void readAs(palpate::core::FileFrame frame);
     void showCoordinates();
@@ -139,10 +139,10 @@ class MainWindow : public QMainWindow
     void say(const QString& text, int forget_ms = 8000);
     void showError(const QString& line);
     void showMessages();
-    int tellNotes(const palpate::ui::OpenedScene& scene);
-    void tellRealtime(const palpate::servo::RealtimeReport& report);
+    int listNotes(const palpate::ui::OpenedScene& scene);
+    void listRealtimeWarnings(const palpate::servo::RealtimeReport& report);
     [[nodiscard]] QString handText() const;
-    void offerMetres(double size_mm);
+    void offerReadingAsMetres(double size_mm);
     void connectSurfaces();
     void offerSurfaces();
     void followSurface(int row);
@@ -153,8 +153,8 @@ class MainWindow : public QMainWindow
     void chooseAdded();
     void add(const std::vector<std::filesystem::path>& files);
     void takeAdded(palpate::ui::OpenedScene& scene);
-    void layOutAdded(const palpate::ui::OpenedScene& scene);
-    void nameTissues(const palpate::study::Layering& layering, int first);
+    void arrangeAdded(const palpate::ui::OpenedScene& scene);
+    void applyTissuePresets(const palpate::study::Layering& layering, int first);
     void offerTissueBack(std::vector<palpate::ui::StructureModel::Edited> before);
     void closeScene();
     void tellFault(const QString& line);
@@ -187,13 +187,13 @@ class MainWindow : public QMainWindow
     CoordinatesChoice* m_coordinates = nullptr;
     palpate::app::ShowAround* m_around = nullptr;
     palpate::app::SoundChoice* m_sound = nullptr;
-    bool m_isEditedMeanwhile = false; ///< since reloading of the open meshes began
+    bool m_isEditedSinceReload = false; ///< since reloading of the open meshes began
     palpate::ui::Chip* m_deviceChip = nullptr;
     palpate::ui::Chip* m_recordingChip = nullptr;
     palpate::ui::Chip* m_runningChip = nullptr;
     palpate::ui::Chip* m_depthChip = nullptr;
     palpate::ui::HintLine* m_hint = nullptr;
-    QStringList m_realtimeTold; ///< latest warnings about the servo thread
+    QStringList m_realtimeWarnings; ///< latest warnings about the servo thread
     QProgressBar* m_progress = nullptr;
     QToolButton* m_cancel = nullptr;
     QMenu* m_recentMenu = nullptr;

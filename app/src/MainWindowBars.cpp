@@ -78,7 +78,7 @@ void MainWindow::showStatus()
     m_runningChip->say(state.text, state.isWell ? Chip::Tone::Good : Chip::Tone::Warning);
     m_runningChip->setToolTip(state.tip);
     if (reading.isRunning) {
-        tellRealtime(reading.realtime);
+        listRealtimeWarnings(reading.realtime);
     }
     if (m_engineering != nullptr && m_engineering->isVisible()) {
         m_engineering->show(reading);

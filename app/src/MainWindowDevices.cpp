@@ -29,7 +29,7 @@ void MainWindow::setPlugins(std::unique_ptr<device::PluginHost> plugins)
             60000);
     });
     connect(m_devices, &DeviceChoice::changed, this, [this] {
-        m_structures->setGreatest(m_live.greatestTissue(), m_live.limitText());
+        m_structures->setGreatest(m_live.maxTissue(), m_live.limitText());
         showWhatPlays();
         showStatus();
         say(howToTouch(), 60000);

@@ -39,7 +39,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
     if (meshes.empty() && recording && m_model.rowCount() == 0) {
         meshes.push_back(*recording); // a recording alone: also opens its scene, see study::sceneOfRecording
     }
-    if (!meshes.empty() && !mayDiscard()) {
+    if (!meshes.empty() && !confirmDiscard()) {
         return;
     }
     m_message->forgetScene();
@@ -57,7 +57,7 @@ void MainWindow::open(const std::vector<std::filesystem::path>& files, double un
 }
 
 /// Called as soon as the meshes are read, while they are being indexed.
-void MainWindow::offerMetres(double size_mm)
+void MainWindow::offerReadingAsMetres(double size_mm)
 {
     // No organ is smaller; some libraries write metres to formats that cannot store a unit.
     constexpr double kSmallest_mm = 3.0;
@@ -83,7 +83,7 @@ void MainWindow::readAs(core::FileFrame frame)
         return;
     }
     m_waitingRecording.reset();
-    m_isEditedMeanwhile = false;
+    m_isEditedSinceReload = false;
     m_loader.reopen(m_document->inFrame(frame), m_files);
 }
 
@@ -98,7 +98,7 @@ void MainWindow::showCoordinates()
 
 void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
 {
-    if (scene->isReopened && m_isEditedMeanwhile) { // edits during reloading are missing: reload again
+    if (scene->isReopened && m_isEditedSinceReload) { // edits during reloading are missing: reload again
         readAs(scene->rows.front().loaded.description.frame);
         return;
     }
@@ -148,7 +148,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
         remember(m_files.front());
     }
     const QString how = howToTouch();
-    const int notes = tellNotes(*scene);
+    const int notes = listNotes(*scene);
     const QString told = notes == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(notes);
     say(notes == 0 ? how : tr("%1  ·  %2 (F4 lists them)").arg(how, told), 60000);
     if (scene->isReopened) {
@@ -158,7 +158,7 @@ void MainWindow::takeScene(const std::shared_ptr<OpenedScene>& scene)
     }
     showWhatPlays();
     if (scene->areMeshes() && !scene->isReopened && !m_waitingRecording) {
-        nameTissues(scene->layering, 0);
+        applyTissuePresets(scene->layering, 0);
         m_model.undoStack().setClean(); // automatic changes do not make the document modified
     }
     if (!scene->isReopened) {
@@ -273,7 +273,7 @@ bool MainWindow::saveSceneTo(const std::filesystem::path& path)
 }
 
 /// Asks whether to save unsaved changes. @return false if the user cancels
-bool MainWindow::mayDiscard()
+bool MainWindow::confirmDiscard()
 {
     if (!m_document->isModified()) {
         return true;
@@ -362,7 +362,7 @@ void MainWindow::dropEvent(QDropEvent* event)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!m_recording->mayEnd(this) || !mayDiscard()) {
+    if (!m_recording->mayEnd(this) || !confirmDiscard()) {
         event->ignore();
         return;
     }

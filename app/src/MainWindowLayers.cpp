@@ -52,7 +52,7 @@ void MainWindow::offerOtherLayout(const LumpLayout& layout, const QString& line)
     if (layout.lines().isEmpty()) {
         return;
     }
-    if (layout.isAnyThrough()) {
+    if (layout.hasTransmittedLump()) {
         m_message->offer(line, tr("Feel it as a layer"), [this, ways = layout.inLayers()] {
             feel(m_model, ways, tr("Feel what is inside below what is around it"));
         });
@@ -73,7 +73,7 @@ void MainWindow::offerLayers(const study::Layering& layering)
         layers.push_back(layering.structures[static_cast<std::size_t>(row)].layer);
     }
     for (std::size_t row = 0; row < isFelt.size(); ++row) {
-        const auto in = isFelt[row] ? layering.feltAround(row, isFelt) : std::nullopt;
+        const auto in = isFelt[row] ? layering.palpableParent(row, isFelt) : std::nullopt;
         if (in) {
             m_message->offer(tr("%1 lies in %2, but this scene has all in one layer: it is not felt through %2.")
                                  .arg(readableName(m_model.structure(static_cast<int>(row)).name),

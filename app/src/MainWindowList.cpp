@@ -105,10 +105,10 @@ void MainWindow::takeAdded(OpenedScene& scene)
     m_model.addRows(std::move(scene.rows), text);
     m_model.setNesting(in);
     if (scene.areMeshes()) {
-        nameTissues(scene.layering, first);
+        applyTissuePresets(scene.layering, first);
     }
     m_document->add(scene);
-    layOutAdded(scene);
+    arrangeAdded(scene);
     m_model.undoStack().endMacro();
     m_structures->select(first);
     say(count == 1 ? tr("%1 was added to the scene.").arg(readableName(m_model.structure(first).name))
@@ -124,15 +124,15 @@ void MainWindow::takeAdded(OpenedScene& scene)
 }
 
 /// Lays out added structures by nesting if all others are laid out that way; otherwise offers to do so.
-void MainWindow::layOutAdded(const OpenedScene& scene)
+void MainWindow::arrangeAdded(const OpenedScene& scene)
 {
     const LumpLayout layout(m_model, scene.layering, static_cast<int>(scene.addedTo));
     bool isAsFound = m_document->file().empty() && scene.areMeshes();
     bool isOther = false;
-    for (const FeltWay& way : layout.ways()) {
+    for (const TouchMode& way : layout.ways()) {
         const auto i = static_cast<std::size_t>(way.row);
         const std::uint32_t now = m_model.structure(way.row).layer;
-        const bool isThrough = m_model.isToBeFeltThrough(way.row);
+        const bool isThrough = m_model.isTransmitted(way.row);
         const bool isFound =
             i >= scene.addedTo || m_model.rows()[i].isRemoved || isThrough || now == layerBefore(scene, i);
         isAsFound = isAsFound && isFound;
@@ -155,7 +155,7 @@ void MainWindow::layOutAdded(const OpenedScene& scene)
 }
 
 /// Applies tissue presets by name to structures from `first` on, and offers to undo.
-void MainWindow::nameTissues(const study::Layering& layering, int first)
+void MainWindow::applyTissuePresets(const study::Layering& layering, int first)
 {
     std::vector<StructureModel::Edited> edits = tissueByName(m_model, layering, first);
     if (edits.empty()) {
@@ -196,7 +196,7 @@ void MainWindow::offerTissueBack(std::vector<StructureModel::Edited> before)
 /// Closes the scene and shows the welcome page.
 void MainWindow::closeScene()
 {
-    if (!mayDiscard()) {
+    if (!confirmDiscard()) {
         return;
     }
     if (m_live.recording().isRecording) {

@@ -142,7 +142,7 @@ void MainWindow::showError(const QString& line)
 }
 
 /// Adds notes from opening to the list of messages. @return the number of notes
-int MainWindow::tellNotes(const OpenedScene& scene)
+int MainWindow::listNotes(const OpenedScene& scene)
 {
     for (const QString& note : scene.warnings) {
         m_messages.add(Messages::Kind::Warning, note);
@@ -160,10 +160,10 @@ int MainWindow::tellNotes(const OpenedScene& scene)
 }
 
 /// Lists warnings, once per change, about settings that keep the servo thread from real-time operation, with remedies.
-void MainWindow::tellRealtime(const servo::RealtimeReport& report)
+void MainWindow::listRealtimeWarnings(const servo::RealtimeReport& report)
 {
     if (report.isRealtime) {
-        m_realtimeTold.clear();
+        m_realtimeWarnings.clear();
         return;
     }
     QStringList lines;
@@ -174,8 +174,8 @@ void MainWindow::tellRealtime(const servo::RealtimeReport& report)
                               QString::fromStdString(item.remedy));
         }
     }
-    if (lines != m_realtimeTold) {
-        m_realtimeTold = lines;
+    if (lines != m_realtimeWarnings) {
+        m_realtimeWarnings = lines;
         for (const QString& line : lines) {
             m_messages.add(Messages::Kind::Warning, line);
         }

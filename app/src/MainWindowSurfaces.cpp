@@ -31,7 +31,7 @@ void MainWindow::connectSurfaces()
     connect(&m_loader, &SceneLoader::surfaceBuilt, this,
             [this](int row, const std::shared_ptr<StructureRow>& built) { m_model.setSurface(row, *built); });
     connect(&m_model, &StructureModel::surfaceReplaced, this, &MainWindow::followSurface);
-    connect(&m_loader, &SceneLoader::sizeKnown, this, &MainWindow::offerMetres);
+    connect(&m_loader, &SceneLoader::sizeKnown, this, &MainWindow::offerReadingAsMetres);
     connect(&m_loader, &SceneLoader::notesFound, this, [this](const QStringList& lines) {
         for (const QString& line : lines) {
             m_messages.add(Messages::Kind::Warning, line);

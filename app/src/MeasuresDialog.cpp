@@ -160,7 +160,7 @@ void MeasuresDialog::measure(session::MeshesByHash meshes)
             }
             session::MeasureOptions options;
             options.isCancelled = &m_isClosing;
-            options.distance_mm = study::usualDistance_mm(*reader.value(), meshes);
+            options.distance_mm = study::defaultDistance_mm(*reader.value(), meshes);
             isFingertip = study::hasFingertip(*reader.value());
             *measured = session::measureSession(*reader.value(), meshes, options);
             const auto scene = study::sceneOfRecording(m_recording);

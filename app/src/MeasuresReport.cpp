@@ -31,7 +31,7 @@ void printLump(const session::LumpSearch& one)
         print(
             "    model of felt lumps (felt.md), an estimate: %s predicted; pressed hard enough to feel it over %.3g %% "
             "of the %.3g cm² from where a trained hand tells it\n",
-            percentText(one.predicted_percent).c_str(), 100.0 * *one.share(), 0.01 * one.told_mm2);
+            percentText(one.predicted_percent).c_str(), 100.0 * *one.share(), 0.01 * one.detectable_mm2);
     }
 }
 
@@ -84,7 +84,7 @@ void printMeasures(const session::SessionMeasures& m)
               "peak %.4g N\n",
               one.finding.name.c_str(), one.finding.p_W.x(), one.finding.p_W.y(), one.finding.p_W.z(), one.marked_s,
               one.dwell_s, static_cast<long long>(one.visits), one.meanForce_N, one.peakForce_N);
-        for (const core::FeltLayer& layer : one.finding.layers) {
+        for (const core::FindingLayer& layer : one.finding.layers) {
             print("    %s: %.4g N at %.4g mm when it was marked\n", layer.structure.c_str(), layer.force_N,
                   layer.depth_mm);
         }

@@ -21,7 +21,7 @@ namespace {
 
 /// Opens closed standard streams on /dev/null. Otherwise another file could get their descriptor and receive the
 /// output. Writing to these streams fails.
-void holdStandardStreams()
+void reserveStandardStreams()
 {
     for (int number = 0; number <= STDERR_FILENO; ++number) {
         if (::fcntl(number, F_GETFD) < 0) {
@@ -34,7 +34,7 @@ void holdStandardStreams()
 
 int runProgram(int argc, char** argv, int (*run)(int argc, char** argv))
 {
-    holdStandardStreams();
+    reserveStandardStreams();
     // Start the server first, while the process has one thread and no open files. Without a server, files are read in
     // this process.
     if (const core::Status server = meshio::startImportServer(); !server.isOk()) {

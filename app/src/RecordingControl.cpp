@@ -19,11 +19,11 @@ using namespace palpate::ui;
 
 namespace {
 
-constexpr int kMostOfOneName = 1000;
+constexpr int kMaxNumberedNames = 1000;
 constexpr const char* kSideFiles[] = {"", "-journal", "-wal", "-shm"};
 
 /// Returns whether no file has the name of the recording or of one of SQLite's side files.
-bool isFree(const std::filesystem::path& recording)
+bool isNameFree(const std::filesystem::path& recording)
 {
     return std::none_of(std::begin(kSideFiles), std::end(kSideFiles), [&](const char* suffix) {
         std::filesystem::path file = recording;
@@ -50,19 +50,19 @@ core::Status RecordingControl::start(const std::filesystem::path& scene, bool em
 {
     refresh(); // report a recording that has just failed first
     m_failure.clear();
-    m_told.clear();
+    m_reportedProblem.clear();
     m_hasFailed = false;
     // The name has a resolution of one second: an older recording, or one of another window, may have the same name.
     const std::filesystem::path wanted = newFile(QStandardPaths::DocumentsLocation, QStringLiteral(".palpate"));
     core::Status started;
     bool isTaken = true;
-    for (int number = 1; isTaken && number <= kMostOfOneName; ++number) {
+    for (int number = 1; isTaken && number <= kMaxNumberedNames; ++number) {
         m_path = core::numbered(wanted, number);
-        if (!isFree(m_path)) {
+        if (!isNameFree(m_path)) {
             continue;
         }
         started = m_live.startRecording(m_path, scene, embeds);
-        isTaken = !started.isOk() && !isFree(m_path);
+        isTaken = !started.isOk() && !isNameFree(m_path);
     }
     m_isWatching = !isTaken && started.isOk();
     return started;
@@ -106,8 +106,8 @@ void RecordingControl::refresh()
                               : tr("● recording %1, %2").arg(clockText(now.duration_s), losses),
                    Chip::Tone::Recording);
         m_panel.showRecording(now.duration_s, losses);
-        if (std::exchange(m_told, now.problem) != now.problem && isTroubled) {
-            Q_EMIT troubled(ui::engineText(now.problem));
+        if (std::exchange(m_reportedProblem, now.problem) != now.problem && isTroubled) {
+            Q_EMIT writeProblem(ui::engineText(now.problem));
         }
         return;
     }

@@ -42,15 +42,15 @@ class RecordingControl : public QObject
     /// The recording failed. @param line  the reason, and missing data
     void failed(const QString& line);
     /// Writing fails at the moment. @param line  the reason
-    void troubled(const QString& line);
+    void writeProblem(const QString& line);
 
   private:
     palpate::ui::LiveTouch& m_live;
     palpate::ui::Chip& m_chip;
     palpate::ui::SessionPanel& m_panel;
     std::filesystem::path m_path;
-    QString m_failure;  ///< shown on the chip until acknowledged
-    std::string m_told; ///< latest problem reported
+    QString m_failure;             ///< shown on the chip until acknowledged
+    std::string m_reportedProblem; ///< latest problem reported
     bool m_isWatching = false;
     bool m_hasFailed = false;
 };

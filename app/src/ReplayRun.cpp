@@ -34,7 +34,7 @@ double seconds(std::chrono::steady_clock::time_point start)
 }
 
 /// Describes surface changes (smoothing, orientation) relative to the files; empty without changes.
-std::string looksOf(const meshio::LoadedScene& scene)
+std::string surfaceChangesOf(const meshio::LoadedScene& scene)
 {
     std::vector<study::RecordedLook> looks;
     bool isAny = false;
@@ -196,7 +196,7 @@ Status ReplayRun::loadScene()
     readOptions.frame = m_frame;
     readOptions.isPartial = m_options.isPartial;
     m_options.surfaces.applyTo(readOptions);
-    std::vector<study::FeltOrgan> felt;
+    std::vector<study::OrganPalpability> felt;
     auto loaded = study::openScene(m_options.scene, readOptions, &felt);
     if (!loaded.isOk()) {
         return loaded.status();
@@ -233,14 +233,14 @@ Status ReplayRun::loadScene()
     }
     if (m_recording || !m_options.record.empty()) {
         m_sources = study::sourcesOf(loaded.value(), m_options.embeds);
-        m_looks = looksOf(loaded.value());
+        m_looks = surfaceChangesOf(loaded.value());
     }
     for (const meshio::LoadedStructure& structure : loaded.value().structures) {
-        m_isFeltThrough.push_back(structure.isFeltThrough ? 1 : 0);
+        m_isTransmitted.push_back(structure.isTransmitted ? 1 : 0);
     }
     m_summary.emplace(m_cost, m_motion.dt_s);
     m_summary->reserve(m_motion.p_WH.size());
-    const auto lumps = study::feltOrgans(loaded.value(), std::move(felt));
+    const auto lumps = study::computePalpability(loaded.value(), std::move(felt));
     if (lumps.isOk()) {
         m_summary->setLumps(study::lumpLines(loaded.value(), lumps.value()),
                             study::lumpsJson(loaded.value(), lumps.value()));
@@ -261,7 +261,7 @@ Status ReplayRun::startRecording(const session::RecordingInfo& info)
     const bool replaces = m_options.isForced && fs::exists(fs::symlink_status(m_options.record, error));
     auto writer =
         session::RecordingWriter::create(m_options.record, whole, sync, session::RecordingWriter::Events::Derived,
-                                         replaces ? core::OldFile::Replace : core::OldFile::Refuse);
+                                         replaces ? core::ExistingFile::Replace : core::ExistingFile::Refuse);
     if (!writer.isOk()) {
         return writer.status();
     }
@@ -282,19 +282,19 @@ bool ReplayRun::take(const servo::TickRecord& tick, const session::StructureName
 }
 
 /// Returns an error if the recording touched a structure that is not palpable in the scene.
-Status ReplayRun::checkTouchedAlike(const session::SceneRecord& record) const
+Status ReplayRun::checkPalpableMatches(const session::SceneRecord& record) const
 {
     for (const session::StructureRecord& structure : record.structures) {
         for (std::size_t i = 0; structure.palpable && i < m_sources.size(); ++i) {
             if (m_sources[i].sha256 != structure.source.sha256 || m_scene->structures()[i].surface != nullptr) {
                 continue;
             }
-            const bool isFeltThrough = m_isFeltThrough[i] != 0;
+            const bool isTransmitted = m_isTransmitted[i] != 0;
             return {StatusCode::Mismatch,
                     m_options.scene.string() + ": structure \"" + structure.name +
                         "\" was touched by itself in the recording (layer " + std::to_string(structure.layer) +
                         "), here " +
-                        (isFeltThrough ? "it is felt through the structure around it" : "it is not palpable") +
+                        (isTransmitted ? "it is felt through the structure around it" : "it is not palpable") +
                         "; expected the scene that was recorded, or --force to replay the motion alone"};
         }
     }
@@ -305,7 +305,7 @@ Status ReplayRun::checkSameGeometry() const
 {
     const session::SurfacesByHash surfaces = study::surfacesByHash(*m_scene, m_sources);
     for (const session::SceneRecord& record : m_recording->scenes()) {
-        if (Status status = checkTouchedAlike(record); !status.isOk()) {
+        if (Status status = checkPalpableMatches(record); !status.isOk()) {
             return status;
         }
         if (const auto built = session::rebuildScene(record, surfaces); !built.isOk()) {
@@ -331,7 +331,7 @@ Status ReplayRun::feel()
         return feelLive();
     }
     session::RecordingInfo info;
-    study::nameScene(info, m_options.scene, m_options.record);
+    study::setSceneSource(info, m_options.scene, m_options.record);
     info.device.id = "replay";
     info.device.name = "Replay of " + m_options.motion.filename().string();
     info.dt_s = m_motion.dt_s;
@@ -368,7 +368,7 @@ Status ReplayRun::feelRecording()
 core::Result<LiveHand> ReplayRun::liveHand()
 {
     if (!hasDevice()) {
-        return playedHand(m_motion);
+        return playbackHand(m_motion);
     }
     if (m_options.device == "simulated") {
         return simulatedHand(m_motion, *device::findDevicePreset("touch"));
@@ -386,13 +386,13 @@ core::Result<LiveHand> ReplayRun::liveHand()
 }
 
 /// Limits tissue parameters to the device's limits, as the window does.
-void ReplayRun::boundBy(const device::DeviceInfo& info)
+void ReplayRun::limitTissues(const device::DeviceInfo& info)
 {
     const double rate_Hz = 1.0 / m_motion.dt_s;
-    const haptics::Tissue greatest = study::greatestTissue(info, servo::heldStiffness_N_per_mm(info, rate_Hz, true, 1));
+    const haptics::Tissue greatest = study::maxTissue(info, servo::heldStiffness_N_per_mm(info, rate_Hz, true, 1));
     auto structures = m_scene->structures();
-    study::boundBy(greatest, structures);
-    const std::string bounded = study::boundedText(m_scene->structures(), structures);
+    study::limitTissues(greatest, structures);
+    const std::string bounded = study::limitedText(m_scene->structures(), structures);
     if (!bounded.empty()) {
         print("device: %s can hold %s\n", info.name.c_str(), bounded.c_str());
     }
@@ -407,11 +407,11 @@ Status ReplayRun::feelLive()
     }
     LiveHand hand = std::move(made).value();
     if (hasDevice()) {
-        boundBy(hand.device->info());
+        limitTissues(hand.device->info());
     }
     const auto begin = [this, &hand](const servo::RecordingStart& start) {
         session::RecordingInfo info;
-        study::nameScene(info, m_options.scene, m_options.record);
+        study::setSceneSource(info, m_options.scene, m_options.record);
         info.device = hand.device->info();
         info.dt_s = m_motion.dt_s;
         info.rate_Hz = 1.0 / m_motion.dt_s;

@@ -62,12 +62,12 @@ class ReplayRun
     core::Status loadMotion();
     core::Status loadScene();
     core::Status feel();
-    core::Status checkTouchedAlike(const session::SceneRecord& record) const;
+    core::Status checkPalpableMatches(const session::SceneRecord& record) const;
     core::Status checkSameGeometry() const;
     core::Status feelRecording();
     core::Status feelLive();
     core::Result<LiveHand> liveHand();
-    void boundBy(const device::DeviceInfo& info);
+    void limitTissues(const device::DeviceInfo& info);
     /// True if the hand holds a device and reacts to the force.
     bool hasDevice() const { return !m_options.device.empty() && m_options.device != "playback"; }
     core::Status finish();
@@ -88,7 +88,7 @@ class ReplayRun
     std::vector<session::StructureSource> m_sources; ///< set if hashes are needed
     std::string m_looks; ///< for a recording with smoothed or reoriented surfaces; empty: unchanged surfaces
     /// Per structure: a lump palpated through its organ, without a contact surface of its own.
-    std::vector<char> m_isFeltThrough;
+    std::vector<char> m_isTransmitted;
     SceneCost m_cost;
     std::optional<ReplaySummary> m_summary;
     std::optional<session::Resimulation> m_resimulation;

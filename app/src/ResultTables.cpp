@@ -142,7 +142,8 @@ ResultTable lumpTable(const session::SessionMeasures& m)
           ResultTexts::tr("Of that pressed hard enough [%]"), ResultTexts::tr("Greatest change recorded [%]"),
           ResultTexts::tr("Predicted by the model [%]")}}};
     for (const session::LumpSearch& one : m.lumps) {
-        table.rows.push_back({ui::readableName(one.lump), ui::readableName(one.organ), number(0.01 * one.told_mm2, 1),
+        table.rows.push_back({ui::readableName(one.lump), ui::readableName(one.organ),
+                              number(0.01 * one.detectable_mm2, 1),
                               one.share() ? number(100.0 * *one.share(), 1) : ResultTexts::tr("not by hand"),
                               orDash(one.recorded_percent), orDash(one.predicted_percent)});
     }
@@ -155,7 +156,7 @@ ResultTable layerTable(const session::SessionMeasures& m)
                       {{ResultTexts::tr("Felt when marked"), ResultTexts::tr("Structure"), ResultTexts::tr("Force [N]"),
                         ResultTexts::tr("Depth [mm]")}}};
     for (const session::FindingMeasures& one : m.findings) {
-        for (const core::FeltLayer& layer : one.finding.layers) {
+        for (const core::FindingLayer& layer : one.finding.layers) {
             table.rows.push_back({QString::fromStdString(one.finding.name), ui::readableName(layer.structure),
                                   number(layer.force_N), number(layer.depth_mm, 1)});
         }

@@ -117,7 +117,7 @@ void SceneDocument::followName(int row, const QString& before, const QString& af
     bool isAny = false;
     for (core::Finding& finding : m_rest.findings) {
         std::vector<std::string*> names{&finding.structure};
-        for (core::FeltLayer& layer : finding.layers) {
+        for (core::FindingLayer& layer : finding.layers) {
             names.push_back(&layer.structure);
         }
         for (std::string* name : names) {
@@ -170,7 +170,7 @@ meshio::SceneFile SceneDocument::inFrame(core::FileFrame frame) const
         const meshio::LoadedStructure& on = (named == rows.end() ? rows.front() : *named).loaded;
         core::Transform turn = on.description.X_WM;
         turn.rotate(core::lpsRotation(frame) *
-                    core::lpsRotation(core::takenFrame(on.description.frame, on.frame)).transpose());
+                    core::lpsRotation(core::resolvedFrame(on.description.frame, on.frame)).transpose());
         turn = turn * on.description.X_WM.inverse();
         finding.p_W = turn * finding.p_W;
         if (finding.camera) {

@@ -115,7 +115,7 @@ core::Result<session::SessionMeasures> measure(const RecordingReader& reader, co
         return surfaces.status();
     }
     const session::MeshesByHash meshes = surfaces.isOk() ? surfaces.value() : session::MeshesByHash{};
-    const auto distance = options.distance.empty() ? core::Result<double>(study::usualDistance_mm(reader, meshes))
+    const auto distance = options.distance.empty() ? core::Result<double>(study::defaultDistance_mm(reader, meshes))
                                                    : numberOption("--distance", options.distance, {.isAbove = true});
     if (!distance.isOk()) {
         return distance.status();

@@ -46,7 +46,7 @@ std::vector<std::string> surfaceNotes(const meshio::LoadedScene& scene, const ha
         if (one.smoothing) {
             lines.push_back(name + ": " + one.smoothing->sentence());
         }
-        if (felt.structures()[i].surface == nullptr && !one.isFeltThrough) {
+        if (felt.structures()[i].surface == nullptr && !one.isTransmitted) {
             continue;
         }
         if (one.surface->report.insideOutComponents > 0) {

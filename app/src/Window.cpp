@@ -241,7 +241,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
                                                             : QStringLiteral("Palpate"));
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Palpate"));
     const SettingsFolder settingsFolder;
-    app::speakChosenLanguage();
+    app::applyChosenLanguage();
 
     MainWindow window;
     if (options.darkPalette) {

@@ -149,7 +149,7 @@ core::Status recordPalpation(const meshio::LoadedScene& loaded, const device::Ha
     info.start = servo.palpatorState();
     core::Result<std::unique_ptr<session::RecordingWriter>> writer =
         session::RecordingWriter::create(path, info, session::RecordingWriter::Sync::AtEnd,
-                                         session::RecordingWriter::Events::Derived, core::OldFile::Replace);
+                                         session::RecordingWriter::Events::Derived, core::ExistingFile::Replace);
     if (!writer.isOk()) {
         return writer.status();
     }

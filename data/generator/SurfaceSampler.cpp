@@ -198,7 +198,7 @@ void collapseShortEdges(TriangleMesh& mesh, double shortest)
 }
 
 /// Flips edges to bring the valence of vertices close to six, which makes triangles more equilateral.
-void evenOutNeighbours(TriangleMesh& mesh)
+void balanceValence(TriangleMesh& mesh)
 {
     std::vector<int> valence(mesh.vertices.size(), 0);
     std::unordered_map<std::uint64_t, std::array<std::uint32_t, 2>> sides;
@@ -287,7 +287,7 @@ TriangleMesh sampleSurface(const Distance& distance, const core::Box& box, doubl
     for (int round = 0; round < 3; ++round) {
         collapseShortEdges(mesh, 0.55 * cell_mm);
         for (int i = 0; i < 4; ++i) {
-            evenOutNeighbours(mesh);
+            balanceValence(mesh);
             relax(mesh, distance);
         }
     }

@@ -55,7 +55,7 @@ void HidDriver::stop() noexcept
 
 void HidDriver::talk(HidDevice first) noexcept
 {
-    makeThreadReady();
+    prepareThread();
     std::optional<HidDevice> device(std::move(first));
     while (!m_isStopWanted) {
         if (device) {
@@ -64,7 +64,7 @@ void HidDriver::talk(HidDevice first) noexcept
             if (m_isStopWanted) {
                 return;
             }
-            tellLost();
+            onDeviceLost();
             ++m_losses;
         }
         core::sleepUntil_ns(core::monotonicNow_ns() + m_kind.findEvery_ns);

@@ -46,11 +46,11 @@ class HidDriver : public device::HapticDevice
     [[nodiscard]] const std::string& path() const noexcept { return m_path; } ///< of the device that `open` opened
 
     // Called on the I/O thread.
-    virtual void makeThreadReady() noexcept = 0;
+    virtual void prepareThread() noexcept = 0;
     /// Serves the device until the device is lost or `isStopWanted`.
     virtual void serve(HidDevice& device) noexcept = 0;
     /// Called when the device was lost.
-    virtual void tellLost() noexcept = 0;
+    virtual void onDeviceLost() noexcept = 0;
 
     /// Lists candidate interfaces on the bus. Called on any thread. May throw bad_alloc.
     [[nodiscard]] virtual std::vector<HidEntry> list(std::mutex& bus) const = 0;

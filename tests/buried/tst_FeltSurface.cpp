@@ -15,9 +15,9 @@
 
 using namespace palpate;
 using buried::BuriedLump;
+using buried::ContactPlace;
 using buried::FeltOptions;
 using buried::LumpShape;
-using buried::PressPlace;
 using core::Vec3;
 using geometry::RepairedMesh;
 
@@ -39,7 +39,7 @@ class FeltSurface : public QObject
         const double by = std::cbrt(4.0 / 3.0 * kPi * std::pow(radius_mm, 3) / flat.report.volume_mm3);
         return test::moved(test::sphere(n, by * radius_mm), at);
     }
-    static double shareOf(const geometry::TriangleMesh& mesh, const PressPlace& place, double press_mm = 0.0,
+    static double shareOf(const geometry::TriangleMesh& mesh, const ContactPlace& place, double press_mm = 0.0,
                           std::size_t most = 0)
     {
         const LumpShape lump(*made(mesh), most);
@@ -47,7 +47,7 @@ class FeltSurface : public QObject
         lump.shares(place, std::span(&press_mm, 1), std::span(&share, 1));
         return share;
     }
-    static PressPlace top() { return {Vec3::Zero(), Vec3::UnitZ(), kRadius_mm}; }
+    static ContactPlace top() { return {Vec3::Zero(), Vec3::UnitZ(), kRadius_mm}; }
 
     /// An organ in which the model holds on its top: 160 mm wide.
     static std::shared_ptr<const RepairedMesh> organ() { return made(test::sphere(48, 80.0)); }
@@ -78,10 +78,10 @@ class FeltSurface : public QObject
             const bool isSaid = std::any_of(felt.notes.begin(), felt.notes.end(), [](const std::string& note) {
                 return note.find("organ: its triangles are wider") == 0;
             });
-            QVERIFY2(n == 32 ? felt.coarseness == 0.0 : felt.coarseness > 1.5 * before,
-                     qPrintable(QString::number(felt.coarseness)));
+            QVERIFY2(n == 32 ? felt.interpolationError == 0.0 : felt.interpolationError > 1.5 * before,
+                     qPrintable(QString::number(felt.interpolationError)));
             QCOMPARE(isSaid, n == 12);
-            before = felt.coarseness;
+            before = felt.interpolationError;
         }
         QVERIFY2(before > 0.08 && before < 0.13, qPrintable(QString::number(before))); // 10.4 %, by a separate search
     }
@@ -148,7 +148,7 @@ class FeltSurface : public QObject
         for (Vec3& v : lump.vertices) {
             v = X * v;
         }
-        const PressPlace place{X * Vec3::Zero(), X.linear() * Vec3::UnitZ(), kRadius_mm};
+        const ContactPlace place{X * Vec3::Zero(), X.linear() * Vec3::UnitZ(), kRadius_mm};
         QVERIFY(there > 0.01 && std::abs(shareOf(lump, place, 2.0) - there) < 1e-12);
     }
 
@@ -168,7 +168,7 @@ class FeltSurface : public QObject
         QVERIFY(map.isOk());
         const buried::FeltSurface& m = map.value();
         QVERIFY(m.notes.empty() && m.lumps.size() == 1);
-        QVERIFY2(std::abs(m.lumps[0].leastCover_mm - 8.0) < 0.3, std::to_string(m.lumps[0].leastCover_mm).c_str());
+        QVERIFY2(std::abs(m.lumps[0].minCover_mm - 8.0) < 0.3, std::to_string(m.lumps[0].minCover_mm).c_str());
         for (std::size_t press = 0; press < m.press.size(); ++press) {
             const auto& one = m.lumps[0].press[press];
             QVERIFY(one.best.has_value());

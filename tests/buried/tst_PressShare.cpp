@@ -32,7 +32,7 @@ class PressShare : public QObject
             }
             return sum * step / 3.0;
         };
-        const double c = bellOf(kRadius_mm);
+        const double c = pressureScale(kRadius_mm);
         return simpson(top_mm / (top_mm + c), 1.0 - 1e-12, [&](double s) {
             const double z = c * s / (1.0 - s), h = z + c;
             const double disc = simpson(0.0, std::numbers::pi / 2.0 - 1e-9, [&](double angle) {

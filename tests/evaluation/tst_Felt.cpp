@@ -126,7 +126,7 @@ class Felt : public QObject
 
     void finerElementsChangeNothing()
     {
-        const LumpFineness fine{5e-4, 2e5, 1.3, 14, 0.09};
+        const LumpResolution fine{5e-4, 2e5, 1.3, 14, 0.09};
         for (const double radius : {0.5, 3.0}) {
             const LumpElements coarse(radius, 0.2), finer(radius, 0.2, fine);
             QVERIFY(finer.elementCount() > 2 * coarse.elementCount());

@@ -103,7 +103,7 @@ class Report : public QObject
         EvaluateOptions options;
         options.isQuick = true;
         options.seconds = kLong_s;
-        options.withHardCases = options.withLaidMotions = false;
+        options.withHardCases = options.withGeneratedMotions = false;
         int calls = 0;
         double last = 0.0;
         bool isRising = true;
@@ -148,7 +148,7 @@ class Report : public QObject
     Trial trialOf(Knob knob, double value, const std::string& solver = "Palpate") const
     {
         for (const Trial& t : m_evaluation.trials) {
-            if (t.solver == solver && t.knob == knob && t.knobValue == value) {
+            if (t.solver == solver && t.knob == knob && t.variationValue == value) {
                 return t;
             }
         }
@@ -286,7 +286,7 @@ class Report : public QObject
     {
         const auto subject = subjectOf("ball", shapes::bumpySphere(6, 60.0, 0.01));
         EvaluateOptions options;
-        options.withHardCases = options.withLaidMotions = false;
+        options.withHardCases = options.withGeneratedMotions = false;
         options.isQuick = true;
         options.seconds = kLong_s;
         const HandMotion motion = standardMotions(subject->layers[0].surface, 9, 150).front();
@@ -336,7 +336,7 @@ class Report : public QObject
         EvaluateOptions options;
         options.isQuick = true;
         options.seconds = kLong_s;
-        options.withHardCases = options.withLaidMotions = false;
+        options.withHardCases = options.withGeneratedMotions = false;
         const Evaluation e = evaluate({subject}, {motion}, options);
         const auto product = std::find_if(e.trials.begin(), e.trials.end(), [](const Trial& t) {
             return t.solver == "Palpate" && t.knob == Knob::Solver;
@@ -361,7 +361,7 @@ class Report : public QObject
         EvaluateOptions options;
         options.isQuick = true;
         options.seconds = kLong_s;
-        options.withHardCases = options.withLaidMotions = false;
+        options.withHardCases = options.withGeneratedMotions = false;
         const Evaluation e = evaluate({subject}, {press}, options);
         QCOMPARE(e.subjects[0].layers, std::size_t(2));
         QCOMPARE(e.subjects[0].structures.size(), std::size_t(3));
@@ -386,7 +386,7 @@ class Report : public QObject
         options.seconds = 1e-3;
         const Evaluation e = evaluate({subject}, {}, options);
         QVERIFY(!e.isCancelled);
-        QVERIFY(e.leftOut.size() > 5); // nearly all trials, with names
+        QVERIFY(e.skippedItems.size() > 5); // nearly all trials, with names
         QVERIFY(reportHtml(e).find("Left out: ") != std::string::npos);
         QCOMPARE(e.trials.back().solver, std::string("Palpate")); // the requested trials are measured nevertheless
     }

@@ -141,7 +141,7 @@ class Stability : public QObject
         QFETCH(QByteArray, id);
         const Setup setup = setupOf(*findDevicePreset(id.constData()));
         for (const Shape& shape : touchedShapes()) {
-            const double moved = restlessness_mm(shape, setup.preset.maxStiffness_N_per_mm, setup);
+            const double moved = restOscillation_mm(shape, setup.preset.maxStiffness_N_per_mm, setup);
             QVERIFY2(moved < kLimitCycle_mm, qPrintable(QString("%1: %2 mm").arg(shape.name.c_str()).arg(moved)));
         }
     }
@@ -156,7 +156,7 @@ class Stability : public QObject
             const double held = palpate::servo::heldStiffness_N_per_mm(
                 palpate::device::deviceInfo(setup.preset), setup.rate_Hz, setup.isControlled, setup.delayTicks);
             for (const std::size_t n : which) {
-                const double moved = restlessness_mm(touchedShapes()[n], held, setup);
+                const double moved = restOscillation_mm(touchedShapes()[n], held, setup);
                 QVERIFY2(moved < kLimitCycle_mm, qPrintable(QString("%1: %2 N/mm at %3 Hz, %4 ticks late: %5 mm")
                                                                 .arg(touchedShapes()[n].name.c_str())
                                                                 .arg(held)
@@ -243,7 +243,7 @@ class Stability : public QObject
             if (!isRound) { // at the foot of the rise
                 QVERIFY2(std::abs(edge->p_W.x()) < 1e-9, qPrintable(QString::number(edge->p_W.x())));
             }
-            const double moved = restlessness_mm(shape, kTissue_N_per_mm, setup);
+            const double moved = restOscillation_mm(shape, kTissue_N_per_mm, setup);
             const QString both = QString("said %1 mm, moved %2 mm").arg(edge->swing_mm).arg(moved);
             if (edge->swing_mm < kLimitCycle_mm) {
                 QVERIFY2(moved < kLimitCycle_mm, qPrintable(both));
@@ -294,7 +294,7 @@ class Stability : public QObject
                 const auto same = worstMapEdge(sceneAt(mapped, kTissue_N_per_mm), setup);
                 QVERIFY(same && !same->isOfLumps && std::abs(edge->jump_N / same->jump_N - 1.0) < 1e-9);
             }
-            const double moved = restlessness_mm(shape, kTissue_N_per_mm, setup);
+            const double moved = restOscillation_mm(shape, kTissue_N_per_mm, setup);
             const QString both = QString("said %1 mm, moved %2 mm").arg(edge->swing_mm).arg(moved);
             if (edge->swing_mm < kLimitCycle_mm) {
                 QVERIFY2(moved < kLimitCycle_mm, qPrintable(both));
@@ -323,7 +323,7 @@ class Stability : public QObject
             for (const double stiffness : {0.1, 0.4}) {
                 const Shape shape = stepsAtTriangles(0.5, 1.0);
                 QVERIFY(!worstMapEdge(sceneAt(shape, stiffness), setup));
-                const double moved = restlessness_mm(shape, stiffness, setup);
+                const double moved = restOscillation_mm(shape, stiffness, setup);
                 QVERIFY2(moved < kLimitCycle_mm, qPrintable(QString::number(moved)));
             }
         }
@@ -392,7 +392,7 @@ class Stability : public QObject
     /// The omega's stated 5 N/mm oscillates at 1 kHz without the controller: the loop can, and this sees it.
     void withoutTheControllerAStiffWallOscillates()
     {
-        QVERIFY(restlessness_mm(touchedShapes().front(), 5.0, setupOf(*findDevicePreset("omega"), false)) > 1.0);
+        QVERIFY(restOscillation_mm(touchedShapes().front(), 5.0, setupOf(*findDevicePreset("omega"), false)) > 1.0);
     }
 
     /// A mass with a damper, no friction and an exact sensor: K = (b + B) / (T/2 + delay), as Hulin found.
@@ -413,8 +413,8 @@ class Stability : public QObject
         const double b = setup.preset.mechanics.damping_Ns_per_mm + grips().front().damping_Ns_per_mm;
         const double bound = palpate::servo::stableStiffness_N_per_mm(b, 0.001, 0.001 * delay);
         // Nearer below it a motion dies out, but not within the second that it is given.
-        QVERIFY(restlessness_mm(touchedShapes().front(), 0.6 * bound, setup) < kLimitCycle_mm);
-        QVERIFY(restlessness_mm(touchedShapes().front(), 1.15 * bound, setup) > 0.5);
+        QVERIFY(restOscillation_mm(touchedShapes().front(), 0.6 * bound, setup) < kLimitCycle_mm);
+        QVERIFY(restOscillation_mm(touchedShapes().front(), 1.15 * bound, setup) > 0.5);
     }
 
     /// Down on the soft side, up on the stiff side: the border generates energy at any rate.
@@ -423,8 +423,8 @@ class Stability : public QObject
         const Shape& lump = touchedShapes()[4];
         QVERIFY(lump.structures.size() == 2);
         const DevicePreset& delta = *findDevicePreset("delta");
-        QVERIFY(restlessness_mm(lump, 1.0, setupOf(delta, false)) > 0.5);
-        QVERIFY(restlessness_mm(lump, 1.0, setupOf(delta)) < kLimitCycle_mm);
+        QVERIFY(restOscillation_mm(lump, 1.0, setupOf(delta, false)) > 0.5);
+        QVERIFY(restOscillation_mm(lump, 1.0, setupOf(delta)) < kLimitCycle_mm);
     }
 
     /// Layers add up: a stable stiffness oscillates through another layer of the same stiffness, unless the layers
@@ -435,10 +435,10 @@ class Stability : public QObject
         const Shape& layers = touchedShapes()[6];
         QCOMPARE(layers.name, std::string("two layers"));
         const double held = largestStiffness(touchedShapes().front(), setup);
-        QVERIFY(restlessness_mm(layers, 0.8 * held, setup) < kLimitCycle_mm);
+        QVERIFY(restOscillation_mm(layers, 0.8 * held, setup) < kLimitCycle_mm);
         Shape each = layers;
         each.share = {1.0, 1.0};
-        QVERIFY(restlessness_mm(each, 0.8 * held, setup) > kLimitCycle_mm);
+        QVERIFY(restOscillation_mm(each, 0.8 * held, setup) > kLimitCycle_mm);
     }
 
     /// A scene's tissues are scaled together: a soft one stays as much softer as it is.
@@ -478,19 +478,19 @@ class Stability : public QObject
         const Shape& wall = touchedShapes().front();
         Shape beside = wall;
         beside.holds.push_back({Vec3(40, 0, 0), -Vec3::UnitZ(), Vec3::Zero()});
-        QCOMPARE(restlessness_mm(beside, 1.0, setup), restlessness_mm(wall, 1.0, setup));
-        QVERIFY(restlessness_mm(beside, 5.0, setup) > kLimitCycle_mm);
+        QCOMPARE(restOscillation_mm(beside, 1.0, setup), restOscillation_mm(wall, 1.0, setup));
+        QVERIFY(restOscillation_mm(beside, 5.0, setup) > kLimitCycle_mm);
         QCOMPARE(largestStiffness(beside, setup), largestStiffness(wall, setup));
         beside.holds.erase(beside.holds.begin());
-        QVERIFY(std::isinf(restlessness_mm(beside, 1.0, setup)));
+        QVERIFY(std::isinf(restOscillation_mm(beside, 1.0, setup)));
         QCOMPARE(largestStiffness(beside, setup), 0.0);
     }
 
     void givesTheSameBitsTwice()
     {
         const Setup setup = setupOf(*findDevicePreset("falcon"), false);
-        const double a = restlessness_mm(touchedShapes().front(), 4.0, setup);
-        const double b = restlessness_mm(touchedShapes().front(), 4.0, setup);
+        const double a = restOscillation_mm(touchedShapes().front(), 4.0, setup);
+        const double b = restOscillation_mm(touchedShapes().front(), 4.0, setup);
         QVERIFY(std::memcmp(&a, &b, sizeof a) == 0);
     }
 };

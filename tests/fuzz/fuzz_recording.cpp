@@ -400,7 +400,7 @@ void read(const session::RecordingReader& r)
         }
     }
     session::MeasureOptions options;
-    options.distance_mm = std::max(options.distance_mm, session::leastDistance_mm(meshes));
+    options.distance_mm = std::max(options.distance_mm, session::minDistance_mm(meshes));
     if (const auto measures = session::measureSession(r, meshes, options); measures.isOk()) {
         requireFinite(measures.value());
     }

@@ -135,7 +135,7 @@ class BoxHierarchyTest : public QObject
                 const Vec3 from = Vec3::Constant(offset) + 100.0 * point();
                 const Vec3 u = (point() - Vec3::Constant(0.5)).normalized();
                 const double reach = 20.0 * unit(random), cosine = unit(random);
-                const auto visit = [&](geometry::SweptInterest interest) {
+                const auto visit = [&](geometry::SweptPruning interest) {
                     std::set<std::uint32_t> seen;
                     std::uint32_t nodes = 100000;
                     (void)scene.hierarchy.visitSwept(from, Vec3(from + u), reach, interest, nodes,

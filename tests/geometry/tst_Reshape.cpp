@@ -8,9 +8,9 @@
 
 using namespace palpate;
 using namespace palpate::test;
+using geometry::orientedOutwards;
 using geometry::repair;
 using geometry::RepairedMesh;
-using geometry::turnedOutwards;
 
 namespace {
 
@@ -49,7 +49,7 @@ class Reshape : public QObject
         const TriangleMesh input = flipped(soup(box(Vec3::Zero(), Vec3(1, 2, 3), 2)));
         const RepairedMesh before = repair(input);
         QCOMPARE(before.report.insideOutComponents, std::size_t{1});
-        const auto after = turnedOutwards(before);
+        const auto after = orientedOutwards(before);
         QVERIFY(after.has_value());
         QCOMPARE(after->report.insideOutComponents, std::size_t{0});
         QVERIFY(std::abs(after->report.volume_mm3 - 6.0) < 1e-12);
@@ -61,11 +61,11 @@ class Reshape : public QObject
 
     void leavesWhatIsRight()
     {
-        QVERIFY(!turnedOutwards(repair(sphere(4, 10.0))));
+        QVERIFY(!orientedOutwards(repair(sphere(4, 10.0))));
         TriangleMesh shell = sphere(4, 10.0); // a cavity faces inwards
         append(shell, flipped(sphere(4, 5.0)));
-        QVERIFY(!turnedOutwards(repair(shell)));
-        QVERIFY(!turnedOutwards(repair(flipped(sheet(1.0, 3))))); // open: has no inside
+        QVERIFY(!orientedOutwards(repair(shell)));
+        QVERIFY(!orientedOutwards(repair(flipped(sheet(1.0, 3))))); // open: has no inside
     }
 
     /// A shell written inside out keeps the cavity, and adjacent components are unchanged.
@@ -76,7 +76,7 @@ class Reshape : public QObject
         append(mesh, moved(sphere(6, 3.0), Vec3(40, 0, 0)));
         const RepairedMesh before = repair(mesh);
         QCOMPARE(before.report.insideOutComponents, std::size_t{1});
-        const auto after = turnedOutwards(before);
+        const auto after = orientedOutwards(before);
         QVERIFY(after.has_value());
         QCOMPARE(after->report.insideOutComponents, std::size_t{0});
         const double expected_mm3 = repair(sphere(6, 10.0)).report.volume_mm3 -

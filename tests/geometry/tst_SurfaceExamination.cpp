@@ -32,7 +32,7 @@ void SurfaceExamination::cleanSurfaceCrossesNowhere()
         const auto found = examine(*test::indexed(mesh));
         QCOMPARE(found.crossingPairs, std::size_t{0});
         QCOMPARE(found.examinedTriangles, mesh.triangles.size());
-        QVERIFY(!found.isCrossingBounded);
+        QVERIFY(!found.isPairLimitReached);
     }
 }
 
@@ -90,10 +90,10 @@ void SurfaceExamination::boundIsKeptAndSaid()
 {
     geometry::TriangleMesh mesh = test::sphere(6, 10.0);
     test::append(mesh, test::moved(test::sphere(6, 10.0), {3.1, 0.7, 0.3}));
-    geometry::ExaminationBounds bounds;
+    geometry::ExaminationLimits bounds;
     bounds.pairs = 100;
     const auto found = examine(*test::indexed(mesh), bounds);
-    QVERIFY(found.isCrossingBounded);
+    QVERIFY(found.isPairLimitReached);
     QVERIFY(found.examinedTriangles < mesh.triangles.size());
 }
 

@@ -460,14 +460,14 @@ class Filters : public QObject
         };
         const Vec3 from(0, 0, 1e-7), down(0.02, 0.01, -1);
         const double enough = down.norm() - 1e-6;
-        QVERIFY(isHeldByRing(fan({.2, .2, .2, .2, .2, .2}), from, down, enough));
-        QVERIFY(!isHeldByRing(fan({-.2, .2, .2, .2, .2, .2}), from, down, enough)); // down a groove
-        QVERIFY(!isHeldByRing(fan({-.2, -.2, -.2, -.2, -.2, -.2}), from, down, enough));
+        QVERIFY(isHeldByVertexRing(fan({.2, .2, .2, .2, .2, .2}), from, down, enough));
+        QVERIFY(!isHeldByVertexRing(fan({-.2, .2, .2, .2, .2, .2}), from, down, enough)); // down a groove
+        QVERIFY(!isHeldByVertexRing(fan({-.2, -.2, -.2, -.2, -.2, -.2}), from, down, enough));
         // pulled away from the surface
-        QVERIFY(!isHeldByRing(fan({.2, .2, .2, .2, .2, .2}), from, Vec3(0, 0, 1), enough));
+        QVERIFY(!isHeldByVertexRing(fan({.2, .2, .2, .2, .2, .2}), from, Vec3(0, 0, 1), enough));
         std::vector<Facet> open = fan({.2, .2, .2, .2, .2, .2});
         open.pop_back();
-        QVERIFY(!isHeldByRing(open, from, down, enough));
+        QVERIFY(!isHeldByVertexRing(open, from, down, enough));
     }
 };
 

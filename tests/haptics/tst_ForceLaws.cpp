@@ -322,7 +322,7 @@ class ForceLaws : public QObject
             }
             ++taken;
             for (int i = 0; i <= kDepths; i += 501) {
-                const double force_N = table.value()->force(depthAt(i)), most = 2.0 * ForceTable::kMostSlope;
+                const double force_N = table.value()->force(depthAt(i)), most = 2.0 * ForceTable::kMaxSlope;
                 QVERIFY(force_N >= -1e-6 && force_N <= most * depthAt(i));
                 QVERIFY(std::isfinite(table.value()->energy(depthAt(i))));
             }

@@ -20,7 +20,7 @@ std::shared_ptr<const geometry::RepairedMesh> repaired(const geometry::TriangleM
     return std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
 }
 
-meshio::SceneStructure smoothed(double smoothing = meshio::kUsualSmoothing)
+meshio::SceneStructure smoothed(double smoothing = meshio::kDefaultSmoothing)
 {
     meshio::SceneStructure description;
     description.surface = SurfaceKind::Smoothed;

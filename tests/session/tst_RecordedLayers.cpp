@@ -416,8 +416,8 @@ class RecordedLayers : public QObject
         for (const core::LawKind kind : core::kLawKinds) {
             core::ForceLaw law;
             law.kind = kind;
-            for (std::size_t i = 0; i < core::lawTerms(kind).size(); ++i) {
-                law.numbers[i] = core::lawTerms(kind)[i].usual / 3.0 + core::lawTerms(kind)[i].least;
+            for (std::size_t i = 0; i < core::lawParameters(kind).size(); ++i) {
+                law.numbers[i] = core::lawParameters(kind)[i].usual / 3.0 + core::lawParameters(kind)[i].least;
             }
             if (kind == core::LawKind::Points) {
                 law.points = {{0.0, 0.0}, {0.1, 1.0 / 3.0}, {2.0, 7.0}};

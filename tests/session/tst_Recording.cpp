@@ -38,7 +38,7 @@ class Recording : public QObject
         return status.isOk() ? ticks : std::vector<servo::TickRecord>();
     }
 
-    core::Result<std::unique_ptr<session::RecordingWriter>> create(const char* name, core::OldFile old) const
+    core::Result<std::unique_ptr<session::RecordingWriter>> create(const char* name, core::ExistingFile old) const
     {
         return session::RecordingWriter::create(path(name), {}, session::RecordingWriter::Sync::AtEnd,
                                                 session::RecordingWriter::Events::AsGiven, old);
@@ -391,7 +391,7 @@ class Recording : public QObject
         QVERIFY(!session::RecordingWriter::create(path("link.palpate"), {}).isOk());
         QVERIFY(!session::RecordingWriter::create(path("no-such-folder/k.palpate"), {}).isOk());
         QVERIFY(!session::RecordingWriter::create(m_folder.path().toStdString(), {}).isOk());
-        for (const auto old : {core::OldFile::Refuse, core::OldFile::Replace}) {
+        for (const auto old : {core::ExistingFile::Refuse, core::ExistingFile::Replace}) {
             for (const char* suffix : {"-journal", "-wal", "-shm"}) {
                 const QString side = m_folder.filePath("s.palpate") + suffix;
                 QFile file(side);
@@ -414,15 +414,15 @@ class Recording : public QObject
         QVERIFY(QFile::setPermissions(m_folder.filePath("o.palpate"), QFile::ReadOwner | QFile::WriteOwner));
         const auto ticks = [this] { return RecordingReader::open(path("o.palpate")).value()->extent().ticks; };
         {
-            auto writer = create("o.palpate", core::OldFile::Replace);
+            auto writer = create("o.palpate", core::ExistingFile::Replace);
             QVERIFY2(writer.isOk(), writer.status().message().c_str());
             servo::TickRecord tick;
             QVERIFY(writer.value()->append(tick).isOk());
             QVERIFY(writer.value()->commit().isOk());
         } // abandoned
         QCOMPARE(ticks(), std::int64_t{300});
-        auto writer = create("o.palpate", core::OldFile::Replace);
-        const auto second = create("o.palpate", core::OldFile::Replace);
+        auto writer = create("o.palpate", core::ExistingFile::Replace);
+        const auto second = create("o.palpate", core::ExistingFile::Replace);
         QVERIFY(second.status().message().find("another program is recording into it") != std::string::npos);
         servo::TickRecord tick;
         QVERIFY(writer.value()->append(tick).isOk());
@@ -437,10 +437,10 @@ class Recording : public QObject
     /// For another process or another writer in this process, the first writer continues.
     void aSecondWriterIsRefused()
     {
-        auto first = create("t.palpate", core::OldFile::Refuse);
+        auto first = create("t.palpate", core::ExistingFile::Refuse);
         servo::TickRecord tick;
         QVERIFY(first.value()->append(tick).isOk());
-        for (const auto old : {core::OldFile::Refuse, core::OldFile::Replace}) {
+        for (const auto old : {core::ExistingFile::Refuse, core::ExistingFile::Replace}) {
             QVERIFY(!create("t.palpate", old).isOk());
         }
         tick.tick = 1;
@@ -457,15 +457,15 @@ class Recording : public QObject
             QFile file(m_folder.filePath(name));
             return file.open(QIODevice::WriteOnly) && file.write("theirs") == 6;
         };
-        auto writer = create("u.palpate", core::OldFile::Refuse);
+        auto writer = create("u.palpate", core::ExistingFile::Refuse);
         QVERIFY(put("u.palpate"));
         writer.value()->discard();
         QCOMPARE(QFileInfo(m_folder.filePath("u.palpate")).size(), qint64{6});
-        auto own = create("v.palpate", core::OldFile::Refuse);
+        auto own = create("v.palpate", core::ExistingFile::Refuse);
         own.value()->discard();
         QCOMPARE(left("v.palpate*"), QStringList());
 
-        auto late = create("w.palpate", core::OldFile::Replace); // no file existed at the start
+        auto late = create("w.palpate", core::ExistingFile::Replace); // no file existed at the start
         QVERIFY(put("w.palpate"));
         const core::Status kept = late.value()->finish();
         QVERIFY2(kept.message().ends_with("kept as w (2).palpate"), kept.message().c_str());

@@ -77,11 +77,11 @@ class BuriedLumps : public QObject
     void whatIsFeltRisesSmoothlyOverTheLump()
     {
         meshio::LoadedScene s = scene();
-        QVERIFY(study::feelBuried(s).isOk() && s.structures[0].feltBelow.empty()); // by layers, as in old files
+        QVERIFY(study::applyBuriedLumps(s).isOk() && s.structures[0].feltBelow.empty()); // by layers, as in old files
         s.scene.buried = meshio::BuriedTouch::Felt;
         s.structures[1].description.layer = 1; // then without a message
-        QVERIFY(study::feelBuried(s).isOk());
-        QVERIFY(s.structures[1].isFeltThrough && !s.structures[2].isFeltThrough);
+        QVERIFY(study::applyBuriedLumps(s).isOk());
+        QVERIFY(s.structures[1].isTransmitted && !s.structures[2].isTransmitted);
         const auto felt = study::hapticScene(s);
         QVERIFY(felt->structures()[1].surface == nullptr && felt->structures()[2].surface != nullptr);
 
@@ -104,7 +104,7 @@ class BuriedLumps : public QObject
         // No step on entry: 0.01 mm changes the force by no more than 0.01 mm times the steepest slope.
         palpator.reset();
         (void)palpator.step(Vec3(0, 0, 82), 1e-3);
-        const double slope = study::greatestStiffness(felt->structures()[0]);
+        const double slope = study::maxStiffness(felt->structures()[0]);
         double before = 0.0;
         for (double z = 80.0; z > 60.0; z -= 0.01) {
             const double now = palpator.step(Vec3(0, 0, z), 1e-3).f_W.norm();
@@ -117,16 +117,16 @@ class BuriedLumps : public QObject
     {
         meshio::LoadedScene s = scene();
         s.scene.buried = meshio::BuriedTouch::Felt;
-        QVERIFY(study::feelBuried(s).isOk());
+        QVERIFY(study::applyBuriedLumps(s).isOk());
         const auto felt = study::hapticScene(s);
         std::vector<haptics::HapticStructure> structures = felt->structures();
-        const double asked = study::greatestStiffness(structures[0]);
+        const double asked = study::maxStiffness(structures[0]);
         QVERIFY(asked > 0.3);
         haptics::Tissue most = core::unbounded();
         most.stiffness_N_per_mm = 0.25;
-        study::boundBy(most, structures);
-        QVERIFY(study::greatestStiffness(structures[0]) <= 0.25);
-        QVERIFY(study::greatestStiffness(structures[0]) > 0.249);
+        study::limitTissues(most, structures);
+        QVERIFY(study::maxStiffness(structures[0]) <= 0.25);
+        QVERIFY(study::maxStiffness(structures[0]) > 0.249);
         QVERIFY(structures[0].maps.felt[3].greatest() > 1.0);
     }
 
@@ -181,10 +181,10 @@ class BuriedLumps : public QObject
         s.structures[1].description.name = "thing";
         const auto organs = study::organsWithLumps(s);
         QVERIFY(organs.isOk() && organs.value().size() == 1 && !organs.value()[0].lumps[0].ratio);
-        const auto felt = study::feltOrgans(s);
+        const auto felt = study::computePalpability(s);
         QVERIFY(felt.isOk() && felt.value().size() == 1);
         const buried::FeltSurface::Lump& lump = felt.value()[0].felt.lumps[0];
-        QVERIFY(!lump.ratio && std::abs(lump.leastCover_mm - 8.0) < 0.2);
+        QVERIFY(!lump.ratio && std::abs(lump.minCover_mm - 8.0) < 0.2);
         for (const auto& press : lump.press) {
             QVERIFY(press.verdict == buried::Verdict::NotKnown && !press.best);
         }
@@ -192,8 +192,8 @@ class BuriedLumps : public QObject
         QVERIFY(json["young_ratio"].isNull() && json["press"].toArray()[3].toObject()["verdict"].isNull());
         QCOMPARE(study::ratioQuestions(s, felt.value()), std::vector{study::ratioQuestion("thing", "organ")});
         s.scene.buried = meshio::BuriedTouch::Felt;
-        QVERIFY(study::feelBuried(s).isOk());
-        QVERIFY(!s.structures[1].isFeltThrough && s.structures[0].feltBelow.empty());
+        QVERIFY(study::applyBuriedLumps(s).isOk());
+        QVERIFY(!s.structures[1].isTransmitted && s.structures[0].feltBelow.empty());
         QCOMPARE(s.warnings.back(), study::ratioQuestion("thing", "organ"));
     }
 
@@ -206,12 +206,12 @@ class BuriedLumps : public QObject
         }
         s.structures[0].description.name = "liver";
         s.structures[1].description.name = "tumour";
-        const auto whole = study::feltOrgans(s);
+        const auto whole = study::computePalpability(s);
         const auto& lump = whole.value()[0].felt.lumps[0];
         const auto verdictsAt = [&](double ratio) {
             meshio::LoadedScene one = s;
             one.structures[1].description.young_ratio = ratio;
-            return study::feltOrgans(one).value()[0].felt.lumps[0].press;
+            return study::computePalpability(one).value()[0].felt.lumps[0].press;
         };
         const auto low = verdictsAt(lump.ratio->low), typical = verdictsAt(lump.ratio->typical),
                    high = verdictsAt(lump.ratio->high);
@@ -245,7 +245,7 @@ class BuriedLumps : public QObject
         const meshio::LoadedScene s = scene();
         const auto organs = study::organsWithLumps(s);
         auto map = study::feltSurface(s, organs.value()[0], {});
-        const std::vector<study::FeltOrgan> felt{{organs.value()[0], std::move(map).value()}};
+        const std::vector<study::OrganPalpability> felt{{organs.value()[0], std::move(map).value()}};
         const QJsonObject all = QJsonDocument::fromJson(QByteArray::fromStdString(study::feltJson(s, felt))).object();
         const QJsonObject lump = all["lumps"].toArray().at(0).toObject();
         QCOMPARE(lump["name"].toString(), QStringLiteral("lump"));

@@ -39,11 +39,11 @@ haptics::TissueMap all(const geometry::SurfaceIndex& surface, float value)
 /// Checks that force and depth are inverse functions and that depth rises with force.
 bool isInverse(const std::vector<PressedSurface>& press, double most_N)
 {
-    double before_mm = study::wayOfPress_mm(press, 0.0, 202.0);
+    double before_mm = study::pressTravel_mm(press, 0.0, 202.0);
     for (int i = 1; i <= 100; ++i) {
         const double force_N = most_N * i / 100.0;
-        const double way_mm = study::wayOfPress_mm(press, force_N, 202.0);
-        if (!(way_mm > before_mm) || std::abs(study::forceOfPress_N(press, way_mm) - force_N) > 1e-9) {
+        const double way_mm = study::pressTravel_mm(press, force_N, 202.0);
+        if (!(way_mm > before_mm) || std::abs(study::pressForce_N(press, way_mm) - force_N) > 1e-9) {
             return false;
         }
         before_mm = way_mm;
@@ -60,24 +60,24 @@ class EffortDepth : public QObject
     void aSpringGivesWayByForceOverStiffness()
     {
         const haptics::HapticScene scene({block(0.25)});
-        const auto press = ui::surfacesInTheWay(scene, kDown);
+        const auto press = ui::surfacesAlongPress(scene, kDown);
         QCOMPARE(press.size(), std::size_t{1});
-        QVERIFY(std::abs(study::wayOfPress_mm(press, 3.0, 202.0) - (2.0 + 12.0)) < 1e-9);
+        QVERIFY(std::abs(study::pressTravel_mm(press, 3.0, 202.0) - (2.0 + 12.0)) < 1e-9);
         QVERIFY(isInverse(press, 10.0));
-        QCOMPARE(study::wayOfPress_mm(press, 0.0, 202.0), 2.0);  // contact without penetration
-        QCOMPARE(study::wayOfPress_mm(press, 10.0, 22.0), 22.0); // no contact: not beyond the limit
-        QCOMPARE(study::wayOfPress_mm({}, 10.0, 22.0), 22.0);    // no surface in the path
-        QCOMPARE(study::forceOfPress_N(press, 1.0), 0.0);        // in front of the surface
+        QCOMPARE(study::pressTravel_mm(press, 0.0, 202.0), 2.0);  // contact without penetration
+        QCOMPARE(study::pressTravel_mm(press, 10.0, 22.0), 22.0); // no contact: not beyond the limit
+        QCOMPARE(study::pressTravel_mm({}, 10.0, 22.0), 22.0);    // no surface in the path
+        QCOMPARE(study::pressForce_N(press, 1.0), 0.0);           // in front of the surface
     }
     void whatIsStifferSinksLess()
     {
         const haptics::HapticScene soft({block(0.2)}), stiff({block(0.2), block(0.6, -5.0, 1)});
-        const auto aside = ui::surfacesInTheWay(soft, kDown), over = ui::surfacesInTheWay(stiff, kDown);
+        const auto aside = ui::surfacesAlongPress(soft, kDown), over = ui::surfacesAlongPress(stiff, kDown);
         QCOMPARE(over.size(), std::size_t{2});
         QVERIFY(isInverse(over, 10.0));
         // 3 N: 15 mm; over the inner block 0.2 d + 0.6 (d - 5) = 3.
-        QVERIFY(std::abs(study::wayOfPress_mm(aside, 3.0, 202.0) - 17.0) < 1e-9);
-        QVERIFY(std::abs(study::wayOfPress_mm(over, 3.0, 202.0) - (2.0 + 6.0 / 0.8)) < 1e-9);
+        QVERIFY(std::abs(study::pressTravel_mm(aside, 3.0, 202.0) - 17.0) < 1e-9);
+        QVERIFY(std::abs(study::pressTravel_mm(over, 3.0, 202.0) - (2.0 + 6.0 / 0.8)) < 1e-9);
     }
     /// Combines a force law, a stiffness map and transmitted lumps.
     void lawsAndMapsAreInIt()
@@ -90,7 +90,7 @@ class EffortDepth : public QObject
             one.maps.felt[j] = all(*one.surface, felt[j]);
         }
         const haptics::HapticScene scene({one});
-        const auto press = ui::surfacesInTheWay(scene, kDown);
+        const auto press = ui::surfacesAlongPress(scene, kDown);
         QVERIFY(isInverse(press, 10.0));
         const HapticStructure& made = scene.structures()[0];
         QVERIFY(made.law != nullptr);
@@ -111,8 +111,8 @@ class EffortDepth : public QObject
         for (const double fingertip_mm : {0.0, 5.0}) {
             const haptics::HapticScene scene({mapped, block(0.6, -5.0, 1)}, fingertip_mm);
             const view::Ray slanted{Vec3(0.3, 0.2, 12.0), Vec3(0.3, 0.1, -1).normalized()};
-            const auto press = ui::surfacesInTheWay(scene, slanted);
-            const double way_mm = study::wayOfPress_mm(press, 4.0, 202.0);
+            const auto press = ui::surfacesAlongPress(scene, slanted);
+            const double way_mm = study::pressTravel_mm(press, 4.0, 202.0);
             haptics::Palpator palpator;
             palpator.setScene(&scene);
             haptics::TickResult felt;
@@ -125,9 +125,9 @@ class EffortDepth : public QObject
     void fromInsideNothingIsInTheWay()
     {
         const haptics::HapticScene scene({block(0.2)});
-        QVERIFY(ui::surfacesInTheWay(scene, {Vec3(0, 0, -10), Vec3(0, 0, -1)}).empty());
-        QVERIFY(ui::surfacesInTheWay(scene, {Vec3(0, 0, 10), Vec3(0, 0, 1)}).empty());
-        QVERIFY(ui::surfacesInTheWay(haptics::HapticScene({}), kDown).empty());
+        QVERIFY(ui::surfacesAlongPress(scene, {Vec3(0, 0, -10), Vec3(0, 0, -1)}).empty());
+        QVERIFY(ui::surfacesAlongPress(scene, {Vec3(0, 0, 10), Vec3(0, 0, 1)}).empty());
+        QVERIFY(ui::surfacesAlongPress(haptics::HapticScene({}), kDown).empty());
     }
     void theLongerTheHarderUpToABound()
     {

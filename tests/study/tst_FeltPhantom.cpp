@@ -35,7 +35,7 @@ const meshio::LoadedScene& feltPhantom()
             one.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(from.mesh));
         }
         scene.scene.buried = meshio::BuriedTouch::Felt;
-        (void)study::feelBuried(scene);
+        (void)study::applyBuriedLumps(scene);
         return scene;
     }();
     return kScene;

@@ -250,12 +250,12 @@ class FindingsFile : public QObject
     void thereAreBounds()
     {
         QByteArray points;
-        for (std::size_t i = 0; i < study::kMostMarkups + 2; ++i) {
+        for (std::size_t i = 0; i < study::kMaxMarkups + 2; ++i) {
             points += QByteArray(i > 0 ? "," : "") + R"({"position": [1, 2, 3]})";
         }
         const auto many = read(list("", points.constData()));
         QVERIFY(many.isOk());
-        QCOMPARE(many.value().findings.size(), study::kMostMarkups);
+        QCOMPARE(many.value().findings.size(), study::kMaxMarkups);
         QCOMPARE(many.value().losses,
                  std::vector<std::string>{"a.mrk.json: markups[0].controlPoints[10000]: found more than 10,000 points: "
                                           "left out (and 1 more)"});

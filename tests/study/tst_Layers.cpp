@@ -205,7 +205,7 @@ class Layers : public QObject
         found.structures.resize(4);
         found.structures[1].in = 0;
         found.structures[2].in = 1;
-        found.structures[3].unsureIn = 1;
+        found.structures[3].unreliableParent = 1;
         const std::vector<std::string> names{"liver", "vein", "tumour", "node"};
         QCOMPARE(found.sentences(names, {true, false, true, true}), Lines{"tumour lies in liver and is felt below it"});
         QCOMPARE(found.sentences(names, {true, true, false, false}), Lines{"vein lies in liver and is felt below it"});
@@ -234,13 +234,13 @@ class Layers : public QObject
         greatest.damping_Ns_per_mm = 0.003;
         std::vector structures{tissue(0.8, 0.002, 0), tissue(0.3, 0.0, 0), tissue(0.8, 0.002, 1), tissue(0.1, 0.0, 1),
                                tissue(5.0, 0.0, 7)};
-        study::boundBy(greatest, structures);
+        study::limitTissues(greatest, structures);
         const double felt[]{0.8, 0.3, 1.2 - 0.8, 0.1, 0.0};
         for (std::size_t i = 0; i < structures.size(); ++i) {
             QVERIFY(std::abs(structures[i].tissue.stiffness_N_per_mm - felt[i]) < 1e-15);
         }
         QVERIFY(std::abs(structures[2].tissue.damping_Ns_per_mm - 0.001) < 1e-15);
-        const auto taken = study::takenElsewhere(structures, 2);
+        const auto taken = study::usedByOtherLayers(structures, 2);
         QCOMPARE(taken.by, (std::vector<std::size_t>{0, 4}));
         QCOMPARE(taken.tissue.stiffness_N_per_mm, 0.8);
         QCOMPARE(taken.tissue.damping_Ns_per_mm, 0.002);
@@ -251,7 +251,7 @@ class Layers : public QObject
         haptics::Tissue greatest = core::unbounded();
         greatest.stiffness_N_per_mm = 1.2;
         std::vector structures{tissue(0.8, 0.002, 3), tissue(5.0, 0.0, 3), tissue(1.2, 0.5, 3)};
-        study::boundBy(greatest, structures);
+        study::limitTissues(greatest, structures);
         QCOMPARE(structures[0].tissue.stiffness_N_per_mm, 0.8);
         QCOMPARE(structures[1].tissue.stiffness_N_per_mm, 1.2);
         QCOMPARE(structures[2].tissue.stiffness_N_per_mm, 1.2);
@@ -259,9 +259,9 @@ class Layers : public QObject
         // A missing surface has no share.
         structures[0].surface = nullptr;
         structures[0].layer = 0;
-        study::boundBy(greatest, structures);
+        study::limitTissues(greatest, structures);
         QCOMPARE(structures[1].tissue.stiffness_N_per_mm, 1.2);
-        QVERIFY(study::takenElsewhere(structures, 1).by.empty());
+        QVERIFY(study::usedByOtherLayers(structures, 1).by.empty());
     }
 };
 

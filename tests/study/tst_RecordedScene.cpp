@@ -73,7 +73,7 @@ class RecordedScene : public QObject
         const auto felt = study::hapticScene(loaded.value());
         session::RecordingInfo info;
         info.firstGeneration = 1;
-        study::nameScene(info, path("s.palpate.json"), path(name));
+        study::setSceneSource(info, path("s.palpate.json"), path(name));
         std::filesystem::remove(path(name)); // from an earlier test
         auto writer = session::RecordingWriter::create(path(name), info, session::RecordingWriter::Sync::AtEnd);
         QVERIFY(writer.isOk());
@@ -194,7 +194,7 @@ class RecordedScene : public QObject
                 for (haptics::Contact& contact : read.felt.contacts) {
                     contact.stiffnessScale = 1.0;
                 }
-                study::findScales(read, scene, (tick.p_WH - before) * 1000.0);
+                study::reconstructScales(read, scene, (tick.p_WH - before) * 1000.0);
                 before = tick.p_WH;
                 for (std::size_t i = 0; i < tick.felt.contactCount && tick.felt.contacts[i].depth_mm > 0.01; ++i) {
                     const double was = tick.felt.contacts[i].stiffnessScale;
@@ -263,10 +263,10 @@ class RecordedScene : public QObject
     void aSceneElsewhereIsSaidByItsWholePathAlone()
     {
         session::RecordingInfo info;
-        study::nameScene(info, "scenes/s.palpate.json", "recordings/r.palpate");
+        study::setSceneSource(info, "scenes/s.palpate.json", "recordings/r.palpate");
         QVERIFY(std::filesystem::path(info.scene).is_absolute());
         QVERIFY(info.sceneBeside.empty());
-        study::nameScene(info, "recordings/deep/s.palpate.json", "recordings/r.palpate");
+        study::setSceneSource(info, "recordings/deep/s.palpate.json", "recordings/r.palpate");
         QCOMPARE(info.sceneBeside, std::string("deep/s.palpate.json"));
     }
 };

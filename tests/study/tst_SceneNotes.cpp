@@ -108,7 +108,7 @@ class SceneNotes : public QObject
         scene.structures[1].description.layer = 1;
         QVERIFY(notesOf(scene).empty());
         scene.structures[1].description.layer = 0;
-        scene.structures[1].isFeltThrough = true; // has a touch mode
+        scene.structures[1].isTransmitted = true; // has a touch mode
         QVERIFY(notesOf(scene).empty());
     }
 

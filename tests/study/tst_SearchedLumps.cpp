@@ -104,7 +104,7 @@ class SearchedLumps : public QObject
         const auto light = searched(lattice(), 0.5);
         QCOMPARE(light.lump, std::string("lump"));
         QCOMPARE(light.organ, std::string("organ"));
-        QVERIFY2(light.told_mm2 > 200.0, qPrintable(QString::number(light.told_mm2)));
+        QVERIFY2(light.detectable_mm2 > 200.0, qPrintable(QString::number(light.detectable_mm2)));
         QCOMPARE(light.share().value(), 0.0);
         QVERIFY(light.predicted_percent.value() > 1.0 && light.predicted_percent.value() < 14.0);
         QVERIFY(!light.recorded_percent); // no tick is deep enough
@@ -123,7 +123,7 @@ class SearchedLumps : public QObject
         QVERIFY2(std::abs(one.predicted_percent.value() / best - 1.0) < 0.02,
                  qPrintable(QString::number(one.predicted_percent.value())));
         QVERIFY(std::abs(one.recorded_percent.value()) < 1e-9); // recorded without the lump
-        QVERIFY(std::abs(one.told_mm2 / felt.value().lumps[0].press[3].area_mm2[1] - 1.0) < 1e-4);
+        QVERIFY(std::abs(one.detectable_mm2 / felt.value().lumps[0].press[3].area_mm2[1] - 1.0) < 1e-4);
     }
 
     void aSearchEverywhereMissesNoPlace()

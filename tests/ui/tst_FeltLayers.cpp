@@ -39,23 +39,23 @@ class FeltLayers : public QObject
             return number == 0 ? &liver : number == 1 ? &lump : nullptr;
         };
         servo::TickRecord tick = touching();
-        QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, 1.0); // no contact
+        QCOMPARE(ui::contactStiffness(tick, tissueOf).ratio, 1.0); // no contact
         tick.felt.contactCount = 1;
         tick.felt.contacts[0].structure = tick.felt.contacts[0].layer = 0;
         tick.felt.contacts[0].depth_mm = 3.0;
         tick.felt.contacts[0].stiffnessScale = 1.5;
-        QCOMPARE(ui::feltStiffness(tick, tissueOf).whole_N_per_mm, 1.5 * 0.2);
-        QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, 1.5);
+        QCOMPARE(ui::contactStiffness(tick, tissueOf).whole_N_per_mm, 1.5 * 0.2);
+        QCOMPARE(ui::contactStiffness(tick, tissueOf).ratio, 1.5);
         tick.felt.contactCount = 2;
         tick.felt.contacts[1].structure = tick.felt.contacts[1].layer = 1;
         tick.felt.contacts[1].depth_mm = 1.0;
         tick.felt.contacts[1].stiffnessScale = 1.0;
-        QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, (1.5 * 0.2 + 0.6) / 0.2);
+        QCOMPARE(ui::contactStiffness(tick, tissueOf).ratio, (1.5 * 0.2 + 0.6) / 0.2);
         tick.felt.contacts[1].layer = 0; // beside the liver, not below: the liver has the larger force
-        QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, 1.5);
+        QCOMPARE(ui::contactStiffness(tick, tissueOf).ratio, 1.5);
         tick.felt.contacts[1].layer = 1;
         tick.felt.contacts[0].structure = 7; // a structure with unknown tissue
-        QCOMPARE(ui::feltStiffness(tick, tissueOf).ratio, 1.0);
+        QCOMPARE(ui::contactStiffness(tick, tissueOf).ratio, 1.0);
     }
     void softTissueBendsAndBoneDoesNot()
     {

@@ -3,10 +3,10 @@
 #include "Rows.h"
 #include "TestRunner.h"
 
-#include <palpate/ui/FeltWay.h>
+#include <palpate/ui/LumpAtContact.h>
 #include <palpate/ui/LumpMaps.h>
-#include <palpate/ui/LumpUnder.h>
 #include <palpate/ui/StructurePanel.h>
+#include <palpate/ui/TouchMode.h>
 
 #include <QComboBox>
 #include <QSignalSpy>
@@ -39,7 +39,7 @@ class FeltThrough : public QObject
     }
     static bool isLumpTouched(const StructureModel& model, int row = 1)
     {
-        return model.feltStructures(kAny)[static_cast<std::size_t>(row)].surface != nullptr;
+        return model.hapticStructures(kAny)[static_cast<std::size_t>(row)].surface != nullptr;
     }
     static float most(const StructureModel& model)
     {
@@ -64,19 +64,19 @@ class FeltThrough : public QObject
         // Simulated as a layer until the map is ready.
         QVERIFY(!maps.isHandUpToDate());
         QVERIFY(isLumpTouched(model));
-        QCOMPARE(model.feltStructures(kAny)[1].layer, 1U);
+        QCOMPARE(model.hapticStructures(kAny)[1].layer, 1U);
         QSignalSpy edited(&model, &StructureModel::edited);
         QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
         QVERIFY(!edited.isEmpty()); // the update of the hand uses the same path as other tissue changes
         QVERIFY(!isLumpTouched(model));
-        QVERIFY(model.feltStructures(kAny)[0].maps.hasFelt());
+        QVERIFY(model.hapticStructures(kAny)[0].maps.hasFelt());
         QVERIFY(most(model) > 1.1F);
         QCOMPARE(model.undoStack().count(), 1);
 
         model.undoStack().undo();
         QVERIFY(model.buried() == BuriedTouch::Layers && model.structure(1).inside.empty());
-        QVERIFY(isLumpTouched(model) && !model.feltStructures(kAny)[0].maps.hasFelt());
-        QCOMPARE(model.feltStructures(kAny)[1].layer, 0U);
+        QVERIFY(isLumpTouched(model) && !model.hapticStructures(kAny)[0].maps.hasFelt());
+        QCOMPARE(model.hapticStructures(kAny)[1].layer, 0U);
         model.undoStack().redo();
         QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate() && !isLumpTouched(model), kLimit_ms);
     }
@@ -87,18 +87,18 @@ class FeltThrough : public QObject
         StructureModel model;
         ui::LumpMaps maps(model);
         model.setRows(liverWithLump());
-        QVERIFY(!ui::lumpUnder(model, 0, {0.0, 0.0, 20.0}, 4.0)); // not yet transmitted through the liver
+        QVERIFY(!ui::lumpAtContact(model, 0, {0.0, 0.0, 20.0}, 4.0)); // not yet transmitted through the liver
         through(model);
         QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
         const core::Vec3 place = model.rows()[0].loaded.surface->mesh.vertices.front();
         const auto& below = model.rows()[0].loaded.feltBelow;
-        const auto under = ui::lumpUnder(model, 0, place, 4.0);
+        const auto under = ui::lumpAtContact(model, 0, place, 4.0);
         QVERIFY(under && under->row == 1);
         QCOMPARE(under->ratio, double{below[2].front()});
-        QCOMPARE(ui::lumpUnder(model, 0, place, 3.0)->ratio,
+        QCOMPARE(ui::lumpAtContact(model, 0, place, 3.0)->ratio,
                  0.5 * double{below[1].front()} + 0.5 * double{below[2].front()});
-        QCOMPARE(ui::lumpUnder(model, 0, place, 30.0)->ratio, double{below[3].front()});
-        QVERIFY(!ui::lumpUnder(model, 1, place, 4.0));
+        QCOMPARE(ui::lumpAtContact(model, 0, place, 30.0)->ratio, double{below[3].front()});
+        QVERIFY(!ui::lumpAtContact(model, 1, place, 4.0));
     }
 
     void handAndPictureHaveTheSameNumbers()
@@ -153,17 +153,17 @@ class FeltThrough : public QObject
         rows.push_back(test::row("deeper", test::ball(5.0, 2)));
         rows[2].in = 0;
         model.setRows(rows, BuriedTouch::Felt);
-        QVERIFY(!model.isToBeFeltThrough(0) && model.isToBeFeltThrough(1) && model.isToBeFeltThrough(2));
-        QCOMPARE(model.feltText(1), QStringLiteral("through liver"));
+        QVERIFY(!model.isTransmitted(0) && model.isTransmitted(1) && model.isTransmitted(2));
+        QCOMPARE(model.touchOrderText(1), QStringLiteral("through liver"));
         QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
 
         rows[2].loaded.description.layer = 1;
         model.setRows(rows, BuriedTouch::Felt);
-        QVERIFY(model.isToBeFeltThrough(1) && model.isToBeFeltThrough(2));
+        QVERIFY(model.isTransmitted(1) && model.isTransmitted(2));
         rows[2].loaded.description.layer = 0;
         rows[2].loaded.description.inside = "liver";
         model.setRows(rows, BuriedTouch::Felt);
-        QVERIFY(!model.isToBeFeltThrough(1) && model.isToBeFeltThrough(2));
+        QVERIFY(!model.isTransmitted(1) && model.isTransmitted(2));
         QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
         QVERIFY(isLumpTouched(model, 1) && !isLumpTouched(model, 2));
     }
@@ -177,13 +177,13 @@ class FeltThrough : public QObject
         rows[2].in = 0;
         model.setRows(rows, BuriedTouch::Felt);
         ui::feel(model, {{1, 0}}, QStringLiteral("On its own"));
-        QVERIFY(!model.isToBeFeltThrough(1) && model.isToBeFeltThrough(2));
+        QVERIFY(!model.isTransmitted(1) && model.isTransmitted(2));
         ui::feel(model, {{2, 1}}, QStringLiteral("As a layer"));
         QVERIFY(model.buried() == BuriedTouch::Layers);
         model.undoStack().undo();
         model.undoStack().undo();
         QVERIFY(model.buried() == BuriedTouch::Felt && model.structure(2).inside.empty());
-        QVERIFY(model.isToBeFeltThrough(1) && model.isToBeFeltThrough(2));
+        QVERIFY(model.isTransmitted(1) && model.isTransmitted(2));
     }
 
     void whatIsHiddenOrRemovedIsNotFeltThrough()
@@ -221,7 +221,7 @@ class FeltThrough : public QObject
         QVERIFY(model.rows()[0].loaded.feltBelow != recorded);
         model.undoStack().undo();
         QCOMPARE(model.rows()[0].loaded.feltBelow, recorded);
-        QVERIFY(model.feltStructures(kAny)[0].maps.hasFelt());
+        QVERIFY(model.hapticStructures(kAny)[0].maps.hasFelt());
     }
 
     void cancelledItIsFeltAsALayerUntilSomethingChanges()
@@ -235,7 +235,7 @@ class FeltThrough : public QObject
         QCOMPARE(cancelled.count(), 1);
         QTest::qWait(600);
         QVERIFY(!maps.isHandUpToDate() && !maps.isBusy());
-        QCOMPARE(model.feltStructures(kAny)[1].layer, 1U);
+        QCOMPARE(model.hapticStructures(kAny)[1].layer, 1U);
         meshio::SceneStructure lump = model.structure(1);
         lump.young_ratio = 3.0;
         model.edit(1, lump);
@@ -262,7 +262,7 @@ class FeltThrough : public QObject
         };
         QCOMPARE(felt->currentText(), QStringLiteral("on its own surface, outermost"));
         choose(QStringLiteral("through liver (felt from above)"));
-        QVERIFY(model.isToBeFeltThrough(1));
+        QVERIFY(model.isTransmitted(1));
         choose(QStringLiteral("as a layer, below liver"));
         QVERIFY(model.buried() == BuriedTouch::Layers && model.structure(1).layer == 1);
         QVERIFY(model.structure(1).inside.empty()); // a file may not contain both

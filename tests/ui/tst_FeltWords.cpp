@@ -34,7 +34,7 @@ class FeltWords : public QObject
     }
     static QString said(std::size_t vertex, std::size_t press)
     {
-        return ui::feltPlaceText(made(), vertex, press).simplified();
+        return ui::palpabilityText(made(), vertex, press).simplified();
     }
 
   private Q_SLOTS:
@@ -52,11 +52,11 @@ class FeltWords : public QObject
 
     void changesHaveTheirSign()
     {
-        QCOMPARE(ui::feltChangeText(1.084), QStringLiteral("+8 %"));
-        QCOMPARE(ui::feltChangeText(1.004), QStringLiteral("0 %"));
-        QCOMPARE(ui::feltChangeText(0.996), QStringLiteral("0 %"));
-        QCOMPARE(ui::feltChangeText(0.85), QStringLiteral("-15 %"));
-        QCOMPARE(ui::feltChangeText(2.04), QStringLiteral("+104 %"));
+        QCOMPARE(ui::responseChangeText(1.084), QStringLiteral("+8 %"));
+        QCOMPARE(ui::responseChangeText(1.004), QStringLiteral("0 %"));
+        QCOMPARE(ui::responseChangeText(0.996), QStringLiteral("0 %"));
+        QCOMPARE(ui::responseChangeText(0.85), QStringLiteral("-15 %"));
+        QCOMPARE(ui::responseChangeText(2.04), QStringLiteral("+104 %"));
     }
 
     void aPlaceIsSaidInWords()

@@ -106,10 +106,10 @@ class LawEditor : public QObject
         for (const core::TissueTerm& term : core::kTissueTerms) {
             check(term.name);
             check(term.meaning);
-            check(term.spokenUnit);
+            check(term.accessibleUnit);
         }
         for (const core::LawKind kind : core::kLawKinds) {
-            for (const core::LawTerm& term : core::lawTerms(kind)) {
+            for (const core::LawParameter& term : core::lawParameters(kind)) {
                 check(term.name);
             }
         }
@@ -254,10 +254,10 @@ class LawEditor : public QObject
         Panel p;
         const double k = p.tissue().stiffness_N_per_mm;
         ui::TouchReading reading;
-        ui::FeltLayer here;
+        ui::LayerShare here;
         here.name = ui::readableName(p.model.structure(0).name);
         here.depth_mm = 4.0;
-        ui::FeltLayer above = here;
+        ui::LayerShare above = here;
         above.name = QStringLiteral("another");
         above.depth_mm = 9.0;
         reading.structure = above.name;

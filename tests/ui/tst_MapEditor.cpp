@@ -85,7 +85,7 @@ struct MapPanel
     {
         haptics::Tissue greatest = core::unbounded();
         greatest.stiffness_N_per_mm = holds;
-        const haptics::HapticStructure one = model.feltStructures(greatest)[0];
+        const haptics::HapticStructure one = model.hapticStructures(greatest)[0];
         if (one.maps.stiffness.isEmpty()) {
             return {one.tissue.stiffness_N_per_mm, one.tissue.stiffness_N_per_mm};
         }
@@ -200,9 +200,9 @@ class MapEditor : public QObject
         p.panel.setGreatest(greatest, QStringLiteral("The test's device holds at most 0.8 N/mm."));
         QVERIFY(p.isSaid("felt as at most 0.8 N/mm: the device can show 0.8 N/mm in all"));
         QVERIFY(std::abs(p.felt(0.8).second - 0.8) < 1e-6);
-        const auto felt = p.model.feltStructures(greatest);
+        const auto felt = p.model.hapticStructures(greatest);
         const auto shown =
-            ui::numbersOf(p.model.rows()[0].loaded, QStringLiteral("felt:stiffness"), felt[0]); // the colour values
+            ui::surfaceFields(p.model.rows()[0].loaded, QStringLiteral("felt:stiffness"), felt[0]); // the colour values
         QVERIFY(std::abs(*std::max_element(shown.values.begin(), shown.values.end()) - 0.8F) < 1e-6F);
         // A map that is softer than the tissue everywhere is not due to the device.
         meshio::SceneStructure soft = p.model.structure(0);

@@ -320,7 +320,7 @@ class Palpation : public QObject
         QVERIFY(m_live->start().isOk());
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 11.9, 10000);
         QTRY_COMPARE(m_reading->layers.size(), std::size_t{2});
-        const std::vector<ui::FeltLayer>& layers = m_reading->layers;
+        const std::vector<ui::LayerShare>& layers = m_reading->layers;
         QCOMPARE(m_reading->structure, QStringLiteral("liver"));
         QCOMPARE(layers[0].name, QStringLiteral("liver"));
         QCOMPARE(layers[1].name, QStringLiteral("lump 20 mm"));

@@ -78,13 +78,13 @@ class Panels : public QObject
     void whatIsFeltIsNamedBeforeItsOrgan()
     {
         ui::TouchReading reading{1.0, 6.0, 12.4, QStringLiteral("liver"), 0.8, 1};
-        QCOMPARE(ui::whereText(ui::feltStructure(reading)), QStringLiteral("liver"));
+        QCOMPARE(ui::whereText(ui::palpatedStructure(reading)), QStringLiteral("liver"));
         reading.lump = QStringLiteral("tumour");
         reading.lumpRatio = 1.09; // below the threshold of a trained hand
-        QCOMPARE(ui::whereText(ui::feltStructure(reading)), QStringLiteral("liver"));
+        QCOMPARE(ui::whereText(ui::palpatedStructure(reading)), QStringLiteral("liver"));
         reading.lumpRatio = 1.55;
-        QCOMPARE(ui::whereText(ui::feltStructure(reading)), QStringLiteral("tumour in liver"));
-        QCOMPARE(ui::feltStructure(reading).force_N, 6.0);
+        QCOMPARE(ui::whereText(ui::palpatedStructure(reading)), QStringLiteral("tumour in liver"));
+        QCOMPARE(ui::palpatedStructure(reading).force_N, 6.0);
         ui::TouchPanel panel;
         panel.resize(900, 500);
         panel.show(reading);
@@ -96,7 +96,7 @@ class Panels : public QObject
                  qPrintable(spoken.join(QLatin1Char(0x7c))));
         reading.lump.clear();
         reading.layers = {{QStringLiteral("liver"), {}, 2.5, 2.4, 12.4}, {QStringLiteral("lump"), {}, 3.7, 3.6, 5.8}};
-        const ui::FeltStructure felt = ui::feltStructure(reading);
+        const ui::PalpatedStructure felt = ui::palpatedStructure(reading);
         QCOMPARE(ui::whereText(felt), QStringLiteral("lump in liver"));
         QVERIFY(felt.force_N == 3.6 && felt.depth_mm == 5.8);
     }
@@ -111,8 +111,8 @@ class Panels : public QObject
         tick.felt.contacts[1] = {
             core::Vec3::Zero(), core::Vec3::UnitZ(), core::Vec3(-1.0, 0.5, 4.26), 3.4, 1.0, 1, 0, 1, {}};
         tick.felt.f_W = tick.felt.contacts[0].f_W + tick.felt.contacts[1].f_W;
-        const auto layers = ui::feltLayers(tick, tick.felt.f_W.norm(), [](std::uint32_t number) {
-            return ui::LayerLook{QString::number(number), {}};
+        const auto layers = ui::layerShares(tick, tick.felt.f_W.norm(), [](std::uint32_t number) {
+            return ui::LayerStyle{QString::number(number), {}};
         });
         QVERIFY(layers[0].force_N + layers[1].force_N > tick.felt.f_W.norm() + 0.1); // magnitudes alone do not
         const QString text = ui::layersText(layers);
@@ -156,8 +156,8 @@ class Panels : public QObject
         tick.felt.constraints = tick.felt.contactCount = 1;
         tick.felt.contacts[0] = {tick.felt.p_WG,           tick.felt.n_W, tick.felt.f_W, 3.06, 1.0, 0, 0, 0,
                                  haptics::Friction::Slides};
-        const auto look = [](std::uint32_t) { return ui::LayerLook{QStringLiteral("liver"), Qt::red}; };
-        const auto layers = ui::feltLayers(tick, tick.felt.f_W.norm(), look);
+        const auto look = [](std::uint32_t) { return ui::LayerStyle{QStringLiteral("liver"), Qt::red}; };
+        const auto layers = ui::layerShares(tick, tick.felt.f_W.norm(), look);
         QCOMPARE(ui::layersText(layers), QStringLiteral("liver 1.53 N, slides 0.30 N"));
         core::Tissue tissue;
         tissue.friction_static = 0.5;
@@ -172,7 +172,7 @@ class Panels : public QObject
         tick.felt.contacts[0].friction = haptics::Friction::None;
         ui::showFriction(tick, tissue, state);
         QCOMPARE(state.friction.radius_mm, 0.0);
-        QCOMPARE(ui::layersText(ui::feltLayers(tick, tick.felt.f_W.norm(), look)), QStringLiteral("liver"));
+        QCOMPARE(ui::layersText(ui::layerShares(tick, tick.felt.f_W.norm(), look)), QStringLiteral("liver"));
     }
     /// The height of each area is the layer's part of the force, in the colour of the structure.
     void chartStacksTheLayers()
@@ -208,10 +208,10 @@ class Panels : public QObject
     {
         ui::TouchPanel panel;
         ui::TouchReading reading{1.0, 2.3, 4.6, QStringLiteral("fan"), 0.5, 1};
-        reading.isAtBound = true;
+        reading.isAtIterationLimit = true;
         panel.show(reading);
         QVERIFY(says(panel, QStringLiteral("very fine mesh here: the force follows late")));
-        reading.isAtBound = false;
+        reading.isAtIterationLimit = false;
         panel.show(reading);
         QVERIFY(!says(panel, QStringLiteral("very fine mesh here: the force follows late")));
     }
@@ -548,7 +548,8 @@ class Panels : public QObject
             return QColor::fromRgbF(static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2]));
         };
         const view::Colour white{1.0, 1.0, 1.0}, black{0.0, 0.0, 0.0};
-        for (const view::Colour& ink : {view::kTextInk, view::inkOf(black), view::inkOf({1.0, 0.0, 0.0})}) {
+        for (const view::Colour& ink :
+             {view::kTextColour, view::textColourOf(black), view::textColourOf({1.0, 0.0, 0.0})}) {
             for (const view::Colour& tissue : {white, black}) {
                 QVERIFY(contrast(colour(ink), over(tissue, view::TextStyle().groundOpacity)) >= 4.5);
                 QVERIFY(contrast(colour(ink), over(tissue, 1.0)) >= 7.0); // opaque in high contrast

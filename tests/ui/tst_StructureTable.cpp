@@ -89,12 +89,12 @@ class StructureTable : public QObject
         rows[1].in = 2;
         model.setRows(std::move(rows));
         model.setLayers({0, 2, 1}, QStringLiteral("Feel below"));
-        QCOMPARE(model.feltText(1, 2), QStringLiteral("below portal vein"));
+        QCOMPARE(model.touchOrderText(1, 2), QStringLiteral("below portal vein"));
         model.setData(model.index(2, StructureModel::Felt), Qt::Unchecked, Qt::CheckStateRole);
-        QCOMPARE(model.feltText(1, 2), QStringLiteral("below liver capsule"));
-        QCOMPARE(model.feltText(1, 1), QStringLiteral("below liver capsule"));
-        QCOMPARE(model.feltText(1, 3), QStringLiteral("3 below")); // something else must be in between
-        QCOMPARE(model.feltText(2, 1), QStringLiteral("below liver capsule"));
+        QCOMPARE(model.touchOrderText(1, 2), QStringLiteral("below liver capsule"));
+        QCOMPARE(model.touchOrderText(1, 1), QStringLiteral("below liver capsule"));
+        QCOMPARE(model.touchOrderText(1, 3), QStringLiteral("3 below")); // something else must be in between
+        QCOMPARE(model.touchOrderText(2, 1), QStringLiteral("below liver capsule"));
     }
     void stepsOfOneDragUndoTogether()
     {

@@ -161,12 +161,12 @@ class FindingMarkers : public QObject
         markers.place(frameAt(300));
         const int filled = trianglesOf(*overlay, 0);
         QCOMPARE(leastOpacity(*overlay), 255);
-        markers.findHidden([](const Vec3& p_W) { return p_W.x() > 0.0; });
+        markers.updateHidden([](const Vec3& p_W) { return p_W.x() > 0.0; });
         QVERIFY(!markers.isHidden(0) && markers.isHidden(1));
         markers.place(frameAt(300));
         QVERIFY(trianglesOf(*overlay, 0) < filled);
         QCOMPARE(leastOpacity(*overlay), 89); // 35 %
-        markers.findHidden([](const Vec3&) { return false; });
+        markers.updateHidden([](const Vec3&) { return false; });
         markers.place(frameAt(300));
         QCOMPARE(trianglesOf(*overlay, 0), filled);
     }

@@ -164,7 +164,7 @@ class FeltLiver : public QObject
         QTRY_VERIFY_WITH_TIMEOUT(lumps().isUpToDate(), 60000);
         QCOMPARE(lumps().organs().size(), std::size_t(1));
         const buried::FeltSurface& felt = lumps().organs()[0]->organ.felt;
-        QVERIFY(std::abs(felt.lumps[0].leastCover_mm - kCover_mm) < 1.0);
+        QVERIFY(std::abs(felt.lumps[0].minCover_mm - kCover_mm) < 1.0);
         QVERIFY(felt.lumps[0].press[1].best.has_value());
         QVERIFY(felt.lumps[0].press[1].felt.estimate > 1.2);
         auto& overlay = *m_desk->window().findChild<ui::FeltOverlay*>();

@@ -140,7 +140,7 @@ class Language : public QObject
     static void speak(const QString& code)
     {
         QSettings().setValue(QStringLiteral("language"), code);
-        app::speakChosenLanguage();
+        app::applyChosenLanguage();
     }
     /// Restores the state before `speak`.
     static void beSilent()

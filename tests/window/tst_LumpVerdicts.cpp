@@ -11,9 +11,9 @@
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/Layers.h>
 #include <palpate/study/RecordedScene.h>
-#include <palpate/ui/FeltWay.h>
 #include <palpate/ui/LumpMaps.h>
 #include <palpate/ui/TissueByName.h>
+#include <palpate/ui/TouchMode.h>
 #include <palpate/view/SurfaceMesh.h>
 
 #include <QDir>
@@ -101,7 +101,7 @@ class LumpVerdicts : public QObject
         for (const ui::StructureRow& row : model.rows()) {
             names.structures.push_back(row.loaded);
         }
-        std::vector<study::FeltOrgan> organs;
+        std::vector<study::OrganPalpability> organs;
         for (const auto& organ : maps.organs()) {
             organs.push_back(organ->organ);
         }

@@ -80,13 +80,13 @@ Status checked(const FeltOptions& options)
         return {StatusCode::OutOfRange, "contact radius: found " + core::shortNumber(options.radius_mm) +
                                             " mm, expected more than 0 and at most 30 mm"};
     }
-    if (options.press_mm.empty() || options.press_mm.size() > kMostPresses) {
+    if (options.press_mm.empty() || options.press_mm.size() > kMaxPresses) {
         return {StatusCode::OutOfRange, "press depths: found " + std::to_string(options.press_mm.size()) +
-                                            ", expected 1 to " + std::to_string(kMostPresses)};
+                                            ", expected 1 to " + std::to_string(kMaxPresses)};
     }
     for (std::size_t i = 0; i < options.press_mm.size(); ++i) {
         const double press = options.press_mm[i], before = i == 0 ? -1.0 : options.press_mm[i - 1];
-        if (!(press >= 0.0 && press <= kMostPress_mm && press > before)) {
+        if (!(press >= 0.0 && press <= kMaxPress_mm && press > before)) {
             return {StatusCode::OutOfRange,
                     "press depths: found " + core::shortNumber(press) + " mm, expected 0 to 30 mm, ascending"};
         }
@@ -94,11 +94,12 @@ Status checked(const FeltOptions& options)
     return {};
 }
 
-/// Checks whether refining the organ for the contact radius stays below kMostRefined triangles.
+/// Checks whether refining the organ for the contact radius stays below kMaxRefinedTriangles triangles.
 Status checkedFor(const RepairedMesh& organ, const std::string& name, double radius_mm)
 {
     // An equilateral triangle with edge length l has area sqrt(3)/4 l^2.
-    const double least_mm = std::sqrt(4.0 / std::numbers::sqrt3 * organ.report.area_mm2 / kMostRefined) / kFinest;
+    const double least_mm =
+        std::sqrt(4.0 / std::numbers::sqrt3 * organ.report.area_mm2 / kMaxRefinedTriangles) / kFinest;
     if (radius_mm >= least_mm) {
         return {};
     }
@@ -109,7 +110,8 @@ Status checkedFor(const RepairedMesh& organ, const std::string& name, double rad
 
 bool isPossible(const RatioRange& ratio)
 {
-    return ratio.low > 0.0 && ratio.low <= ratio.typical && ratio.typical <= ratio.high && ratio.high <= kMostRatio;
+    return ratio.low > 0.0 && ratio.low <= ratio.typical && ratio.typical <= ratio.high &&
+           ratio.high <= kMaxModulusRatio;
 }
 
 /// Prepares the usable lumps; the reasons for skipped lumps are added to the notes.
@@ -226,7 +228,7 @@ class Run
     struct Found
     {
         FeltSurface::LumpPress told;
-        bool isReachedUnjudged = false; ///< energy share above 0 at a place where the model is invalid
+        bool isReachedWhereInvalid = false; ///< energy share above 0 at a place where the model is invalid
     };
     using Best = std::vector<std::vector<Found>>; ///< by lump and press
 
@@ -247,7 +249,7 @@ class Run
         std::size_t most = 0;
         double mostShare = 0.0;
         int overlapping = 0;
-        const PressPlace place{p_W, ground.n_W, m_options.radius_mm};
+        const ContactPlace place{p_W, ground.n_W, m_options.radius_mm};
         for (std::size_t i = 0; i < m_lumps.size(); ++i) {
             if (!m_felt.lumps[i].ratio) {
                 continue;
@@ -279,7 +281,7 @@ class Run
                 if (reasons == 0) {
                     enter(best[i][press].told, v, one);
                 } else if (one.share > 0.0) {
-                    best[i][press].isReachedUnjudged = true;
+                    best[i][press].isReachedWhereInvalid = true;
                 }
             }
             const Stiffening felt = stiffening(room.all);
@@ -296,8 +298,8 @@ class Run
     {
         const Stiffening felt = stiffening(lump.share, lump.ratio);
         const double change = changeOf(felt);
-        for (std::size_t i = 0; i < kTold_percent.size(); ++i) {
-            if (change >= std::log1p(kTold_percent[i] / 100.0)) {
+        for (std::size_t i = 0; i < kDetectableChange_percent.size(); ++i) {
+            if (change >= std::log1p(kDetectableChange_percent[i] / 100.0)) {
                 at.area_mm2[i] += m_corners.area_mm2[v];
             }
         }
@@ -317,10 +319,10 @@ class Run
             lump.press.resize(m_options.press_mm.size());
             for (std::size_t press = 0; press < lump.press.size(); ++press) {
                 FeltSurface::LumpPress& sum = lump.press[press];
-                bool isReachedUnjudged = false;
+                bool isReachedWhereInvalid = false;
                 for (const Best& block : m_best) {
                     const FeltSurface::LumpPress& part = block[i][press].told;
-                    isReachedUnjudged = isReachedUnjudged || block[i][press].isReachedUnjudged;
+                    isReachedWhereInvalid = isReachedWhereInvalid || block[i][press].isReachedWhereInvalid;
                     for (std::size_t k = 0; k < sum.area_mm2.size(); ++k) {
                         sum.area_mm2[k] += part.area_mm2[k];
                     }
@@ -334,7 +336,7 @@ class Run
                     if (sum.best.has_value()) {
                         return verdictOf(stiffening(sum.share, ratio).estimate);
                     } // too deep everywhere, or effective only where the model is invalid
-                    return isReachedUnjudged ? Verdict::NotJudged : Verdict::NotByHand;
+                    return isReachedWhereInvalid ? Verdict::NotJudged : Verdict::NotByHand;
                 };
                 sum.verdict = sum.verdictAtLow = sum.verdictAtHigh = Verdict::NotKnown;
                 if (lump.ratio) {
@@ -355,8 +357,8 @@ class Run
 };
 
 /// Computes the map and the verdicts; if no lump has a known ratio, only sets the verdicts to NotKnown.
-Status judgeAll(FeltSurface& felt, const RepairedMesh& fine, const SurfaceIndex& organ,
-                const std::vector<std::unique_ptr<Prepared>>& lumps, const FeltOptions& options)
+Status computeVerdicts(FeltSurface& felt, const RepairedMesh& fine, const SurfaceIndex& organ,
+                       const std::vector<std::unique_ptr<Prepared>>& lumps, const FeltOptions& options)
 {
     if (std::none_of(felt.lumps.begin(), felt.lumps.end(), [](const auto& lump) { return lump.ratio.has_value(); })) {
         FeltSurface::LumpPress none;
@@ -381,7 +383,7 @@ double leastCover(const Prepared& lump, const RepairedMesh& surface, const Surfa
     }
     double least = std::numeric_limits<double>::infinity();
     for (const Vec3& p_W : places.vertices) {
-        if (lump.shape.atLeastAway(p_W) < least) {
+        if (lump.shape.distanceLowerBound(p_W) < least) {
             least = std::min(least, lump.distance(p_W));
         }
     }
@@ -389,7 +391,7 @@ double leastCover(const Prepared& lump, const RepairedMesh& surface, const Surfa
 }
 
 /// Maximum error of the map when interpolated linearly over the organ's original triangles [1].
-double coarsenessOf(const geometry::TriangleMesh& organ, const FeltSurface& felt)
+double interpolationErrorOf(const geometry::TriangleMesh& organ, const FeltSurface& felt)
 {
     double worst = 0.0;
     for (const FeltSurface::Press& press : felt.press) {
@@ -404,7 +406,7 @@ double coarsenessOf(const geometry::TriangleMesh& organ, const FeltSurface& felt
 }
 
 /// Refines the organ to the edge length required for the contact radius.
-RepairedMesh fineEnough(const RepairedMesh& organ, double longest_mm)
+RepairedMesh refinedForContact(const RepairedMesh& organ, double longest_mm)
 {
     double longest2 = 0.0;
     for (const geometry::Triangle& t : organ.mesh.triangles) {
@@ -426,10 +428,10 @@ RepairedMesh fineEnough(const RepairedMesh& organ, double longest_mm)
 Verdict verdictOf(double ratio) noexcept
 {
     const double change = std::abs(std::log(ratio));
-    if (change >= std::log1p(kTold_percent[2] / 100.0)) {
+    if (change >= std::log1p(kDetectableChange_percent[2] / 100.0)) {
         return Verdict::Plainly;
     }
-    return change >= std::log1p(kTold_percent[1] / 100.0) ? Verdict::ByTrainedHand : Verdict::NotByHand;
+    return change >= std::log1p(kDetectableChange_percent[1] / 100.0) ? Verdict::ByTrainedHand : Verdict::NotByHand;
 }
 
 std::string verdictText(const FeltSurface::LumpPress& press, const std::optional<RatioRange>& ratio)
@@ -471,7 +473,7 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
         }
         return Status(StatusCode::Empty, why);
     }
-    const RepairedMesh fine = isAnyKnown ? fineEnough(organ, kFinest * options.radius_mm) : organ;
+    const RepairedMesh fine = isAnyKnown ? refinedForContact(organ, kFinest * options.radius_mm) : organ;
     felt.surface = fine.mesh;
     felt.organVertices = organ.mesh.vertices.size();
     felt.radius_mm = options.radius_mm;
@@ -487,20 +489,20 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
         const BuriedLump& given = lumps[lump->number];
         felt.lumps.push_back({given.name, lump->number, given.ratio, 0.0, {}});
     }
-    if (Status status = judgeAll(felt, fine, index, ready.value(), options); !status.isOk()) {
+    if (Status status = computeVerdicts(felt, fine, index, ready.value(), options); !status.isOk()) {
         return Status(status.code(), name + ": " + status.message());
     }
     for (std::size_t i = 0; i < felt.lumps.size(); ++i) {
-        felt.lumps[i].leastCover_mm =
+        felt.lumps[i].minCover_mm =
             leastCover(*ready.value()[i], *lumps[ready.value()[i]->number].surface, index, felt.surface);
     }
     if (vertices > felt.organVertices) {
-        felt.coarseness = coarsenessOf(organ.mesh, felt);
-        if (100.0 * felt.coarseness > kTold_percent[0]) {
+        felt.interpolationError = interpolationErrorOf(organ.mesh, felt);
+        if (100.0 * felt.interpolationError > kDetectableChange_percent[0]) {
             felt.notes.push_back(name +
                                  ": its triangles are wider than a finger's contact: what the hand feels of its "
                                  "lumps differs by up to " +
-                                 core::shortNumber(std::round(100.0 * felt.coarseness)) +
+                                 core::shortNumber(std::round(100.0 * felt.interpolationError)) +
                                  " % from what is shown; a finer mesh mends it");
         }
     }

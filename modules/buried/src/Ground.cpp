@@ -128,14 +128,14 @@ Ground::At Ground::at(const Vec3& p_W, const Vec3& n_W) const
     const double d2 = 1.0 + fit[3] * fit[3] + fit[4] * fit[4];
     const double mean = fit[0] + fit[2], half = std::hypot(fit[0] - fit[2], fit[1]);
     const double bend = (std::abs(mean) + half) / std::sqrt(d2) / reach; // [1/mm], the larger principal curvature
-    at.isCurved = !(bend * kLeastRadii * m_radius_mm <= 1.0);
+    at.isCurved = !(bend * kMinValidRadii * m_radius_mm <= 1.0);
     at.isThin = isThin(p_W, at.n_W);
     return at;
 }
 
 bool Ground::isThin(const Vec3& p_W, const Vec3& n_W) const
 {
-    const double reach = kLeastRadii * m_radius_mm;
+    const double reach = kMinValidRadii * m_radius_mm;
     bool isMet = false;
     m_index.hierarchy().visitSegment(p_W, p_W - reach * n_W, [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t i = first; i < first + count && !isMet; ++i) {

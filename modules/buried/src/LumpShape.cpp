@@ -42,7 +42,7 @@ class PressSum
   public:
     /// @param middle  centre of the pressure distribution [mm]
     /// @param inward  unit length
-    /// @param c  `bellOf` the contact radius
+    /// @param c  `pressureScale` the contact radius
     PressSum(const Vec3& middle, const Vec3& inward, double c)
         : m_middle(middle)
         , m_inward(inward)
@@ -129,14 +129,14 @@ LumpShape::LumpShape(const geometry::RepairedMesh& surface, std::size_t most)
         }
         m_widest2_mm2 = std::max({m_widest2_mm2, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
     }
-    if (most > kFromAfar && m_triangles.size() > 2 * kFromAfar) {
-        m_fromAfar = std::make_shared<const LumpShape>(surface, kFromAfar);
+    if (most > kCoarseTriangles && m_triangles.size() > 2 * kCoarseTriangles) {
+        m_fromAfar = std::make_shared<const LumpShape>(surface, kCoarseTriangles);
     }
 }
 
-bool LumpShape::isFar(const PressPlace& place, double deepest_mm) const
+bool LumpShape::isFar(const ContactPlace& place, double deepest_mm) const
 {
-    const double c = bellOf(place.radius_mm);
+    const double c = pressureScale(place.radius_mm);
     // w <= (6 c / pi) / R^4, and a press reduces the distance to the lump by at most its depth.
     const double nearest = (m_middle - place.p_W).norm() - m_reach_mm - c - deepest_mm;
     return nearest > 0.0 && m_volume_mm3 * 6.0 * c / kPi < kLeastShare * nearest * nearest * nearest * nearest;
@@ -144,7 +144,7 @@ bool LumpShape::isFar(const PressPlace& place, double deepest_mm) const
 
 bool LumpShape::isAround(const Vec3& p_W) const
 {
-    if (atLeastAway(p_W) >= 0.0) {
+    if (distanceLowerBound(p_W) >= 0.0) {
         return false;
     }
     double angle = 0.0;
@@ -154,17 +154,17 @@ bool LumpShape::isAround(const Vec3& p_W) const
     return angle > 2.0 * kPi;
 }
 
-void LumpShape::shares(const PressPlace& place, std::span<const double> presses_mm, std::span<double> shares) const
+void LumpShape::shares(const ContactPlace& place, std::span<const double> presses_mm, std::span<double> shares) const
 {
     std::fill(shares.begin(), shares.end(), 0.0);
     if (m_triangles.empty() || presses_mm.empty() || isFar(place, presses_mm.back())) {
         return;
     }
-    if (m_fromAfar != nullptr && atLeastAway(place.p_W) - presses_mm.back() > kAfar * m_reach_mm) {
+    if (m_fromAfar != nullptr && distanceLowerBound(place.p_W) - presses_mm.back() > kCoarseDistance * m_reach_mm) {
         m_fromAfar->shares(place, presses_mm, shares);
         return;
     }
-    const double c = bellOf(place.radius_mm);
+    const double c = pressureScale(place.radius_mm);
     const Vec3 inward = -place.n_W, middle = place.p_W + c * place.n_W;
     double least = std::numeric_limits<double>::infinity();
     for (const Vec3& v : m_vertices) {
@@ -173,7 +173,7 @@ void LumpShape::shares(const PressPlace& place, std::span<const double> presses_
     for (std::size_t press = 0; press < presses_mm.size(); ++press) {
         const Vec3 from = middle + approach(least, presses_mm[press], place.radius_mm) * inward;
         const PressSum sum(from, inward, c);
-        const double away = atLeastAway(from);
+        const double away = distanceLowerBound(from);
         double out = 0.0;
         if (away > 0.0 && m_widest2_mm2 <= PressSum::kWidest * away * away) {
             for (std::size_t i = 0; i < m_vertices.size(); ++i) {

@@ -50,7 +50,7 @@ Stiffening stiffening(std::span<const LumpShare> lumps) noexcept
     return {low, 1.0 + estimated, 1.0 + stiffened};
 }
 
-double bellOf(double radius_mm) noexcept
+double pressureScale(double radius_mm) noexcept
 {
     return radius_mm / std::numbers::pi;
 }
@@ -60,19 +60,19 @@ double pressDensity(double r_mm, double z_mm, double radius_mm) noexcept
     if (z_mm <= 0.0) {
         return 0.0;
     }
-    const double c = bellOf(radius_mm), h = z_mm + c, distance2 = r_mm * r_mm + h * h;
+    const double c = pressureScale(radius_mm), h = z_mm + c, distance2 = r_mm * r_mm + h * h;
     return 6.0 * c / std::numbers::pi * z_mm * z_mm / (distance2 * distance2 * distance2);
 }
 
 double shareBelow(double depth_mm, double radius_mm) noexcept
 {
-    const double part = depth_mm / (depth_mm + bellOf(radius_mm));
+    const double part = depth_mm / (depth_mm + pressureScale(radius_mm));
     return 1.0 - part * part * part;
 }
 
 double shareOfSphere(double sphereRadius_mm, double middleDepth_mm, double radius_mm)
 {
-    const double c = bellOf(radius_mm);
+    const double c = pressureScale(radius_mm);
     const double top = std::max(0.0, middleDepth_mm - sphereRadius_mm), bottom = middleDepth_mm + sphereRadius_mm;
     if (bottom <= top) {
         return 0.0;
@@ -94,9 +94,9 @@ double shareOfSphere(double sphereRadius_mm, double middleDepth_mm, double radiu
 
 double approach(double depth_mm, double press_mm, double radius_mm) noexcept
 {
-    const double z = std::max(0.0, depth_mm), c = bellOf(radius_mm), h = z + c;
-    const double givesWay = c * (2.0 * z + c) / (h * h); // u/d of the bell-shaped pressure on its axis
-    return std::min(z, press_mm * (1.0 - givesWay));
+    const double z = std::max(0.0, depth_mm), c = pressureScale(radius_mm), h = z + c;
+    const double relativeDisplacement = c * (2.0 * z + c) / (h * h); // u/d of the bell-shaped pressure on its axis
+    return std::min(z, press_mm * (1.0 - relativeDisplacement));
 }
 
 } // namespace palpate::buried

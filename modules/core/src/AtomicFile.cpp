@@ -76,7 +76,7 @@ struct AtomicFile::Private
     std::string name;                 ///< final name in the folder of the scratch file
     std::unique_ptr<Scratch> scratch; ///< only for regular files
     int device = -1;                  ///< descriptor for direct output
-    OldFile old = OldFile::Replace;
+    ExistingFile old = ExistingFile::Replace;
     std::string buffer;
     int error = 0; ///< first error
 };
@@ -85,7 +85,7 @@ Status AtomicFile::Private::open(Onto onto)
 {
     fs::path at = path;
     if (onto == Onto::Nothing) {
-        old = OldFile::Refuse;
+        old = ExistingFile::Refuse;
     } else if (const int failed = followLinks(at); failed != 0) {
         return cannotWrite(path, failed);
     }
@@ -183,7 +183,8 @@ Status AtomicFile::finish()
             errno != EINVAL) { // EINVAL: the file system does not support fsync
             d.error = errno;
         } else {
-            d.error = giveName(d.scratch->folder(), d.scratch->name(), d.scratch->folder(), d.name.c_str(), d.old);
+            d.error =
+                renameWithoutRace(d.scratch->folder(), d.scratch->name(), d.scratch->folder(), d.name.c_str(), d.old);
         }
         if (d.error == 0) {
             syncFolder(d.scratch->folder());

@@ -10,22 +10,22 @@ namespace palpate::core {
 
 namespace {
 
-constexpr LawTerm kExponential[] = {
+constexpr LawParameter kExponential[] = {
     {"k0_N_per_mm", "Stiffness at first touch", "N/mm", 1e-6, 1000.0, 0.1},
     {"beta_per_mm", "Growth with depth", "1/mm", 1e-6, 10.0, 0.35},
     {"k_max_N_per_mm", "Greatest stiffness", "N/mm", 1e-6, 1000.0, 2.0},
 };
-constexpr LawTerm kHertz[] = {
+constexpr LawParameter kHertz[] = {
     {"young_kPa", "Young's modulus", "kPa", 1e-3, 1e7, 10.0},
     {"radius_mm", "Radius of the ball", "mm", 1e-3, 1000.0, 8.0},
 };
-constexpr LawTerm kLayer[] = {
+constexpr LawParameter kLayer[] = {
     {"young_kPa", "Young's modulus", "kPa", 1e-3, 1e7, 10.0},
     {"radius_mm", "Radius of the ball", "mm", 1e-3, 1000.0, 8.0},
     {"thickness_mm", "Thickness of the layer", "mm", 1e-2, 1000.0, 20.0},
     {"bonded", "Bonded to what is below", "", 0.0, 1.0, 1.0, true},
 };
-constexpr LawTerm kClick[] = {
+constexpr LawParameter kClick[] = {
     {"k1_N_per_mm", "Stiffness before the click", "N/mm", 1e-6, 1000.0, 0.5},
     {"F1_N", "Force at which it gives way", "N", 1e-3, 1000.0, 1.0},
     {"F2_N", "Force that it falls to", "N", 0.0, 1000.0, 0.6},
@@ -50,14 +50,14 @@ Message pointProblem(const ForceLaw::Point& point, const ForceLaw::Point* before
         return Message(PALPATE_TEXT("found %1, expected a force of at least 0 N"), found);
     }
     const double step_mm = depth_mm - (*before)[0];
-    if (!(step_mm >= ForceLaw::kLeastStep_mm) || depth_mm > ForceLaw::kMostDepth_mm) {
+    if (!(step_mm >= ForceLaw::kMinPointSpacing_mm) || depth_mm > ForceLaw::kMaxPointDepth_mm) {
         return Message(PALPATE_TEXT("found %1, expected a depth of %2 to %3 mm"), found,
-                       (*before)[0] + ForceLaw::kLeastStep_mm, ForceLaw::kMostDepth_mm);
+                       (*before)[0] + ForceLaw::kMinPointSpacing_mm, ForceLaw::kMaxPointDepth_mm);
     }
     const double slope = (force_N - (*before)[1]) / step_mm;
-    if (std::abs(slope) > ForceLaw::kMostSlope) {
+    if (std::abs(slope) > ForceLaw::kMaxSlope) {
         return Message(PALPATE_TEXT("found %1, a slope of %2 N/mm from the previous point, expected at most %3 N/mm"),
-                       found, slope, ForceLaw::kMostSlope);
+                       found, slope, ForceLaw::kMaxSlope);
     }
     return {};
 }
@@ -71,7 +71,7 @@ std::string_view lawName(LawKind kind) noexcept
     return names[static_cast<std::size_t>(kind)];
 }
 
-std::span<const LawTerm> lawTerms(LawKind kind) noexcept
+std::span<const LawParameter> lawParameters(LawKind kind) noexcept
 {
     switch (kind) {
     case LawKind::Exponential:
@@ -93,7 +93,7 @@ ForceLaw usualLaw(LawKind kind)
 {
     ForceLaw law{kind, {}, {}};
     std::size_t i = 0;
-    for (const LawTerm& term : lawTerms(kind)) {
+    for (const LawParameter& term : lawParameters(kind)) {
         law.numbers[i++] = term.usual;
     }
     if (kind == LawKind::Points) {
@@ -104,11 +104,11 @@ ForceLaw usualLaw(LawKind kind)
 
 PointFault firstFault(std::span<const ForceLaw::Point> points)
 {
-    if (points.size() < 2 || points.size() > ForceLaw::kMostPoints) {
+    if (points.size() < 2 || points.size() > ForceLaw::kMaxPoints) {
         return {points.size(),
-                points.size() > ForceLaw::kMostPoints
-                    ? Message(PALPATE_TEXT("found more points, expected 2 to %1"), ForceLaw::kMostPoints)
-                    : Message(PALPATE_TEXT("found %1 points, expected 2 to %2"), points.size(), ForceLaw::kMostPoints)};
+                points.size() > ForceLaw::kMaxPoints
+                    ? Message(PALPATE_TEXT("found more points, expected 2 to %1"), ForceLaw::kMaxPoints)
+                    : Message(PALPATE_TEXT("found %1 points, expected 2 to %2"), points.size(), ForceLaw::kMaxPoints)};
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Message problem = pointProblem(points[i], i == 0 ? nullptr : &points[i - 1]);
@@ -121,7 +121,7 @@ PointFault firstFault(std::span<const ForceLaw::Point> points)
 
 Status check(const ForceLaw& law)
 {
-    const std::span<const LawTerm> terms = lawTerms(law.kind);
+    const std::span<const LawParameter> terms = lawParameters(law.kind);
     for (std::size_t i = 0; i < terms.size(); ++i) {
         if (!(law.numbers[i] >= terms[i].least && law.numbers[i] <= terms[i].most)) {
             return {StatusCode::OutOfRange, PALPATE_TEXT("%1: found %2, expected %3 to %4 %5"),
@@ -130,7 +130,7 @@ Status check(const ForceLaw& law)
                     terms[i].unit};
         }
     }
-    const std::array<double, ForceLaw::kMostNumbers>& n = law.numbers;
+    const std::array<double, ForceLaw::kMaxParameters>& n = law.numbers;
     if (law.kind == LawKind::Exponential && n[0] > n[2]) {
         return {StatusCode::OutOfRange,
                 PALPATE_TEXT("%1: found %2, expected at most %3 (%4)"),
@@ -147,9 +147,9 @@ Status check(const ForceLaw& law)
                 n[1],
                 terms[1].key};
     }
-    if (law.kind == LawKind::Click && n[1] - n[2] > ForceLaw::kMostSlope * n[3]) {
+    if (law.kind == LawKind::Click && n[1] - n[2] > ForceLaw::kMaxSlope * n[3]) {
         return {StatusCode::OutOfRange, PALPATE_TEXT("the force falls by %1 N/mm, expected at most %2 N/mm"),
-                (n[1] - n[2]) / n[3], ForceLaw::kMostSlope};
+                (n[1] - n[2]) / n[3], ForceLaw::kMaxSlope};
     }
     const Message fault = law.kind == LawKind::Points ? firstFault(law.points).what : Message();
     return fault.isEmpty() ? Status() : Status(StatusCode::OutOfRange, fault);

@@ -246,9 +246,9 @@ std::filesystem::path Scratch::path() const
     return m_d->place / m_d->name.data();
 }
 
-int giveName(int fromFolder, const char* from, int toFolder, const char* to, OldFile old) noexcept
+int renameWithoutRace(int fromFolder, const char* from, int toFolder, const char* to, ExistingFile old) noexcept
 {
-    if (old == OldFile::Replace) {
+    if (old == ExistingFile::Replace) {
         return ::renameat(fromFolder, from, toFolder, to) == 0 ? 0 : errno;
     }
     if (::renameat2(fromFolder, from, toFolder, to, RENAME_NOREPLACE) == 0) {

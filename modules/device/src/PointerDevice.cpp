@@ -46,8 +46,8 @@ DeviceState PointerDevice::read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKIN
     if (const double to = isDown ? pointer.depth_mm : -pointer.hover_mm; to != m_depth.target()) {
         double over_s = isDown ? pointer.pressTime_s : pointer.liftTime_s;
         const double way_mm = to - m_depth.at(now_ns);
-        if (pointer.deeper_mm_per_s > 0.0 && way_mm > pointer.gentle_mm) {
-            over_s += (way_mm - pointer.gentle_mm) / pointer.deeper_mm_per_s;
+        if (pointer.pressSpeed_mm_per_s > 0.0 && way_mm > pointer.easeThreshold_mm) {
+            over_s += (way_mm - pointer.easeThreshold_mm) / pointer.pressSpeed_mm_per_s;
         }
         m_depth.aim(to, over_s, now_ns);
     }

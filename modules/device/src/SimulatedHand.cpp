@@ -55,9 +55,9 @@ Status SimulatedHand::start()
                     check.name, check.value, check.smallest};
         }
     }
-    if (static_cast<std::size_t>(m_options.delayTicks) > kLongestDelay) {
+    if (static_cast<std::size_t>(m_options.delayTicks) > kMaxDelayTicks) {
         return {StatusCode::OutOfRange, PALPATE_TEXT("simulated hand: %1: found %2, expected at most %3"), "delayTicks",
-                m_options.delayTicks, kLongestDelay};
+                m_options.delayTicks, kMaxDelayTicks};
     }
     m_waiting.fill(Vec3::Zero());
     m_tick = 0;

@@ -177,7 +177,7 @@ std::string onIntervals(const SubjectInfo& subject, const Spread& spread)
 
 } // namespace
 
-void markFront(std::vector<Trial>& trials, const std::string& subject)
+void markParetoFront(std::vector<Trial>& trials, const std::string& subject)
 {
     const auto takesPart = [&](const Trial& t) {
         return t.subject == subject && !t.isReference && t.knob != Knob::Rate && t.knob != Knob::Radius &&
@@ -188,14 +188,14 @@ void markFront(std::vector<Trial>& trials, const std::string& subject)
         if (!takesPart(t)) {
             continue;
         }
-        t.isOnFront = true;
+        t.isParetoOptimal = true;
         for (const Trial& o : trials) {
             // Faster or slower only if the confidence intervals of the medians do not overlap.
             const bool isSlower = o.pathTime_us.medianLow > t.pathTime_us.medianHigh;
             const bool isFaster = o.pathTime_us.medianHigh < t.pathTime_us.medianLow;
             const bool isNoWorse = !isSlower && error(o) <= error(t);
             const bool isBetter = isFaster || error(o) < error(t);
-            t.isOnFront = t.isOnFront && !(takesPart(o) && isNoWorse && isBetter);
+            t.isParetoOptimal = t.isParetoOptimal && !(takesPart(o) && isNoWorse && isBetter);
         }
     }
 }

@@ -250,14 +250,14 @@ HardCase unequalCrease(double opening_deg, double stiffness_N_per_mm, bool isBac
                   isBack ? ", back" : ""),
         [=] { return slabBelow(direction(-0.5 * theta)); }, path);
     crease.beside = [=] { return slabBelow(direction(0.5 * theta)); };
-    crease.besideStiffness_N_per_mm = stiffness_N_per_mm;
+    crease.neighbourStiffness_N_per_mm = stiffness_N_per_mm;
     const double most = std::max(kOwn_N_per_mm, stiffness_N_per_mm),
                  more = std::abs(stiffness_N_per_mm - kOwn_N_per_mm);
     const bool isWide = opening_deg > 90.0;
-    crease.mostSlope_N_per_mm = isWide ? most - more + more / std::sin(theta) : most;
+    crease.maxSlope_N_per_mm = isWide ? most - more + more / std::sin(theta) : most;
     // Where the slope of the force changes, the mean over a tick is off by up to an eighth of the slope times the
     // squared step. The path has fewer than eight such places.
-    crease.mostWork_mJ = most * kStep_mm * kStep_mm + (isWide ? more / std::tan(theta) * area_mm2 : 0.0);
+    crease.maxWork_mJ = most * kStep_mm * kStep_mm + (isWide ? more / std::tan(theta) * area_mm2 : 0.0);
     return crease;
 }
 
@@ -287,7 +287,7 @@ void addRough(std::vector<HardCase>& rows)
                     if (rough.name.find("concave apex") != std::string::npos) {
                         // A thousand facets meet here, the choice among them is not unique, and friction sums over all
                         // constraining facets: one or two of about thirty checked ticks may rest elsewhere.
-                        rough.mostElsewhere_percent = 10.0;
+                        rough.maxElsewhere_percent = 10.0;
                     }
                     rows.push_back(std::move(rough));
                 }

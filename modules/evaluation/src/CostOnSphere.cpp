@@ -52,7 +52,7 @@ bool advance(Slide& slide)
 }
 
 /// Runs all slides interleaved and returns their tick times.
-std::vector<SizePoint> inTurns(std::vector<Slide> slides, std::uint32_t triangles)
+std::vector<SizePoint> runInterleaved(std::vector<Slide> slides, std::uint32_t triangles)
 {
     for (bool isGoing = true; isGoing;) {
         isGoing = false;
@@ -128,7 +128,7 @@ std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeco
     if (triangles <= kMostForPaper) {
         add(std::make_unique<PaperSolver>(surface), bruteForceSeconds);
     }
-    return inTurns(std::move(slides), triangles);
+    return runInterleaved(std::move(slides), triangles);
 }
 
 std::vector<SizePoint> costOfTissue(int n, double seconds)
@@ -153,7 +153,7 @@ std::vector<SizePoint> costOfTissue(int n, double seconds)
     add("with a map", {addMap});
     add("with lumps below", {addLump});
     add("with all", {makeRough, addLaw, addMap});
-    return inTurns(std::move(slides), surface.triangleCount());
+    return runInterleaved(std::move(slides), surface.triangleCount());
 }
 
 std::vector<Ratio> ratiosOf(const std::vector<SizePoint>& sizes)

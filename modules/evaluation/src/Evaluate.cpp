@@ -113,7 +113,7 @@ bool Evaluator::next(const std::string& what)
 std::vector<HandPaths> Evaluator::pathsOn(const Surface& surface, const std::vector<HandMotion>& given)
 {
     std::vector<HandPaths> paths;
-    for (int i = 0; i < m_extent.seeds && (given.empty() || m_options.withLaidMotions); ++i) {
+    for (int i = 0; i < m_extent.seeds && (given.empty() || m_options.withGeneratedMotions); ++i) {
         const std::uint64_t seed = m_options.seed + static_cast<std::uint64_t>(i);
         paths.push_back({"seed " + std::to_string(seed), standardMotions(surface, seed, m_extent.motion_ms)});
     }
@@ -124,8 +124,9 @@ std::vector<HandPaths> Evaluator::pathsOn(const Surface& surface, const std::vec
         if (samples.size() > most) {
             samples.resize(most);
             const std::string line = motion.name + ": all but its first " + shortNumber(m_extent.given_s) + " s";
-            if (std::find(m_result.leftOut.begin(), m_result.leftOut.end(), line) == m_result.leftOut.end()) {
-                m_result.leftOut.push_back(line);
+            if (std::find(m_result.skippedItems.begin(), m_result.skippedItems.end(), line) ==
+                m_result.skippedItems.end()) {
+                m_result.skippedItems.push_back(line);
             }
         }
     }
@@ -201,7 +202,7 @@ void Evaluator::addProducts(const Subject& subject)
     for (const double rate : {500.0, 1000.0, 2000.0, 4000.0}) {
         Trial trial;
         trial.knob = Knob::Rate;
-        trial.knobValue = trial.rate_Hz = rate;
+        trial.variationValue = trial.rate_Hz = rate;
         trial.setting = "force held at " + std::to_string(std::lround(rate)) + " Hz";
         addPart(trial, own, true, productOn(subject, subject.scene));
     }
@@ -209,7 +210,7 @@ void Evaluator::addProducts(const Subject& subject)
     for (const double radius : {0.5, 1.0, 2.0}) {
         Trial trial;
         trial.knob = Knob::Radius;
-        trial.knobValue = trial.fingertip_mm = size * radius;
+        trial.variationValue = trial.fingertip_mm = size * radius;
         trial.setting = ballOf(trial.fingertip_mm);
         addPart(trial, own, true,
                 productOn(subject,
@@ -231,8 +232,9 @@ void Evaluator::addOthers(const Subject& subject)
         "Embree: not in this build; install libembree-dev (Debian), configure with cmake and build again";
     if (!embree.empty()) {
         addPart({}, own, true, std::move(embree));
-    } else if (std::find(m_result.leftOut.begin(), m_result.leftOut.end(), noEmbree) == m_result.leftOut.end()) {
-        m_result.leftOut.push_back(noEmbree);
+    } else if (std::find(m_result.skippedItems.begin(), m_result.skippedItems.end(), noEmbree) ==
+               m_result.skippedItems.end()) {
+        m_result.skippedItems.push_back(noEmbree);
     }
     // The god-object of this solver may be a roundoff behind a facet, so the exact solver cannot start from its state.
     addPart({}, own, false, paperOn(subject, PaperSolver::Search::Boxes),
@@ -286,7 +288,7 @@ void Evaluator::addDecimated(const Subject& subject, double end_s)
         perTriangle_s = std::max(kDecimation_s, (threadTime_s() - before_s) / std::max(1.0, removed));
         Trial trial;
         trial.knob = Knob::Decimated;
-        trial.knobValue = share;
+        trial.variationValue = share;
         trial.setting = percent(share);
         addPart(trial, own, false, std::move(solvers));
     }
@@ -335,8 +337,8 @@ void Evaluator::makeParts(const Subject& subject, double end_s)
     addDecimated(subject, end_s);
 }
 
-void Evaluator::feelMotion(const Subject& subject, const HandMotion& motion, double end_s, std::size_t paths,
-                           bool isFirst)
+void Evaluator::evaluateMotion(const Subject& subject, const HandMotion& motion, double end_s, std::size_t paths,
+                               bool isFirst)
 {
     const auto limit_s = [&] { return std::max(0.0, end_s - threadTime_s()) * (isFirst ? kFirstShare : 1.0); };
     const Truth truth = truthOf(subject, motion, kStride, limit_s());
@@ -362,13 +364,14 @@ void Evaluator::feelMotion(const Subject& subject, const HandMotion& motion, dou
     }
 }
 
-void Evaluator::feelPath(const Subject& subject, const HandPaths& path, double end_s, std::size_t paths, bool isFirst)
+void Evaluator::evaluatePath(const Subject& subject, const HandPaths& path, double end_s, std::size_t paths,
+                             bool isFirst)
 {
     for (const HandMotion& motion : path.motions) {
         if (!next(subject.name + ": " + path.name + ", " + motion.name)) {
             return;
         }
-        feelMotion(subject, motion, end_s, paths, isFirst);
+        evaluateMotion(subject, motion, end_s, paths, isFirst);
         for (const Part& part : m_marks) {
             if (isFirst && &motion == &path.motions.front() && part.run.description().knob == Knob::Solver) {
                 m_result.series.push_back(part.run.series());
@@ -397,7 +400,7 @@ void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandPa
             leaveOut(subject.name + ": " + paths[i].name);
             continue;
         }
-        feelPath(subject, paths[i], end_s, paths.size(), i == 0);
+        evaluatePath(subject, paths[i], end_s, paths.size(), i == 0);
         if (m_result.isCancelled) {
             return;
         }
@@ -410,7 +413,7 @@ void Evaluator::evaluateSubject(const Subject& subject, const std::vector<HandPa
     for (const Part& part : m_marks) {
         m_result.trials.push_back(part.run.result());
     }
-    markFront(m_result.trials, subject.name);
+    markParetoFront(m_result.trials, subject.name);
 }
 
 /// Evaluates the paper's configuration: its solver with brute force, and the product, on a body with as many triangles
@@ -469,12 +472,12 @@ void Evaluator::runHard()
     });
     if (const std::size_t missing = hardCaseCount(choice) - m_result.hardCases.size(); missing > 0) {
         m_result.isCancelled = !isTimeUp;
-        m_result.leftOut.push_back(std::to_string(missing) + " of " + std::to_string(hardCaseCount(choice)) +
-                                   " hard cases, for lack of time");
+        m_result.skippedItems.push_back(std::to_string(missing) + " of " + std::to_string(hardCaseCount(choice)) +
+                                        " hard cases, for lack of time");
     }
     if (const std::size_t longer = hardCaseCount(HardCaseChoice::All) - hardCaseCount(choice); longer > 0) {
-        m_result.leftOut.push_back(std::to_string(longer) + (longer == 1 ? " hard case" : " hard cases") +
-                                   " of many ticks: palpate evaluate --stability --long");
+        m_result.skippedItems.push_back(std::to_string(longer) + (longer == 1 ? " hard case" : " hard cases") +
+                                        " of many ticks: palpate evaluate --stability --long");
     }
 }
 

@@ -56,7 +56,7 @@ class Evaluator
     }
     /// @return false if the run is cancelled
     bool next(const std::string& what);
-    void leaveOut(const std::string& what) { m_result.leftOut.push_back(what + ", for lack of time"); }
+    void leaveOut(const std::string& what) { m_result.skippedItems.push_back(what + ", for lack of time"); }
 
     [[nodiscard]] std::vector<HandPaths> pathsOn(const Surface& surface, const std::vector<HandMotion>& given);
     void describe(const Subject& subject);
@@ -68,8 +68,9 @@ class Evaluator
     void addDecimated(const Subject& subject, double end_s);
     /// @param end_s  thread CPU time after which no new work is started, also for the functions below
     void evaluateSubject(const Subject& subject, const std::vector<HandPaths>& paths, double end_s);
-    void feelPath(const Subject& subject, const HandPaths& path, double end_s, std::size_t paths, bool isFirst);
-    void feelMotion(const Subject& subject, const HandMotion& motion, double end_s, std::size_t paths, bool isFirst);
+    void evaluatePath(const Subject& subject, const HandPaths& path, double end_s, std::size_t paths, bool isFirst);
+    void evaluateMotion(const Subject& subject, const HandMotion& motion, double end_s, std::size_t paths,
+                        bool isFirst);
     void evaluatePaperBody();
     void feelSpheres();
     void runHard();

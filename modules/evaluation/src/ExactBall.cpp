@@ -199,7 +199,7 @@ Long3 ExactBall::free(const Long3& wanted)
 
 /// Extrapolates successive moves around an edge or a corner, which shrink geometrically, to the limit of the series.
 /// @return factor for the length of `way`, at least 1
-long double ExactBall::drawnOut(const Long3& way, const Long3& before) const
+long double ExactBall::extrapolatedLength(const Long3& way, const Long3& before) const
 {
     const long double length = way.norm(), last = before.norm();
     if (last == 0 || way.dot(before) < kAlike * length * last || length < kSlow * last) {
@@ -231,7 +231,7 @@ long double ExactBall::advance(Long3& g, const Long3& way, long double share, co
 /// Detects an unstable equilibrium: when the pull goes straight through an edge or a corner, the sphere may rest on
 /// the top although it could roll down on any side, with an initial gain too small to measure. @return true if the
 /// sphere was moved
-bool ExactBall::topples(Long3& g, const Long3& hip) const
+bool ExactBall::leaveUnstableEquilibrium(Long3& g, const Long3& hip) const
 {
     const Long3 n = (g - hip).normalized(), across = n.unitOrthogonal(), along = n.cross(across);
     std::vector<Long3> ways{across, -across, along, -along};
@@ -279,7 +279,7 @@ std::uint32_t ExactBall::converge(Long3& g, const Long3& hip)
         findNormals(g);
         const Long3 way = free(hip - g);
         const long double least = leastGain(hip - g);
-        if (advance(g, way, drawnOut(way, before), hip) <= least && !topples(g, hip)) {
+        if (advance(g, way, extrapolatedLength(way, before), hip) <= least && !leaveUnstableEquilibrium(g, hip)) {
             return moves;
         }
         before = way;

@@ -50,11 +50,11 @@ class ExactBall
     void findNormals(const Long3& g);
     /// Projects `wanted` onto the cone of unconstrained directions.
     [[nodiscard]] Long3 free(const Long3& wanted);
-    [[nodiscard]] long double drawnOut(const Long3& way, const Long3& before) const;
+    [[nodiscard]] long double extrapolatedLength(const Long3& way, const Long3& before) const;
     /// Moves along `way` by its length or by `share` times its length, whichever is better, and then towards the HIP.
     /// @return decrease of the squared distance to the HIP [mm²]
     [[nodiscard]] long double advance(Long3& g, const Long3& way, long double share, const Long3& hip) const;
-    [[nodiscard]] bool topples(Long3& g, const Long3& hip) const;
+    [[nodiscard]] bool leaveUnstableEquilibrium(Long3& g, const Long3& hip) const;
     [[nodiscard]] long double leastGain(const Long3& wanted) const; ///< [mm²]
 
     const Surface& m_surface;

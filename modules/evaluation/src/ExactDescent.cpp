@@ -170,10 +170,11 @@ void ExactDescent::collectWays(const Long3& from, const Long3& hip)
 {
     m_ways.clear();
     const Long3 wanted = hip - from;
-    const auto offer = [&](const Long3& u, int planes, std::array<const Candidate*, 2> on, long double pushed_mm) {
+    const auto offer = [&](const Long3& u, int planes, std::array<const Candidate*, 2> on,
+                           long double multiplierSum_mm) {
         const long double promise = (2 * wanted - u).dot(u);
         if (promise > 0) {
-            m_ways.push_back({from + u, promise, planes, on, pushed_mm});
+            m_ways.push_back({from + u, promise, planes, on, multiplierSum_mm});
         }
     };
     const auto room = [&](const Touched& t) { return m_skin_mm - t.n.dot(from - t.triangle->a); };
@@ -204,7 +205,7 @@ void ExactDescent::collectWays(const Long3& from, const Long3& hip)
 
 /// Quick rejection for many touched triangles: returns true if one of them blocks the move within the minimum length.
 /// The triangle that blocked the previous move is tested first.
-bool ExactDescent::isShutAtOnce(const Long3& from, const Long3& to, long double leastMove_mm)
+bool ExactDescent::isBlockedQuickly(const Long3& from, const Long3& to, long double leastMove_mm)
 {
     if (m_touched.size() <= kFewTouched) {
         return false;
@@ -241,7 +242,8 @@ bool ExactDescent::advance(Long3& g, const Long3& from, const Long3& hip, long d
         if (way.promise + lost <= best) {
             break; // the remaining moves promise less than the best one found
         }
-        if (isShutAtOnce(from, way.target, leastMove_mm) || (m_friction > 0 && stays_mm(way, from) <= leastMove_mm)) {
+        if (isBlockedQuickly(from, way.target, leastMove_mm) ||
+            (m_friction > 0 && supportedLength_mm(way, from) <= leastMove_mm)) {
             continue;
         }
         bool isBlocked = false;
@@ -259,7 +261,7 @@ bool ExactDescent::advance(Long3& g, const Long3& from, const Long3& hip, long d
         return false;
     }
     if (m_friction > 0 && taken->planes > 0) {
-        return dragOn(g, from, *taken, leastMove_mm);
+        return moveWithFriction(g, from, *taken, leastMove_mm);
     }
     g = reached;
     m_constraints = std::min(planes, 3);
@@ -268,7 +270,7 @@ bool ExactDescent::advance(Long3& g, const Long3& from, const Long3& hip, long d
 
 /// Length of a move until it leaves one of the supporting triangles; a triangle supports the point only above its
 /// area.
-long double ExactDescent::stays_mm(const Way& way, const Long3& from)
+long double ExactDescent::supportedLength_mm(const Way& way, const Long3& from)
 {
     const Long3 along = (way.target - from).normalized();
     long double stays = std::numeric_limits<long double>::infinity();
@@ -291,15 +293,15 @@ long double ExactDescent::stays_mm(const Way& way, const Long3& from)
 /// Move with friction along the contact: the point stays R = friction times push behind its frictionless end point.
 /// The move ends slightly beyond the supporting triangles, where others take over.
 /// @return false if the point sticks or hardly moves
-bool ExactDescent::dragOn(Long3& g, const Long3& from, const Way& way, long double leastMove_mm)
+bool ExactDescent::moveWithFriction(Long3& g, const Long3& from, const Way& way, long double leastMove_mm)
 {
     const Long3 left = way.target - from;
-    const long double r = left.norm(), behind = m_friction * way.pushed_mm;
+    const long double r = left.norm(), behind = m_friction * way.multiplierSum_mm;
     if (r <= behind) {
         return false;
     }
     bool isBlocked = false;
-    const long double move_mm = std::min(r - behind, stays_mm(way, from) + leastMove_mm);
+    const long double move_mm = std::min(r - behind, supportedLength_mm(way, from) + leastMove_mm);
     const Long3 p = sweep(from, from + left * (move_mm / r), isBlocked);
     if ((p - g).norm() <= leastMove_mm) {
         return false;

@@ -45,7 +45,7 @@ class ExactDescent
         long double promise; ///< expected decrease of the squared distance to the HIP [mm^2]
         int planes;
         std::array<const Candidate*, 2> on; ///< triangles of these planes
-        long double pushed_mm;              ///< sum of the multipliers that keep the target on the planes
+        long double multiplierSum_mm;       ///< sum of the multipliers that keep the target on the planes
     };
 
     void gather(const Long3& g, const Long3& hip);
@@ -56,10 +56,10 @@ class ExactDescent
     void findTouched(const Long3& g);
     void findPairs();
     void collectWays(const Long3& from, const Long3& hip);
-    [[nodiscard]] bool isShutAtOnce(const Long3& from, const Long3& to, long double leastMove_mm);
+    [[nodiscard]] bool isBlockedQuickly(const Long3& from, const Long3& to, long double leastMove_mm);
     [[nodiscard]] bool advance(Long3& g, const Long3& from, const Long3& hip, long double leastMove_mm);
-    [[nodiscard]] static long double stays_mm(const Way& way, const Long3& from);
-    [[nodiscard]] bool dragOn(Long3& g, const Long3& from, const Way& way, long double leastMove_mm);
+    [[nodiscard]] static long double supportedLength_mm(const Way& way, const Long3& from);
+    [[nodiscard]] bool moveWithFriction(Long3& g, const Long3& from, const Way& way, long double leastMove_mm);
 
     const Surface& m_surface;
     long double m_friction;

@@ -36,7 +36,7 @@ void addLargeBallRows(std::vector<HardCase>& rows)
     // At a depth equal to its radius, a sphere can rotate about the HIP: all surrounding places are equally close.
     for (const double radius_mm : {1.0, 4.0, 20.0}) {
         const auto mesh = [] { return shapes::bumpySphere(20, 20.0, 0.0); };
-        Dice dice(95);
+        RandomSource dice(95);
         HandPath path({0.1, 0.2, 25.0 + radius_mm});
         const geometry::TriangleMesh sphere = mesh();
         for (std::size_t i = 0; i < 150; ++i) {
@@ -49,7 +49,7 @@ void addLargeBallRows(std::vector<HardCase>& rows)
         ball.fingertip_mm = radius_mm;
         // The exact sphere converges slowly here (minutes at 20 mm); the adversary covers those positions.
         ball.checkEvery = radius_mm > 4.0 ? 1000 : 50;
-        ball.mostElsewhere_percent = 100.0;
+        ball.maxElsewhere_percent = 100.0;
         ball.mayReachBound = true; // for a large sphere, whose cell holds a thousand facets, at each jump
         rows.push_back(std::move(ball));
     }

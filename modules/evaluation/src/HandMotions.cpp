@@ -74,7 +74,7 @@ class SurfaceWalk
     }
 
     const Surface& m_surface;
-    Dice m_dice;
+    RandomSource m_dice;
     Vec3 m_at = Vec3::Zero(), m_n = Vec3::UnitZ(), m_heading = Vec3::UnitX();
     double m_turn = 0.0;
     std::vector<std::uint32_t> m_near;
@@ -152,7 +152,7 @@ std::vector<HandMotion> standardMotions(const Surface& surface, std::uint64_t se
     HandMotion noisy = slide(surface, first + 2, milliseconds);
     noisy.name = "slide with noise";
     const double noise_mm = std::min(0.1, 1e-3 * surface.bounds().sizes().maxCoeff());
-    Dice dice(first + 3);
+    RandomSource dice(first + 3);
     for (Vec3& p : noisy.p_WH) {
         p += noise_mm / std::sqrt(3.0) * dice.normal3();
     }

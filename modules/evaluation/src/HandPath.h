@@ -16,10 +16,10 @@ using core::Vec3;
 
 /// Uniform random numbers, identical on all standard libraries: upper bits of a 64-bit linear congruential generator.
 /// @par Source Multiplier: Knuth, MMIX.
-class Dice
+class RandomSource
 {
   public:
-    explicit Dice(std::uint64_t seed)
+    explicit RandomSource(std::uint64_t seed)
         : m_state(seed * 0x9e3779b97f4a7c15ull + 1)
     {
         (void)next();
@@ -78,7 +78,7 @@ class HandPath
     /// Adds noise to the whole path so far. @param sigma_mm  standard deviation per coordinate
     HandPath& noise(double sigma_mm, std::uint64_t seed)
     {
-        Dice dice(seed);
+        RandomSource dice(seed);
         for (Vec3& p : m_points) {
             p += sigma_mm * dice.normal3();
         }
@@ -91,11 +91,11 @@ class HandPath
 };
 
 /// Smooth random motion below a surface around the origin, with a random direction and varying depth.
-class WanderingHand
+class RandomHandPath
 {
   public:
     /// @param slowest_mm,fastest_mm  range of the speed per tick
-    WanderingHand(double radius_mm, double deepest_mm, double slowest_mm, double fastest_mm, std::uint64_t seed)
+    RandomHandPath(double radius_mm, double deepest_mm, double slowest_mm, double fastest_mm, std::uint64_t seed)
         : m_dice(seed)
         , m_radius_mm(radius_mm)
         , m_deepest_mm(deepest_mm)
@@ -119,7 +119,7 @@ class WanderingHand
     }
 
   private:
-    Dice m_dice;
+    RandomSource m_dice;
     double m_radius_mm, m_deepest_mm, m_slowest_mm, m_fastest_mm;
     Vec3 m_at = Vec3(0.48, 0.6, 0.64);
     Vec3 m_heading = Vec3(0.8, -0.64, 0.0).normalized();

@@ -21,7 +21,7 @@ geometry::TriangleMesh bumpy()
 std::function<std::function<Vec3()>()> wandering(double deepest_mm, double slowest, double fastest, std::uint64_t seed)
 {
     return [=] {
-        return [hand = std::make_shared<WanderingHand>(kRadius_mm, deepest_mm, slowest, fastest, seed)] {
+        return [hand = std::make_shared<RandomHandPath>(kRadius_mm, deepest_mm, slowest, fastest, seed)] {
             return hand->next();
         };
     };
@@ -66,8 +66,9 @@ void addHandRows(std::vector<HardCase>& rows)
         HardCase c = wanderingRow("device noise of 0.1 mm", 4000, 0.05, 0.15, 31);
         const auto smooth = c.motion;
         c.motion = [smooth] {
-            return
-                [next = smooth(), dice = std::make_shared<Dice>(32)] { return Vec3(next() + 0.1 * dice->normal3()); };
+            return [next = smooth(), dice = std::make_shared<RandomSource>(32)] {
+                return Vec3(next() + 0.1 * dice->normal3());
+            };
         };
         rows.push_back(std::move(c));
     }
@@ -75,7 +76,7 @@ void addHandRows(std::vector<HardCase>& rows)
         HardCase c = wanderingRow("teleports of 500 mm", 1500, 0.05, 0.15, 41);
         const auto smooth = c.motion;
         c.motion = [smooth] {
-            return [next = smooth(), dice = std::make_shared<Dice>(42), tick = 0]() mutable {
+            return [next = smooth(), dice = std::make_shared<RandomSource>(42), tick = 0]() mutable {
                 const Vec3 p = next();
                 return ++tick % 50 < 2 ? Vec3(p + 500.0 * dice->normal3().normalized()) : p;
             };

@@ -19,7 +19,7 @@ constexpr double kOnSurface_mm = 1e-8;
 // every edge and corner, hence its larger percentage below.
 constexpr double kForceRounding = 1e-15;
 constexpr double kLayersRounding_N = 1e-9;
-constexpr double kMostElsewhere_percent = 0.1, kMostElsewhereOfBall_percent = 1.0;
+constexpr double kMaxElsewhere_percent = 0.1, kMaxElsewhereOfSphere_percent = 1.0;
 
 /// Tracks the largest value of a figure and its tick.
 class Worst
@@ -65,7 +65,7 @@ class Run
         m_residual = Worst("residual [mm]", 1e-6 * scale);
         m_jump = Worst("jump larger than the exact one [mm]", 1e-3 * scale);
         m_outsideCone = Worst("outside the cone of friction [mm]", kOnSurface_mm * scale);
-        m_slope = Worst("change of the force by the hand's way [N/mm]", (1.0 + 1e-6) * hardCase.mostSlope_N_per_mm);
+        m_slope = Worst("change of the force by the hand's way [N/mm]", (1.0 + 1e-6) * hardCase.maxSlope_N_per_mm);
         m_result.name = hardCase.name;
         m_result.triangles = m_surface.triangleCount();
         m_result.iterations.assign(kHistogram, 0);
@@ -84,14 +84,14 @@ class Run
             m_windingAtStart = m_surface.winding(hip);
             m_intrusion_mm = m_straight.intrusion_mm(hip);
         }
-        const JudgedTick judged = m_product.step(hip);
+        const CheckedTick judged = m_product.step(hip);
         const haptics::TickResult& step = judged.tick;
         ++m_result.ticks;
         if (!step.p_WG.allFinite() || !step.f_W.allFinite()) {
             m_nonFinite.count(number);
             return;
         }
-        if (judged.isRestoredApart) {
+        if (judged.differsAfterRestore) {
             m_restoredApart.count(number);
         }
         if (!hip.allFinite()) {
@@ -105,7 +105,7 @@ class Run
         if (step.status != haptics::TickStatus::Converged) {
             m_stopped.count(number);
         }
-        if (judged.isForceless) {
+        if (judged.lacksForce) {
             m_forceless.count(number);
         }
         m_forceError.see(judged.forceError, number);
@@ -127,8 +127,8 @@ class Run
     {
         const HardCaseFigure elsewhere{
             "at rest elsewhere than the exact one [% of ticks]", m_checked > 0 ? 100.0 * m_elsewhere / m_checked : 0.0,
-            std::max(m_case.mostElsewhere_percent,
-                     m_case.fingertip_mm > 0.0 ? kMostElsewhereOfBall_percent : kMostElsewhere_percent),
+            std::max(m_case.maxElsewhere_percent,
+                     m_case.fingertip_mm > 0.0 ? kMaxElsewhereOfSphere_percent : kMaxElsewhere_percent),
             -1};
         HardCaseFigure stopped = m_stopped.figure();
         if (m_case.mayReachBound) {
@@ -150,7 +150,7 @@ class Run
         }
         if (m_beside) {
             m_result.figures.push_back(m_slope.figure());
-            m_result.figures.push_back({"work on a closed path [mJ]", std::abs(m_work_mJ), m_case.mostWork_mJ, -1});
+            m_result.figures.push_back({"work on a closed path [mJ]", std::abs(m_work_mJ), m_case.maxWork_mJ, -1});
         }
         if (m_case.other) {
             m_result.figures.push_back(m_layersError.figure());

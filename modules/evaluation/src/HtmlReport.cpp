@@ -299,9 +299,9 @@ std::string notes(const Evaluation& evaluation)
                 " cores): ticks in which another program "
                 "took the core are left out of the times, those slowed by cold caches are not.</p>";
     }
-    if (!evaluation.leftOut.empty()) {
+    if (!evaluation.skippedItems.empty()) {
         std::string list;
-        for (const std::string& line : evaluation.leftOut) {
+        for (const std::string& line : evaluation.skippedItems) {
             list += (list.empty() ? "" : "; ") + escaped(line);
         }
         text += "<p class='soft small'>Left out: " + list + ".</p>";

@@ -44,7 +44,7 @@ JudgedProduct::JudgedProduct(const HardCase& hardCase, const geometry::RepairedM
     if (beside != nullptr) {
         structures.push_back(structureOf(*beside, 1, hardCase.friction));
         structures.back().name = "beside";
-        structures.back().tissue.stiffness_N_per_mm = hardCase.besideStiffness_N_per_mm;
+        structures.back().tissue.stiffness_N_per_mm = hardCase.neighbourStiffness_N_per_mm;
     }
     m_scene = std::make_unique<HapticScene>(std::move(structures), hardCase.fingertip_mm);
     m_alone.setScene(m_scene.get());
@@ -78,9 +78,9 @@ void JudgedProduct::switchOther()
     m_both.setScene(isShown ? m_bothScene.get() : m_hiddenScene.get());
 }
 
-JudgedTick JudgedProduct::step(const Vec3& hip)
+CheckedTick JudgedProduct::step(const Vec3& hip)
 {
-    JudgedTick result;
+    CheckedTick result;
     const bool isSwitched = m_otherEvery > 0 && m_tick > 0 && m_tick % m_otherEvery == 0;
     if (isSwitched) {
         switchOther();
@@ -90,8 +90,8 @@ JudgedTick JudgedProduct::step(const Vec3& hip)
     }
     result.tick = m_alone.step(hip, kTick_s);
     const TickResult restored = m_restored.step(hip, kTick_s);
-    result.isRestoredApart = !isSame(result.tick.p_WG, restored.p_WG) || !isSame(result.tick.f_W, restored.f_W) ||
-                             result.tick.iterations != restored.iterations || result.tick.status != restored.status;
+    result.differsAfterRestore = !isSame(result.tick.p_WG, restored.p_WG) || !isSame(result.tick.f_W, restored.f_W) ||
+                                 result.tick.iterations != restored.iterations || result.tick.status != restored.status;
     if (m_otherEvery > 0) {
         result.layersError_N =
             (m_both.step(hip, kTick_s).f_W - result.tick.f_W - m_other.step(hip, kTick_s).f_W).norm();
@@ -104,15 +104,15 @@ JudgedTick JudgedProduct::step(const Vec3& hip)
     return result;
 }
 
-void JudgedProduct::judgeForce(JudgedTick& result, const Vec3& hip) const
+void JudgedProduct::judgeForce(CheckedTick& result, const Vec3& hip) const
 {
     const double stiffness = m_scene->structures()[0].tissue.stiffness_N_per_mm;
     const Vec3 spring = result.tick.p_WG - hip, wanted = stiffness * spring;
     // Free means at the HIP, up to the rounding of the coordinates.
     const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (m_magnitude_mm + hip.cwiseAbs().maxCoeff());
-    result.isForceless = result.tick.f_W.isZero(0.0) && spring.norm() > rounding;
+    result.lacksForce = result.tick.f_W.isZero(0.0) && spring.norm() > rounding;
     if (m_scene->structures().size() > 1) {
-        judgeShared(result, spring);
+        checkSharedForce(result, spring);
     } else if (!result.tick.f_W.isZero(0.0)) {
         result.forceError = (result.tick.f_W - wanted).norm() / wanted.norm();
     }
@@ -120,7 +120,7 @@ void JudgedProduct::judgeForce(JudgedTick& result, const Vec3& hip) const
 
 /// Checks that the force is between those of the softest and the stiffest constraining structure, or equal to that of
 /// the only one.
-void JudgedProduct::judgeShared(JudgedTick& result, const Vec3& spring) const
+void JudgedProduct::checkSharedForce(CheckedTick& result, const Vec3& spring) const
 {
     constexpr double kRounding = 1e-9; // share of the spring lost to the skin when resolved into planes
     const TickResult& tick = result.tick;
@@ -138,7 +138,7 @@ void JudgedProduct::judgeShared(JudgedTick& result, const Vec3& spring) const
     result.forceError = std::max(0.0, std::max(more, less) - kRounding);
 }
 
-void JudgedProduct::judgeFriction(JudgedTick& result, const Vec3& hip) const
+void JudgedProduct::judgeFriction(CheckedTick& result, const Vec3& hip) const
 {
     const double mu = m_scene->structures()[0].tissue.friction_static;
     if (mu > 0.0 && result.tick.constraints == 1 && result.tick.status == haptics::TickStatus::Converged) {

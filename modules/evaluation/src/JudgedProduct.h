@@ -11,13 +11,13 @@
 namespace palpate::evaluation {
 
 /// Result of one tick of the product, with checks that do not need the exact solver.
-struct JudgedTick
+struct CheckedTick
 {
     haptics::TickResult tick;
-    bool isForceless = false; ///< no force although the god-object is not at the HIP
-    double forceError = 0.0;  ///< |f - k (g - p)| relative to k |g - p|; for two structures, the distance of f from the
-                              ///< range between the forces of either alone
-    bool isRestoredApart = false; ///< different bits after restoring a recorded state
+    bool lacksForce = false; ///< no force although the god-object is not at the HIP
+    double forceError = 0.0; ///< |f - k (g - p)| relative to k |g - p|; for two structures, the distance of f from the
+                             ///< range between the forces of either alone
+    bool differsAfterRestore = false; ///< different bits after restoring a recorded state
     double outsideCone_mm = 0.0; ///< for one constraining facet: |g - g*| - mu lambda, the definition in law/Friction.h
     double layersError_N = 0.0;  ///< force of both layers minus the sum of the forces of each alone
 };
@@ -33,13 +33,13 @@ class JudgedProduct
     JudgedProduct& operator=(const JudgedProduct&) = delete;
 
     void start(const Vec3& hip);
-    [[nodiscard]] JudgedTick step(const Vec3& hip);
+    [[nodiscard]] CheckedTick step(const Vec3& hip);
 
   private:
     void switchOther();
-    void judgeForce(JudgedTick& result, const Vec3& hip) const;
-    void judgeShared(JudgedTick& result, const Vec3& spring) const;
-    void judgeFriction(JudgedTick& result, const Vec3& hip) const;
+    void judgeForce(CheckedTick& result, const Vec3& hip) const;
+    void checkSharedForce(CheckedTick& result, const Vec3& spring) const;
+    void judgeFriction(CheckedTick& result, const Vec3& hip) const;
 
     std::int64_t m_otherEvery, m_tick = 0;
     double m_magnitude_mm = 0.0; ///< largest absolute coordinate

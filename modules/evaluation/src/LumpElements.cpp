@@ -216,7 +216,7 @@ Eigen::VectorXd LumpElements::Parts::displacements(Press how, double ratio) cons
     return all;
 }
 
-LumpElements::LumpElements(double sphereRadius, double cover, const LumpFineness& fineness)
+LumpElements::LumpElements(double sphereRadius, double cover, const LumpResolution& fineness)
 {
     auto parts = std::make_unique<Parts>();
     parts->grid = lumpGrid(sphereRadius, cover, fineness);

@@ -39,7 +39,7 @@ struct Lines
     std::size_t far = 0;     ///< index of the eta line below which the first cell is omitted
 };
 
-Lines linesOf(double sphereRadius, double cover, const LumpFineness& fineness)
+Lines linesOf(double sphereRadius, double cover, const LumpResolution& fineness)
 {
     constexpr double kInside = 3.5, kLargest = 0.35; // eta; the region closer to the focus is a single ring of cells
     Lines lines;
@@ -142,7 +142,7 @@ class GridBuilder
 
 } // namespace
 
-LumpGrid lumpGrid(double sphereRadius, double cover, const LumpFineness& fineness)
+LumpGrid lumpGrid(double sphereRadius, double cover, const LumpResolution& fineness)
 {
     return GridBuilder(linesOf(sphereRadius, cover, fineness)).build();
 }

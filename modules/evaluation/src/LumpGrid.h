@@ -28,6 +28,6 @@ struct LumpGrid
 };
 
 /// @param sphereRadius, cover  > 0 [contact radii]
-[[nodiscard]] LumpGrid lumpGrid(double sphereRadius, double cover, const LumpFineness& fineness);
+[[nodiscard]] LumpGrid lumpGrid(double sphereRadius, double cover, const LumpResolution& fineness);
 
 } // namespace palpate::evaluation

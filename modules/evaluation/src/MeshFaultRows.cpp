@@ -16,7 +16,7 @@ std::function<std::function<Vec3()>()> wandering(double radius_mm, double deepes
                                                  std::uint64_t seed)
 {
     return [=] {
-        return [hand = std::make_shared<WanderingHand>(radius_mm, deepest_mm, slowest, fastest, seed)] {
+        return [hand = std::make_shared<RandomHandPath>(radius_mm, deepest_mm, slowest, fastest, seed)] {
             return hand->next();
         };
     };

@@ -41,7 +41,7 @@ std::string labelOf(const Trial& t)
     case Knob::Solver:
         return t.solver + (2 * t.ticks < t.wanted ? ", " + core::grouped(t.ticks) + " ticks only" : "");
     case Knob::Decimated:
-        return shortNumber(100.0 * t.knobValue) + " %";
+        return shortNumber(100.0 * t.variationValue) + " %";
     case Knob::OnePass:
         return "one pass";
     case Knob::Rate:
@@ -104,7 +104,7 @@ std::string speedAgainstErrorChart(const Evaluation& evaluation, const std::stri
     chart.addVerticalRule(kBudget_us, "1 ms: the whole tick");
     std::vector<std::array<double, 2>> front;
     for (const Trial* t : shown) {
-        if (t->isOnFront) {
+        if (t->isParetoOptimal) {
             front.push_back({t->pathTime_us.median, std::max(kFloor_mm, t->pathPosition_mm.median)});
         }
     }

@@ -42,7 +42,7 @@ QString text(const std::string& s)
 
 bool hasP999(const Percentiles& p)
 {
-    return p.count >= kFewestForP999;
+    return p.count >= kMinCountForP999;
 }
 
 QJsonObject object(const Percentiles& p)
@@ -103,7 +103,7 @@ QJsonObject object(const Trial& t)
             {"solver", text(t.solver)},
             {"setting", text(t.setting)},
             {"knob", nameOf(t.knob)},
-            {"knob_value", t.knobValue},
+            {"knob_value", t.variationValue},
             {"fingertip_mm", t.fingertip_mm},
             {"triangles", qint64(t.triangles)},
             {"rate_hz", t.rate_Hz},
@@ -129,7 +129,7 @@ QJsonObject object(const Trial& t)
             {"ticks_by_iterations", array(t.iterations)},
             {"mean_spring_mm", t.spring_mm},
             {"is_reference", t.isReference},
-            {"is_on_pareto_front", t.isOnFront}};
+            {"is_on_pareto_front", t.isParetoOptimal}};
 }
 
 QJsonObject object(const SizePoint& p)
@@ -208,13 +208,13 @@ std::string resultsCsv(const Evaluation& evaluation)
     for (const Trial& t : trials) {
         out += core::csvCell(t.subject) + ',' + core::csvCell(t.solver) + ',' + core::csvCell(t.setting) + ',' +
                nameOf(t.knob) + ',';
-        core::appendNumber(out, t.knobValue);
+        core::appendNumber(out, t.variationValue);
         out += ',' + std::to_string(t.triangles) + ',';
         core::appendNumber(out, t.rate_Hz);
         out += ',' + std::to_string(t.ticks) + ',' + std::to_string(t.wanted) + ',' + std::to_string(t.interrupted) +
                ',' + std::to_string(t.popThroughs) + ',' + std::to_string(t.elsewhere) + ',' +
                std::to_string(t.sameState.ticks) + ',' + std::to_string(t.sameState.parted) + ',' +
-               (t.isOnFront ? "1" : "0");
+               (t.isParetoOptimal ? "1" : "0");
         for (const Percentiles* p : {&t.time_us, &t.freeTime_us, &t.position_mm, &t.force_N, &t.forcePercent,
                                      &t.direction_deg, &t.residual_mm}) {
             appendPercentiles(out, *p);
@@ -323,7 +323,7 @@ std::string resultsJson(const Evaluation& evaluation)
                           {"seed", qint64(evaluation.seed)},
                           {"is_quick", evaluation.isQuick},
                           {"is_cancelled", evaluation.isCancelled},
-                          {"left_out", array(evaluation.leftOut)},
+                          {"left_out", array(evaluation.skippedItems)},
                           {"duration_s", evaluation.duration_s},
                           {"motions", array(evaluation.motions)},
                           {"subjects", subjects},

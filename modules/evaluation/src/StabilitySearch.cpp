@@ -102,7 +102,7 @@ double largestStiffness(const Shape& shape, const Setup& setup)
     double held = 0.0;
     double lost = kSoftest_N_per_mm;
     for (;;) {
-        const double moved = restlessness_mm(shape, lost, setup);
+        const double moved = restOscillation_mm(shape, lost, setup);
         const bool isHeld = moved < kLimitCycle_mm;
         if (!isHeld && (held > 0.0 || std::isfinite(moved))) {
             break;
@@ -116,7 +116,7 @@ double largestStiffness(const Shape& shape, const Setup& setup)
     }
     while (held > 0.0 && lost / held > kPrecision) {
         const double middle = std::sqrt(held * lost);
-        (restlessness_mm(shape, middle, setup) < kLimitCycle_mm ? held : lost) = middle;
+        (restOscillation_mm(shape, middle, setup) < kLimitCycle_mm ? held : lost) = middle;
     }
     return held;
 }
@@ -143,7 +143,7 @@ Result measure(const std::string& subject, const std::vector<Shape>& shapes, con
             row.shape = shape.name;
             row.stated_N_per_mm = preset.maxStiffness_N_per_mm;
             row.with_N_per_mm = largestStiffness(shape, setup);
-            row.restless_mm = restlessness_mm(shape, preset.maxStiffness_N_per_mm, setup);
+            row.restless_mm = restOscillation_mm(shape, preset.maxStiffness_N_per_mm, setup);
             row.cost = controllerCost(shape, preset.maxStiffness_N_per_mm, setup);
             row.costSoft = controllerCost(shape, std::min(kSoftTissue_N_per_mm, preset.maxStiffness_N_per_mm), setup);
             setup.isControlled = false;

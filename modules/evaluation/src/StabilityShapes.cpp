@@ -204,14 +204,12 @@ Shape shapeOf(std::string name, const haptics::HapticScene& scene)
     double& stiffest_N_per_mm = shape.own_N_per_mm;
     for (const haptics::HapticStructure& one : shape.structures) {
         if (one.surface != nullptr) {
-            stiffest_N_per_mm =
-                std::max(stiffest_N_per_mm, haptics::greatestStiffness(one.tissue) * stiffening(one.maps));
+            stiffest_N_per_mm = std::max(stiffest_N_per_mm, haptics::maxStiffness(one.tissue) * stiffening(one.maps));
         }
     }
     for (const haptics::HapticStructure& one : shape.structures) {
         // Layers in contact together are stiffer still.
-        shape.share.push_back(stiffest_N_per_mm > 0.0 ? haptics::greatestStiffness(one.tissue) / stiffest_N_per_mm
-                                                      : 1.0);
+        shape.share.push_back(stiffest_N_per_mm > 0.0 ? haptics::maxStiffness(one.tissue) / stiffest_N_per_mm : 1.0);
         for (const std::uint32_t triangle : pressedTriangles(one)) {
             const Corners at = corners(*one.surface, triangle);
             const Hold hold{(at[0] + at[1] + at[2]) / 3.0, -(at[1] - at[0]).cross(at[2] - at[0]).normalized(),

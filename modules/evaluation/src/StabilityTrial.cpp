@@ -90,7 +90,7 @@ void closeLoop(const haptics::HapticScene& scene, const std::vector<device::Hand
     }
 }
 
-double restlessness_mm(const Shape& shape, double stiffness_N_per_mm, const Setup& setup)
+double restOscillation_mm(const Shape& shape, double stiffness_N_per_mm, const Setup& setup)
 {
     const auto scene = sceneOf(shape, stiffness_N_per_mm, setup.tissueDamping_Ns_per_mm);
     double worst = 0.0;

@@ -96,14 +96,14 @@ TriangleMesh finnedSphere()
 
 void addNoiseOnFins(std::vector<HardCase>& rows)
 {
-    Dice dice(71);
+    RandomSource dice(71);
     HandPath path({0, 0, 50});
     for (int i = 0; i < 3000; ++i) {
         path.jump(15.0 * dice.normal3());
     }
     rows.push_back(row("white noise of 15 mm in a sphere with fins", finnedSphere, path));
     rows.back().intrusion_mm = inside(shapes::bumpySphere(4, 20.0, 0.05));
-    rows.back().mostElsewhere_percent = 2.0; // around a fin there are two paths
+    rows.back().maxElsewhere_percent = 2.0; // around a fin there are two paths
 }
 
 TriangleMesh touchingBoxes(int left, int right)
@@ -153,7 +153,7 @@ void addEdgeLines(std::vector<HardCase>& rows)
 /// Presses from above onto vertices, edge midpoints and facet centres of a 2 mm grid, and below.
 HandPath ontoFeatures(const TriangleMesh& grid, double deep_mm)
 {
-    Dice dice(81);
+    RandomSource dice(81);
     HandPath path({1, 1, 5});
     while (path.points().size() < 3000) {
         const geometry::Triangle& t =
@@ -218,10 +218,10 @@ void addOpenGrids(std::vector<HardCase>& rows)
             isWavy ? "onto the vertices and edges of a wavy sheet" : "onto the vertices and edges of a flat sheet";
         rows.push_back(row(name, mesh, path));
         rows.back().intrusion_mm = inside(body);
-        rows.back().mostElsewhere_percent = isWavy ? 2.0 : 0.0; // from the top of a hill there are many paths
+        rows.back().maxElsewhere_percent = isWavy ? 2.0 : 0.0; // from the top of a hill there are many paths
         rows.push_back(row(name + ", turned", turned(mesh), turned(path)));
         rows.back().intrusion_mm = inside(turned([body] { return body; })());
-        rows.back().mostElsewhere_percent = isWavy ? 2.0 : 0.0;
+        rows.back().maxElsewhere_percent = isWavy ? 2.0 : 0.0;
     }
 }
 
@@ -240,7 +240,7 @@ void addPlanes(std::vector<HardCase>& rows)
         shapes::append(two, shapes::box({-9, 10, -10}, {9, 20, 0}, 2)); // coplanar top
         return two;
     };
-    Dice dice(91);
+    RandomSource dice(91);
     HandPath path({10, 0, 3});
     for (int i = 0; i < 4000; ++i) {
         const double x = 45.0 * (2.0 * dice.next() - 1.0), y = 25.0 * (2.0 * dice.next() - 1.0);
@@ -251,9 +251,9 @@ void addPlanes(std::vector<HardCase>& rows)
     // the edge of the wall blocks the exact solver, whose straight move has no skin. In these ticks the exact solver
     // stays behind.
     rows.push_back(row("in the planes of far facets", mesh, path));
-    rows.back().mostElsewhere_percent = 4.0;
+    rows.back().maxElsewhere_percent = 4.0;
     rows.push_back(row("in the planes of far facets, turned", turned(mesh), turned(path)));
-    rows.back().mostElsewhere_percent = 4.0;
+    rows.back().maxElsewhere_percent = 4.0;
 }
 
 } // namespace

@@ -63,10 +63,10 @@ Percentiles percentilesOf(std::vector<double> values)
 
 Tail tailOf(const Percentiles& percentiles)
 {
-    if (percentiles.count >= kFewestForP999) {
+    if (percentiles.count >= kMinCountForP999) {
         return {percentiles.p999, "99.9 %"};
     }
-    return percentiles.count >= kFewestForP999 / 10 ? Tail{percentiles.p99, "99 %"} : Tail{percentiles.max, "most"};
+    return percentiles.count >= kMinCountForP999 / 10 ? Tail{percentiles.p99, "99 %"} : Tail{percentiles.max, "most"};
 }
 
 Truth truthOf(const Subject& subject, const HandMotion& motion, std::size_t stride, double seconds, double fingertip_mm)

@@ -212,7 +212,7 @@ class HierarchyBuilder
         std::uint32_t place = 0; ///< index of its first node
     };
     /// Upper part of a hierarchy; each branch precedes its descendants.
-    struct Crown
+    struct UpperTree
     {
         std::vector<Branch> branches;
         std::vector<Tree> trees;
@@ -238,9 +238,9 @@ class HierarchyBuilder
     }
 
     /// Splits all ranges with more than `most` items, level by level.
-    Crown growCrown(std::uint32_t count, std::uint32_t most, unsigned threads)
+    UpperTree splitUpperTree(std::uint32_t count, std::uint32_t most, unsigned threads)
     {
-        Crown crown;
+        UpperTree crown;
         crown.branches.push_back({divideRoot(count, threads), {}, 0});
         for (std::size_t first = 0, last = 1; first < last; first = last, last = crown.branches.size()) {
             std::vector<Range> open;
@@ -265,7 +265,7 @@ class HierarchyBuilder
     }
 
     /// Assigns node indices to a branch and its descendants in the order of `add`. @return next free index
-    static std::uint32_t place(Crown& crown, std::uint32_t branch, std::uint32_t next)
+    static std::uint32_t place(UpperTree& crown, std::uint32_t branch, std::uint32_t next)
     {
         crown.branches[branch].place = next++;
         for (std::size_t i = 0; i < crown.branches[branch].parts.count; ++i) {
@@ -286,7 +286,7 @@ class HierarchyBuilder
     void addMany(std::uint32_t count, unsigned threads, Nodes& nodes)
     {
         constexpr std::uint32_t kTrees = 128; // several per thread for load balancing
-        Crown crown = growCrown(count, std::max(kMany / 4, count / kTrees), threads);
+        UpperTree crown = splitUpperTree(count, std::max(kMany / 4, count / kTrees), threads);
         core::parallelFor(
             crown.trees.size(),
             [&](std::size_t i, unsigned /*thread*/) {

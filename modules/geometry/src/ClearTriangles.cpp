@@ -18,17 +18,17 @@ namespace palpate::geometry {
 namespace {
 
 // Three times the maximum height of a god-object above a triangle: height, equal overshoot beyond the edges, rounding.
-constexpr double kApart = SurfaceIndex::kClearApart;
+constexpr double kApart = SurfaceIndex::kClearSeparation;
 static_assert(3.0 * SurfaceIndex::kClearHeight < kApart);
 
 constexpr float kLeastSine = 1.0f / 32.0f; // minimum sine of a triangle's angle
-constexpr float kMostTurned = SurfaceIndex::kClearTurned;
-constexpr std::size_t kMostAround = 32; // maximum number of triangles at a vertex
+constexpr float kMinNeighbourCosine = SurfaceIndex::kClearMinCosine;
+constexpr std::size_t kMaxFanSize = 32; // maximum number of triangles at a vertex
 
 // Limits for degenerate surfaces where nearly all triangles overlap: testing all pairs would take very long, and no
 // triangle would be clear.
-constexpr std::uint64_t kMostPairs = 64;   // for each triangle; a sphere has 16
-constexpr std::uint32_t kMostNearby = 256; // for one triangle
+constexpr std::uint64_t kMaxPairs = 64;   // for each triangle; a sphere has 16
+constexpr std::uint32_t kMaxNearby = 256; // for one triangle
 
 using Corners = std::array<Vec3, 3>;
 
@@ -167,11 +167,11 @@ Survey::Survey(const JoinedSurface& joined, unsigned threads)
 bool Survey::areSmoothAround(std::uint32_t vertex) const
 {
     const std::size_t count = uses[vertex];
-    if (count < 3 || count > kMostAround) {
+    if (count < 3 || count > kMaxFanSize) {
         return false;
     }
-    std::array<std::uint32_t, kMostAround> around;
-    std::array<Float4, kMostAround + 1> spoke; // spoke[i] to spoke[i + 1]: one triangle
+    std::array<std::uint32_t, kMaxFanSize> around;
+    std::array<Float4, kMaxFanSize + 1> spoke; // spoke[i] to spoke[i + 1]: one triangle
     Float4 mean{};
     const std::uint32_t start = some[vertex] >> 2;
     std::uint32_t at = start, k = some[vertex] & 3u;
@@ -194,12 +194,12 @@ bool Survey::areSmoothAround(std::uint32_t vertex) const
     Float4 axis{};
     axis[size[0] <= size[1] && size[0] <= size[2] ? 0 : size[1] <= size[2] ? 1 : 2] = 1.0f;
     const Float4 aside = cross(mean, axis);
-    const float limit = kMostTurned * std::sqrt(dot(mean, mean));
+    const float limit = kMinNeighbourCosine * std::sqrt(dot(mean, mean));
     int turns = 0;
     Float4 before = normal[around[count - 1]];
     for (std::size_t i = 0; i < count; ++i) {
         const Float4 n = normal[around[i]];
-        if (!(dot(n, mean) > limit && dot(n, before) > kMostTurned)) {
+        if (!(dot(n, mean) > limit && dot(n, before) > kMinNeighbourCosine)) {
             return false;
         }
         before = n;
@@ -248,7 +248,7 @@ bool isAlone(const JoinedSurface& surface, std::uint32_t i, double gap_mm)
     std::uint32_t nearby = 0;
     surface.hierarchy.visitBox(box, [&](std::uint32_t first, std::uint32_t n) {
         nearby += n;
-        result = nearby <= kMostNearby;
+        result = nearby <= kMaxNearby;
         for (std::uint32_t j = first; j < first + n && result; ++j) {
             const Triangle& other = surface.triangles[j];
             result = shareCorner(t, other) || areApart(corners, cornersOf(surface, other), gap_mm);
@@ -266,7 +266,7 @@ class TouchCount
     TouchCount(const Survey& survey, double gap_mm, unsigned threads);
 
     /// True if the pair limit was reached, so that the counts are incomplete.
-    [[nodiscard]] bool isTooMuch() const noexcept { return m_pairs > m_mostPairs; }
+    [[nodiscard]] bool isPairLimitExceeded() const noexcept { return m_pairs > m_mostPairs; }
     /// @return count modulo 2^16
     [[nodiscard]] std::uint16_t of(std::uint32_t triangle) const noexcept
     {
@@ -290,7 +290,7 @@ class TouchCount
 };
 
 TouchCount::TouchCount(const Survey& survey, double gap_mm, unsigned threads)
-    : m_mostPairs(std::max<std::uint64_t>(kMostPairs * survey.surface.triangleCount(), 1'000'000))
+    : m_mostPairs(std::max<std::uint64_t>(kMaxPairs * survey.surface.triangleCount(), 1'000'000))
 {
     const std::uint32_t count = survey.surface.triangleCount();
     // Each thread uses two bytes per triangle; the limit keeps the total below the memory of the survey.
@@ -334,7 +334,7 @@ std::vector<std::uint8_t> findClear(const JoinedSurface& surface, unsigned threa
     const double gap_mm = kApart * surface.skin_mm;
     const TouchCount touching(survey, gap_mm, threads);
     std::vector<std::uint8_t> isClear(surface.triangleCount());
-    if (touching.isTooMuch()) {
+    if (touching.isPairLimitExceeded()) {
         return isClear;
     }
     core::parallelForBlocks(

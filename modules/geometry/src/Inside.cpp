@@ -15,7 +15,7 @@ namespace {
 
 /// True if a ray to the outside crosses an odd number of walls.
 /// @param walls  scratch buffer
-bool leavesOddly(const SurfaceIndex& surface, const Vec3& p, const Vec3& d, std::vector<double>& walls)
+bool hasOddCrossings(const SurfaceIndex& surface, const Vec3& p, const Vec3& d, std::vector<double>& walls)
 {
     const Box& box = surface.bounds();
     const double size = box.diagonal().norm();
@@ -72,9 +72,9 @@ bool isInside(const SurfaceIndex& surface, const Vec3& p)
     static const std::array<Vec3, 3> kRays{Vec3(0.31, 0.53, 0.79).normalized(), Vec3(-0.67, 0.23, -0.71).normalized(),
                                            Vec3(0.19, -0.89, 0.43).normalized()};
     std::vector<double> walls;
-    const bool first = leavesOddly(surface, p, kRays[0], walls);
-    const bool second = leavesOddly(surface, p, kRays[1], walls);
-    return first == second ? first : leavesOddly(surface, p, kRays[2], walls);
+    const bool first = hasOddCrossings(surface, p, kRays[0], walls);
+    const bool second = hasOddCrossings(surface, p, kRays[1], walls);
+    return first == second ? first : hasOddCrossings(surface, p, kRays[2], walls);
 }
 
 } // namespace palpate::geometry

@@ -29,9 +29,9 @@ void add(std::array<Link, 3>& links, const Link& link)
 
 } // namespace
 
-std::vector<std::uint32_t> trianglesToTurn(std::size_t triangleCount, const EdgeTable& edges,
-                                           const std::vector<std::uint32_t>& componentOf,
-                                           std::vector<Component>& components)
+std::vector<std::uint32_t> trianglesToReverse(std::size_t triangleCount, const EdgeTable& edges,
+                                              const std::vector<std::uint32_t>& componentOf,
+                                              std::vector<Component>& components)
 {
     std::vector<std::array<Link, 3>> links(triangleCount);
     edges.forEach([&links](const EdgeUse* uses, std::size_t count) {

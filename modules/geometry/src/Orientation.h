@@ -23,8 +23,8 @@ struct Component
 /// Patches connected only by other edges keep the orientation of their majority.
 /// @param components  `isOrientable` is set to false if no consistent orientation exists; such components are unchanged
 /// @return the triangles to reverse
-[[nodiscard]] std::vector<std::uint32_t> trianglesToTurn(std::size_t triangleCount, const EdgeTable& edges,
-                                                         const std::vector<std::uint32_t>& componentOf,
-                                                         std::vector<Component>& components);
+[[nodiscard]] std::vector<std::uint32_t> trianglesToReverse(std::size_t triangleCount, const EdgeTable& edges,
+                                                            const std::vector<std::uint32_t>& componentOf,
+                                                            std::vector<Component>& components);
 
 } // namespace palpate::geometry

@@ -320,7 +320,7 @@ void Repairer::orient(const EdgeTable& edges)
     const std::size_t n = m_mesh.triangles.size();
     m_turned.assign(n, 0);
     if (m_report.inconsistentEdges > 0) {
-        for (const std::uint32_t t : trianglesToTurn(n, edges, m_componentOf, m_components)) {
+        for (const std::uint32_t t : trianglesToReverse(n, edges, m_componentOf, m_components)) {
             turn(t);
         }
     }
@@ -496,7 +496,7 @@ RepairedMesh repair(const TriangleMesh& input)
     return Repairer(input).run();
 }
 
-std::optional<RepairedMesh> turnedOutwards(const RepairedMesh& surface)
+std::optional<RepairedMesh> orientedOutwards(const RepairedMesh& surface)
 {
     return surface.report.insideOutComponents > 0 ? std::optional(chained(surface, Repairer(surface.mesh, true).run()))
                                                   : std::nullopt;

@@ -17,15 +17,15 @@ namespace palpate::geometry {
 
 namespace {
 
-constexpr std::size_t kMostSamples = 8'000; ///< maximum number of examined triangles
-constexpr std::size_t kMostTrials = 1'000;  ///< subset of the samples used to evaluate each candidate grid
-constexpr double kCosine = 0.99985;         ///< of 1°, maximum angle between normals of the same direction
-constexpr double kSine = 0.01745;           ///< of 1°, tolerance of perpendicularity
-constexpr double kLeastShare = 0.5;         ///< minimum fraction of the area: between 10 % (anatomy) and 100 % (masks)
-constexpr double kPitchTolerance = 0.05;    ///< fraction of the pitch: above the rounding of files with two decimals
-constexpr double kLeastInnerOfCubes = 0.15; ///< minimum fraction of the area in steps; the mask of a box has 7 %
+constexpr std::size_t kMostSamples = 8'000;  ///< maximum number of examined triangles
+constexpr std::size_t kMostTrials = 1'000;   ///< subset of the samples used to evaluate each candidate grid
+constexpr double kCosine = 0.99985;          ///< of 1°, maximum angle between normals of the same direction
+constexpr double kSine = 0.01745;            ///< of 1°, tolerance of perpendicularity
+constexpr double kLeastShare = 0.5;          ///< minimum fraction of the area: between 10 % (anatomy) and 100 % (masks)
+constexpr double kPitchTolerance = 0.05;     ///< fraction of the pitch: above the rounding of files with two decimals
+constexpr double kMinInnerShareCubes = 0.15; ///< minimum fraction of the area in steps; the mask of a box has 7 %
 /// As above, without bevels; an angle bracket divided into squares has 20 %.
-constexpr double kLeastInnerOfFaces = 0.33;
+constexpr double kMinInnerShareFaces = 0.33;
 
 /// Geometric properties of a triangle.
 struct Facet
@@ -278,7 +278,7 @@ bool hasBevels(const std::vector<Facet>& facets, const Grid& grid)
 
 bool hasSteps(const std::vector<Facet>& facets, const Grid& grid)
 {
-    return innerShare(facets, grid) >= (hasBevels(facets, grid) ? kLeastInnerOfCubes : kLeastInnerOfFaces);
+    return innerShare(facets, grid) >= (hasBevels(facets, grid) ? kMinInnerShareCubes : kMinInnerShareFaces);
 }
 
 /// Sorts and flips the axes to match the world axes: the first is nearest to x, and so on.

@@ -79,7 +79,7 @@ void countCrossings(const SurfaceIndex& surface, std::size_t mostPairs, SurfaceE
             return pairs < mostPairs;
         });
         if (pairs >= mostPairs) {
-            out.isCrossingBounded = true;
+            out.isPairLimitReached = true;
             return;
         }
         ++out.examinedTriangles;
@@ -135,7 +135,7 @@ void measureWall(const SurfaceIndex& surface, std::size_t samples, SurfaceExamin
 
 } // namespace
 
-SurfaceExamination examine(const SurfaceIndex& surface, const ExaminationBounds& bounds)
+SurfaceExamination examine(const SurfaceIndex& surface, const ExaminationLimits& bounds)
 {
     SurfaceExamination out;
     countCrossings(surface, bounds.pairs, out);

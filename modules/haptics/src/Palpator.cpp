@@ -59,7 +59,7 @@ PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god,
 {
     const law::Touch touch = touchOf(contact, god, scene, push_W, hip);
     const HapticStructure& structure = touch.structure;
-    if (!structure.maps.hasOfForce()) {
+    if (!structure.maps.hasForceMaps()) {
         contact.f_W = law::UnmappedLaw::force(touch);
     } else if (structure.maps.hasFelt()) {
         contact.f_W = feltForce(touch);
@@ -134,7 +134,7 @@ struct Palpator::Impl
     std::array<GodObject, kLayers> gods;
     std::unique_ptr<std::array<NearBall, kLayers>> balls; ///< null with Fingertips::Points
     std::array<Numbers, kLayers> numbers;
-    std::array<LeftContact, kLayers> left; ///< in any order
+    std::array<LostContact, kLayers> left; ///< in any order
     bool hasLeft = false;                  ///< at least one entry is in use
     Vec3 p_WH = Vec3::Zero();              ///< HIP of the previous tick [mm]
     bool started = false;
@@ -143,7 +143,7 @@ struct Palpator::Impl
     [[nodiscard]] bool giveBack() noexcept;
     void noteLeft() noexcept
     {
-        hasLeft = std::any_of(left.begin(), left.end(), [](const LeftContact& one) { return one.isKept != 0; });
+        hasLeft = std::any_of(left.begin(), left.end(), [](const LostContact& one) { return one.isKept != 0; });
     }
 
     [[nodiscard]] bool canFeel(const Vec3& hip) const noexcept
@@ -180,10 +180,10 @@ std::size_t Palpator::byteSize() const noexcept
 void Palpator::Impl::leaveContacts(const HapticScene* after) noexcept
 {
     for (std::size_t i = 0; i < kLayers; ++i) {
-        const LeftContact now = internal::contactLeft(*scene, after, gods[i].state(), p_WH);
+        const LostContact now = internal::lostContact(*scene, after, gods[i].state(), p_WH);
         if (now.isKept != 0) {
             // Hiding a layer shifts the others, so entries are not bound to layers: use a free or the oldest entry.
-            *std::max_element(left.begin(), left.end(), [](const LeftContact& a, const LeftContact& b) {
+            *std::max_element(left.begin(), left.end(), [](const LostContact& a, const LostContact& b) {
                 return a.isKept != b.isKept ? a.isKept > b.isKept : a.age_s < b.age_s;
             }) = now;
         }
@@ -198,7 +198,7 @@ bool Palpator::Impl::giveBack() noexcept
     constexpr double kLongest_s = 0.5;
     constexpr double kRounding = 1.0 + 1e-9; // rounding of a sum of tick periods
     bool isGiven = false;
-    for (LeftContact& one : left) {
+    for (LostContact& one : left) {
         const auto layer =
             one.isKept != 0 && scene != nullptr ? internal::layerOf(*scene, one.structure) : std::nullopt;
         if (!layer) {
@@ -240,7 +240,7 @@ bool Palpator::setScene(const HapticScene* scene, Continuity continuity) noexcep
                 }
             }
             if (old != nullptr && kept.placed != 0) {
-                kept.p_WG = internal::carriedOver(*old, *scene, layer, kept, before.p_WH);
+                kept.p_WG = internal::carryOverPosition(*old, *scene, layer, kept, before.p_WH);
             }
         }
         me.gods[i].restore(kept);
@@ -306,7 +306,7 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s, const Vec3* v_WH) noexc
         const law::Motion hip{me.p_WH, p_WH, me.started ? dt_s : 0.0, v_WH};
         const Vec3 push_W = god.state().p_WG - p_WH;
         const auto number = static_cast<std::uint32_t>(i);
-        if (god.state().constraints > 1 && law::isShared(god.active()) &&
+        if (god.state().constraints > 1 && law::hasSeveralStructures(god.active()) &&
             reportShared(result, number, god, *me.scene, push_W, hip)) {
             continue;
         }

@@ -54,7 +54,7 @@ core::Result<std::vector<ForceLaw::Point>> readCurve(const std::filesystem::path
     if (rest.starts_with("\xEF\xBB\xBF")) {
         rest.remove_prefix(3);
     }
-    while (!rest.empty() && law.points.size() <= ForceLaw::kMostPoints) {
+    while (!rest.empty() && law.points.size() <= ForceLaw::kMaxPoints) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
         const std::string_view line = trimmed(rest.substr(0, end));
         rest.remove_prefix(std::min(end + 1, rest.size()));

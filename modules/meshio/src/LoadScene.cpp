@@ -481,7 +481,7 @@ core::Result<LoadedScene> loadScene(SceneFile scene, const std::filesystem::path
     return guarded(name, [&] { return Loader(options).load(std::move(scene), name); });
 }
 
-std::array<double, 3> usualColour(const std::string& name, std::size_t number)
+std::array<double, 3> defaultColour(const std::string& name, std::size_t number)
 {
     return anatomyColour(name, number);
 }

@@ -261,7 +261,7 @@ void readTouch(JsonFields& entry, core::Finding& finding)
     readIfThere(entry, "force_N", finding.force_N);
     readIfThere(entry, "depth_mm", finding.depth_mm);
     for (JsonFields& layer : entry.listOf("layers")) {
-        core::FeltLayer& out = finding.layers.emplace_back();
+        core::FindingLayer& out = finding.layers.emplace_back();
         layer.read("structure", out.structure);
         layer.read("force_N", out.force_N, 0.0, 1e9);
         layer.read("depth_mm", out.depth_mm, 0.0, 1e9);

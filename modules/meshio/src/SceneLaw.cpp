@@ -36,7 +36,7 @@ void readPoints(JsonFields& fields, const std::filesystem::path& folder, ForceLa
         return;
     }
     if (file.empty()) {
-        law.points = fields.pairs("points", ForceLaw::kMostPoints);
+        law.points = fields.pairs("points", ForceLaw::kMaxPoints);
         return;
     }
     auto points = readCurve((folder / std::filesystem::path(file)).lexically_normal());
@@ -58,7 +58,7 @@ void readLaw(JsonFields& structure, const std::filesystem::path& folder, ForceLa
     readKind(*fields, law.kind);
     law = core::usualLaw(law.kind);
     std::size_t i = 0;
-    for (const core::LawTerm& term : core::lawTerms(law.kind)) {
+    for (const core::LawParameter& term : core::lawParameters(law.kind)) {
         double& number = law.numbers[i++];
         if (term.isSwitch) {
             bool isOn = number != 0.0;
@@ -85,7 +85,7 @@ void writeLaw(const ForceLaw& law, QJsonObject& structure)
     }
     out["kind"] = QLatin1String(core::lawName(law.kind).data());
     std::size_t i = 0;
-    for (const core::LawTerm& term : core::lawTerms(law.kind)) {
+    for (const core::LawParameter& term : core::lawParameters(law.kind)) {
         const double number = law.numbers[i++];
         out[term.key.data()] = term.isSwitch ? QJsonValue(number != 0.0) : QJsonValue(number);
     }

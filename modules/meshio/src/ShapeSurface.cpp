@@ -143,7 +143,7 @@ ShapedSurface shapeSurface(std::shared_ptr<const RepairedMesh> asRead, const Sce
 {
     ShapedSurface out{asRead, geometry::findStaircase(asRead->mesh), std::nullopt};
     if (description.outwards) {
-        if (std::optional<RepairedMesh> turned = geometry::turnedOutwards(*asRead)) {
+        if (std::optional<RepairedMesh> turned = geometry::orientedOutwards(*asRead)) {
             out.surface = std::make_shared<const RepairedMesh>(std::move(*turned));
         }
     }

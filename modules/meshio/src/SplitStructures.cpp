@@ -77,7 +77,7 @@ Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, con
                                                    const ScanContext& context, const std::string& fallbackName)
 {
     const Result<std::vector<Vec3>> world =
-        toWorld(soup.mesh.vertices, core::takenFrame(context.frame, scan.frame), context);
+        toWorld(soup.mesh.vertices, core::resolvedFrame(context.frame, scan.frame), context);
     if (!world.isOk()) {
         return world.status();
     }

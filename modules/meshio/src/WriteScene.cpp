@@ -106,7 +106,7 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
     if (s.surface != SurfaceKind::Facets) {
         out["surface"] = text(std::string(kSurfaceNames[static_cast<std::size_t>(s.surface)]));
     }
-    if (s.smoothing != kUsualSmoothing) {
+    if (s.smoothing != kDefaultSmoothing) {
         out["smoothing"] = s.smoothing;
     }
     for (const core::TissueTerm& term : core::kTissueTerms) {
@@ -163,7 +163,7 @@ QJsonObject finding(const core::Finding& finding, const std::filesystem::path& f
     putIfThere(out, "depth_mm", finding.depth_mm);
     if (!finding.layers.empty()) {
         QJsonArray layers;
-        for (const core::FeltLayer& layer : finding.layers) {
+        for (const core::FindingLayer& layer : finding.layers) {
             layers.append(QJsonObject{
                 {"structure", text(layer.structure)}, {"force_N", layer.force_N}, {"depth_mm", layer.depth_mm}});
         }

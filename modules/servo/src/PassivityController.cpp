@@ -81,7 +81,7 @@ Vec3 PassivityController::damping(const Vec3& fAsked_W, bool isInContact) noexce
 
 void PassivityController::setDelay(int ticks) noexcept PALPATE_NONBLOCKING
 {
-    m_limits.delayTicks = std::clamp(ticks, 0, kLongestDelay);
+    m_limits.delayTicks = std::clamp(ticks, 0, kMaxDelayTicks);
 }
 
 void PassivityController::noteSent(const Vec3& fSent_W) noexcept PALPATE_NONBLOCKING

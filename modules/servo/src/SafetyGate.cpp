@@ -202,7 +202,7 @@ void SafetyGate::rearm() noexcept PALPATE_NONBLOCKING
     m_overruns = 0;
 }
 
-void SafetyGate::easeInAnew() noexcept PALPATE_NONBLOCKING
+void SafetyGate::restartEaseIn() noexcept PALPATE_NONBLOCKING
 {
     m_gain = 0.0;
     m_wasInContact = false;

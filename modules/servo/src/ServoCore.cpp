@@ -51,7 +51,7 @@ ServoCore::ServoCore(const GateLimits& limits, double rate_Hz, const PassivityLi
 void ServoCore::setScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING
 {
     if (m_palpator.setScene(scene)) {
-        m_gate.easeInAnew();
+        m_gate.restartEaseIn();
     }
     m_generation = generation;
     m_isSceneChanged = true;
@@ -86,7 +86,7 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
         record.p_WH = mapped.p_W;
         record.buttons = state.buttons;
         if (mapped.isReleased || mapped.isMoved) {
-            m_gate.easeInAnew();
+            m_gate.restartEaseIn();
         }
     }
 

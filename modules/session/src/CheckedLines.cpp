@@ -22,10 +22,10 @@ constexpr int kLinesBack = 4;
 /// Returns the error in the range or row count of a check for ticks; empty if valid.
 std::string wrongRange(const Check& check)
 {
-    if (check.first < 0 || check.last < check.first || check.last > kMostTick) {
+    if (check.first < 0 || check.last < check.first || check.last > kMaxTick) {
         return "found " + tickRange(check.first, check.last) + ", expected an ascending range from 0 to 2^53";
     }
-    if (check.rows < 1 || check.rows > kMostTicksOfCheck || check.rows > check.last - check.first + 1) {
+    if (check.rows < 1 || check.rows > kMaxTicksPerCheck || check.rows > check.last - check.first + 1) {
         return tickRange(check.first, check.last) + ": found a checksum of " + std::to_string(check.rows) +
                " rows, expected at least one and at most one a tick";
     }
@@ -115,14 +115,14 @@ void CheckedLines::takeLine(std::size_t line)
         return;
     }
     const Content content = contentOf(line);
-    const bool isRight = judge(line, name, content.bytes, otherCount(content.rows, check.rows));
-    if (isScene && isRight && sceneOf(check.first) != nullptr) {
+    const bool isIntact = judge(line, name, content.bytes, otherCount(content.rows, check.rows));
+    if (isScene && isIntact && sceneOf(check.first) != nullptr) {
         m_covered.scenes.insert(static_cast<std::uint32_t>(check.first));
     }
     if (!isScene) {
         m_seenEvent = std::max(m_seenEvent, check.last);
         for (auto event = firstEvent(check.first);
-             isRight && event != m_eventsById.end() && (*event)->first <= check.last; ++event) {
+             isIntact && event != m_eventsById.end() && (*event)->first <= check.last; ++event) {
             m_covered.events.insert((*event)->first);
         }
     }
@@ -131,14 +131,14 @@ void CheckedLines::takeLine(std::size_t line)
 /// Adds a check for ticks unless its range is invalid. Of two overlapping ranges, the intact one is kept.
 void CheckedLines::takeTicks(std::size_t line)
 {
-    constexpr int kMostOverlaps = 100; // each overlap reads a block; only a malicious file has many
+    constexpr int kMaxOverlaps = 100; // each overlap reads a block; only a malicious file has many
     const Check& check = m_lines[line];
     if (std::string wrong = wrongRange(check); !wrong.empty()) {
         note("checks: " + wrong);
         return;
     }
     while (!m_blocks.empty() && check.first <= m_blocks.back().last) {
-        if (++m_overlaps > kMostOverlaps || block(m_blocks.size() - 1)->isRight) {
+        if (++m_overlaps > kMaxOverlaps || block(m_blocks.size() - 1)->isIntact) {
             note("checks: " + tickRange(check.first, check.last) + ": found behind " +
                  tickRange(m_blocks.back().first, m_blocks.back().last) + ", expected ascending ranges");
             return;
@@ -283,11 +283,11 @@ std::shared_ptr<const CheckedLines::Block> CheckedLines::block(std::size_t numbe
     if (wrong.empty() && (out->ticks.front().tick != check.first || out->ticks.back().tick != check.last)) {
         wrong = "found " + tickRange(out->ticks.front().tick, out->ticks.back().tick) + " there";
     }
-    out->isRight = judge(m_lineOfBlock[number], tickRange(check.first, check.last), content, std::move(wrong));
+    out->isIntact = judge(m_lineOfBlock[number], tickRange(check.first, check.last), content, std::move(wrong));
     if (strays) {
         note(tickRange(strays->first, strays->second) + ": found rows without a checksum");
     }
-    if (!out->isRight) {
+    if (!out->isIntact) {
         out->ticks.clear();
     }
     m_newest = number;

@@ -27,7 +27,7 @@ class CheckedLines
     struct Block
     {
         std::vector<servo::TickRecord> ticks; ///< ascending; empty if the checksum failed
-        bool isRight = false;
+        bool isIntact = false;
     };
 
     /// Verification result for scenes and events.

@@ -105,8 +105,8 @@ bool unpackLayers(std::string_view layers, servo::TickRecord& tick)
         contact.depth_mm = depth(contact, tick);
         contact.stiffnessScale = 1.0;
         contact.friction = friction <= 2 ? static_cast<Friction>(friction) : Friction::None;
-        isPossible = isPossible && friction <= 2 && isWithin(contact.p_WG, kMostLength_mm) &&
-                     isWithin(contact.n_W, kMostNormal) && isWithin(contact.f_W, kMostForce_N);
+        isPossible = isPossible && friction <= 2 && isWithin(contact.p_WG, kMaxLength_mm) &&
+                     isWithin(contact.n_W, kMaxNormal) && isWithin(contact.f_W, kMaxForce_N);
     }
     const std::span<Contact> contacts = std::span(felt.contacts).first(felt.contactCount);
     for (Contact& contact : contacts) {

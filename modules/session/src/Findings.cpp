@@ -115,7 +115,7 @@ QJsonObject toJson(const core::Finding& finding)
     putNumber("depth_mm", finding.depth_mm);
     if (!finding.layers.empty()) {
         QJsonArray layers;
-        for (const core::FeltLayer& layer : finding.layers) {
+        for (const core::FindingLayer& layer : finding.layers) {
             layers.append(QJsonObject{{"structure", QString::fromStdString(layer.structure)},
                                       {"force_N", layer.force_N},
                                       {"depth_mm", layer.depth_mm}});

@@ -38,7 +38,7 @@ std::string lawText(const core::ForceLaw& law)
         return {};
     }
     QJsonObject json{{QStringLiteral("kind"), text(core::lawName(law.kind))}};
-    const auto terms = core::lawTerms(law.kind);
+    const auto terms = core::lawParameters(law.kind);
     for (std::size_t i = 0; i < terms.size(); ++i) {
         json[text(terms[i].key)] = law.numbers[i];
     }
@@ -67,7 +67,7 @@ std::optional<core::ForceLaw> parseLaw(std::string_view utf8)
         return std::nullopt;
     }
     law.kind = *kind;
-    const auto terms = core::lawTerms(law.kind);
+    const auto terms = core::lawParameters(law.kind);
     for (std::size_t i = 0; i < terms.size(); ++i) {
         const QJsonValue number = json[text(terms[i].key)];
         law.numbers[i] = number.toDouble();

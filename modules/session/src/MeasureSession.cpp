@@ -163,7 +163,7 @@ class StructurePhases
 
 } // namespace
 
-double leastDistance_mm(const MeshesByHash& meshes)
+double minDistance_mm(const MeshesByHash& meshes)
 {
     constexpr double kMostTriangles = 1e7;
     double area_mm2 = 0.0;
@@ -177,7 +177,7 @@ double leastDistance_mm(const MeshesByHash& meshes)
 core::Result<SessionMeasures> measureSession(const RecordingReader& reader, const MeshesByHash& meshes,
                                              const MeasureOptions& options)
 {
-    if (const double least_mm = leastDistance_mm(meshes); !(options.distance_mm >= least_mm)) {
+    if (const double least_mm = minDistance_mm(meshes); !(options.distance_mm >= least_mm)) {
         return Status(StatusCode::OutOfRange,
                       "distance: found " + core::shortNumber(options.distance_mm) + " mm, expected at least " +
                           core::shortNumber(std::ceil(100.0 * least_mm) / 100.0) + " mm for surfaces this large");

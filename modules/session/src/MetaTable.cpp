@@ -133,7 +133,7 @@ MetaTable toMeta(const RecordingInfo& info)
 bool isPeriodOf(double dt_s, double rate_Hz)
 {
     constexpr double kRounding = 1e-9; // of a quotient with 17 digits
-    return dt_s >= kLeastPeriod_s && dt_s <= kMostPeriod_s && std::abs(dt_s * rate_Hz - 1.0) <= kRounding;
+    return dt_s >= kMinPeriod_s && dt_s <= kMaxPeriod_s && std::abs(dt_s * rate_Hz - 1.0) <= kRounding;
 }
 
 core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
@@ -153,8 +153,8 @@ core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
     if (meta.contains(kTickVersion)) {
         info.tickVersion = static_cast<int>(in.integer(kTickVersion, 1, kRecordingVersion));
     }
-    info.rate_Hz = in.number("rate_Hz", 1.0 / kMostPeriod_s, 1.0 / kLeastPeriod_s);
-    info.dt_s = in.number("dt_s", kLeastPeriod_s, kMostPeriod_s);
+    info.rate_Hz = in.number("rate_Hz", 1.0 / kMaxPeriod_s, 1.0 / kMinPeriod_s);
+    info.dt_s = in.number("dt_s", kMinPeriod_s, kMaxPeriod_s);
     if (!isPeriodOf(info.dt_s, info.rate_Hz)) {
         in.complain("meta value \"dt_s\" is not one period of \"rate_Hz\"");
     }
@@ -163,12 +163,12 @@ core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
     info.device.buttons = static_cast<int>(in.integer("device_buttons", 0, kMostNumber));
     info.device.actuatedAxes = static_cast<int>(in.integer("device_actuated_axes", 0, kMostNumber));
     info.device.sensesOrientation = in.string("device_senses_orientation") == "1";
-    info.device.maxForce_N = in.number("device_max_force_N", 0.0, kMostOfDevice);
-    info.device.maxStiffness_N_per_mm = in.number("device_max_stiffness_N_per_mm", 0.0, kMostOfDevice);
-    info.device.maxDamping_Ns_per_mm = in.number("device_max_damping_Ns_per_mm", 0.0, kMostOfDevice);
-    info.device.workspaceRadius_mm = in.number("device_workspace_radius_mm", 0.0, kMostOfDevice);
-    info.device.rate_Hz = in.number("device_rate_Hz", 0.0, kMostOfDevice);
-    info.firstTick = in.integer("first_tick", -1, kMostTick);
+    info.device.maxForce_N = in.number("device_max_force_N", 0.0, kMaxDeviceNumber);
+    info.device.maxStiffness_N_per_mm = in.number("device_max_stiffness_N_per_mm", 0.0, kMaxDeviceNumber);
+    info.device.maxDamping_Ns_per_mm = in.number("device_max_damping_Ns_per_mm", 0.0, kMaxDeviceNumber);
+    info.device.workspaceRadius_mm = in.number("device_workspace_radius_mm", 0.0, kMaxDeviceNumber);
+    info.device.rate_Hz = in.number("device_rate_Hz", 0.0, kMaxDeviceNumber);
+    info.firstTick = in.integer("first_tick", -1, kMaxTick);
     info.firstGeneration =
         static_cast<std::uint32_t>(in.integer("first_generation", 0, std::numeric_limits<std::uint32_t>::max()));
     if (const auto state = unpackState(in.string("start"))) {

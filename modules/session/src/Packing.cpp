@@ -118,7 +118,7 @@ std::string packState(const haptics::PalpatorState& state, int version)
     put(out, state.p_WH);
     put(out, state.started);
     if (version >= 4) {
-        for (const haptics::LeftContact& left : state.left) {
+        for (const haptics::LostContact& left : state.left) {
             put(out, left.p_WG);
             put(out, left.p_WH);
             put(out, left.age_s);
@@ -164,7 +164,7 @@ std::optional<haptics::PalpatorState> unpackState(std::string_view bytes)
     if (!state.p_WH.allFinite()) {
         return std::nullopt;
     }
-    for (haptics::LeftContact& left : state.left) {
+    for (haptics::LostContact& left : state.left) {
         if (!hasLeft) {
             break;
         }

@@ -33,7 +33,7 @@ void packEvent(std::string& out, std::int64_t id, const RecordingEvent& event);
 [[nodiscard]] std::string embeddedHash(const geometry::RepairedMesh& surface);
 
 [[nodiscard]] std::string packState(const haptics::PalpatorState& state, int version = kRecordingVersion);
-/// Unpacks a state of this or an earlier version: version 3 has no LeftContact entries, version 2 no friction either.
+/// Unpacks a state of this or an earlier version: version 3 has no LostContact entries, version 2 no friction either.
 /// @return empty for a wrong length or a number out of range.
 [[nodiscard]] std::optional<haptics::PalpatorState> unpackState(std::string_view bytes);
 

@@ -63,7 +63,7 @@ struct Recorder::Private
     void store(bool isLast);
     void note(const Status& status);
     [[nodiscard]] bool isOver(bool isLast) const;
-    void giveUp();
+    void closeAfterFailure();
     void addTiming();
     [[nodiscard]] double duration_s() const;
     void publish(bool isRecording);
@@ -126,7 +126,7 @@ void Recorder::Private::addTiming()
 }
 
 /// Closes a failed recording and writes the final events from the reserved space.
-void Recorder::Private::giveUp()
+void Recorder::Private::closeAfterFailure()
 {
     loop.stopRecording();
     addTiming();
@@ -164,7 +164,7 @@ void Recorder::Private::drain(bool isLast)
         (void)writer->addScene(scene); // kept until the next commit
     }
     std::size_t told = 0;
-    const auto tellUntil = [&](std::int64_t time_ns) {
+    const auto addEventsUntil = [&](std::int64_t time_ns) {
         for (; told < waiting.size() && waiting[told].time_ns < time_ns; ++told) {
             waiting[told].event.tick = lastTick; // the most recent tick at that time
             (void)writer->addEvent(waiting[told].event);
@@ -172,7 +172,7 @@ void Recorder::Private::drain(bool isLast)
     };
     servo::TickRecord tick;
     while (loop.popTick(tick)) {
-        tellUntil(tick.time_ns);
+        addEventsUntil(tick.time_ns);
         if (!first) {
             first = tick;
         }
@@ -181,7 +181,7 @@ void Recorder::Private::drain(bool isLast)
         note(writer->append(tick));
     }
     if (isLast) {
-        tellUntil(std::numeric_limits<std::int64_t>::max());
+        addEventsUntil(std::numeric_limits<std::int64_t>::max());
     }
     waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(told));
 }
@@ -250,7 +250,7 @@ void Recorder::Private::run()
                 store(isLast);
             }
             if (isOver(isLast)) {
-                giveUp();
+                closeAfterFailure();
                 isLast = true;
             }
         } catch (const std::exception& error) { // out of memory: haptic rendering continues without the recording

@@ -12,7 +12,7 @@
 
 namespace palpate::session::internal {
 
-using core::OldFile;
+using core::ExistingFile;
 using core::Status;
 using core::StatusCode;
 
@@ -69,7 +69,7 @@ bool RecordingPlace::isAt(const std::string& name, const struct stat& file) cons
            there.st_ino == file.st_ino;
 }
 
-core::Result<std::unique_ptr<RecordingPlace>> RecordingPlace::claim(const std::filesystem::path& path, OldFile old)
+core::Result<std::unique_ptr<RecordingPlace>> RecordingPlace::claim(const std::filesystem::path& path, ExistingFile old)
 {
     std::unique_ptr<RecordingPlace> place(new RecordingPlace(path));
     if (Status status = place->open(old); !status.isOk()) {
@@ -109,7 +109,7 @@ Status RecordingPlace::lockOld()
     return lock(m_old) ? Status() : cannot("another program is recording into it; choose another name");
 }
 
-Status RecordingPlace::open(OldFile old)
+Status RecordingPlace::open(ExistingFile old)
 {
     const std::filesystem::path folder = m_path.has_parent_path() ? m_path.parent_path() : ".";
     m_folder = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
@@ -117,7 +117,7 @@ Status RecordingPlace::open(OldFile old)
         return core::cannotWrite(m_path, errno);
     }
     m_isOldThere = ::fstatat(m_folder, m_name.c_str(), &m_oldIs, AT_SYMLINK_NOFOLLOW) == 0;
-    if (m_isOldThere && old == OldFile::Refuse) {
+    if (m_isOldThere && old == ExistingFile::Refuse) {
         return cannot(S_ISREG(m_oldIs.st_mode) ? "there is a file of this name; choose another name" : "not a file");
     }
     if (m_isOldThere) {
@@ -151,7 +151,8 @@ Status RecordingPlace::settle()
     if (Status status = checkBeside(); !status.isOk()) {
         return status;
     }
-    const int error = core::giveName(m_scratch->descriptor(), kMade, m_folder, m_name.c_str(), OldFile::Refuse);
+    const int error =
+        core::renameWithoutRace(m_scratch->descriptor(), kMade, m_folder, m_name.c_str(), ExistingFile::Refuse);
     if (error != 0) {
         return error == EEXIST ? cannot("there is a file of this name; choose another name")
                                : core::cannotWrite(m_path, error);
@@ -173,12 +174,12 @@ Status RecordingPlace::complete()
         return status;
     }
     const bool isAsBefore = m_isOldThere && isAt(m_name, m_oldIs);
-    int error = core::giveName(m_scratch->descriptor(), kMade, m_folder, m_name.c_str(),
-                               isAsBefore ? OldFile::Replace : OldFile::Refuse);
+    int error = core::renameWithoutRace(m_scratch->descriptor(), kMade, m_folder, m_name.c_str(),
+                                        isAsBefore ? ExistingFile::Replace : ExistingFile::Refuse);
     std::string kept;
     for (int number = 2; error == EEXIST; ++number) {
         kept = core::numbered(m_name, number).string();
-        error = core::giveName(m_scratch->descriptor(), kMade, m_folder, kept.c_str(), OldFile::Refuse);
+        error = core::renameWithoutRace(m_scratch->descriptor(), kMade, m_folder, kept.c_str(), ExistingFile::Refuse);
     }
     if (error != 0) {
         return core::cannotWrite(m_path, error);

@@ -23,7 +23,7 @@ class RecordingPlace
     ///              is recording into. There must be no adjacent file that SQLite would treat as part of the database
     ///              (-journal, -wal, -shm).
     [[nodiscard]] static core::Result<std::unique_ptr<RecordingPlace>> claim(const std::filesystem::path& path,
-                                                                             core::OldFile old);
+                                                                             core::ExistingFile old);
     ~RecordingPlace();
     RecordingPlace(const RecordingPlace&) = delete;
     RecordingPlace& operator=(const RecordingPlace&) = delete;
@@ -40,7 +40,7 @@ class RecordingPlace
 
   private:
     explicit RecordingPlace(std::filesystem::path path);
-    core::Status open(core::OldFile old);
+    core::Status open(core::ExistingFile old);
     core::Status lockOld();
     [[nodiscard]] core::Status checkBeside() const;
     [[nodiscard]] bool isAt(const std::string& name, const struct stat& file) const;

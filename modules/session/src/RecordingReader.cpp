@@ -149,7 +149,7 @@ void RecordingReader::Private::readEnding()
             extent.end = json[QLatin1String("why")].toString() == QLatin1String("disk-full") ? RecordingEnd::DiskFull
                                                                                              : RecordingEnd::DiskFailed;
         } else if (const QJsonValue late = json[QLatin1String("late")]; late.isDouble()) {
-            extent.late = std::clamp<std::int64_t>(late.toInteger(), 0, internal::kMostTick);
+            extent.late = std::clamp<std::int64_t>(late.toInteger(), 0, internal::kMaxTick);
         }
     }
 }
@@ -164,7 +164,7 @@ Status RecordingReader::Private::readExtent()
     }
     const std::vector<internal::Check>& blocks = lines.blocks();
     std::size_t count = blocks.size();
-    while (count > 0 && !lines.block(count - 1)->isRight) {
+    while (count > 0 && !lines.block(count - 1)->isIntact) {
         --count;
     }
     if (count == 0) {

@@ -30,7 +30,7 @@ Survey survey(const RecordingTables& tables, const MetaTable& meta)
     CheckedLines lines(tables, meta, scenes, events);
     note(lines.read());
     for (std::size_t i = 0; i < lines.blocks().size(); ++i) {
-        if (lines.block(i)->isRight) {
+        if (lines.block(i)->isIntact) {
             result.blocks.push_back(lines.blocks()[i]);
         }
     }

@@ -93,8 +93,8 @@ Status RecordingTables::readMeta(MetaTable& out) const
     for (; step == Step::Row; step = row.step()) {
         std::string key = bytes.take(row.bytes(0));
         out[std::move(key)] = bytes.take(row.bytes(1));
-        if (++rows > kMostMeta || bytes.isTooMany()) {
-            return tooMany("values of the metadata", kMostMeta);
+        if (++rows > kMaxMeta || bytes.isTooMany()) {
+            return tooMany("values of the metadata", kMaxMeta);
         }
     }
     return step == Step::Failed ? damaged() : Status();
@@ -133,8 +133,8 @@ std::optional<std::string> wrongNumber(const StructureRecord& structure, const S
     }
     const auto& X_WM = structure.source.X_WM.matrix();
     for (const double value : X_WM.reshaped()) {
-        if (!(std::abs(value) <= kMostCoordinate_mm)) {
-            return outOfRange(value, "pose", -kMostCoordinate_mm, kMostCoordinate_mm);
+        if (!(std::abs(value) <= kMaxCoordinate_mm)) {
+            return outOfRange(value, "pose", -kMaxCoordinate_mm, kMaxCoordinate_mm);
         }
     }
     return std::nullopt;
@@ -187,8 +187,8 @@ Status RecordingTables::readGenerations(std::vector<SceneRecord>& out) const
         SceneRecord& scene = out.emplace_back();
         scene.generation = static_cast<std::uint32_t>(generation);
         scene.fingertip_mm = fingertip_mm;
-        if (out.size() > kMostScenes) {
-            return tooMany("scenes", kMostScenes);
+        if (out.size() > kMaxScenes) {
+            return tooMany("scenes", kMaxScenes);
         }
     }
     return step == Step::Failed ? damaged() : Status();
@@ -207,8 +207,8 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
     std::set<std::uint32_t> wrongScenes;
     Step step = rows.step();
     for (; step == Step::Row; step = rows.step()) {
-        if (++structures > kMostStructures) {
-            return tooMany("structures", kMostStructures);
+        if (++structures > kMaxStructures) {
+            return tooMany("structures", kMaxStructures);
         }
         const std::int64_t generation = rows.integer(0);
         const auto found = std::lower_bound(out.begin(), out.end(), generation,
@@ -271,7 +271,7 @@ Status RecordingTables::readEvents(Events& out) const
     Step step = row.step();
     for (; step == Step::Row; step = row.step()) {
         const std::int64_t tick = row.integer(1);
-        if (!row.isInteger(1) || tick < -1 || tick > kMostTick || row.type(2) != Statement::Type::Text ||
+        if (!row.isInteger(1) || tick < -1 || tick > kMaxTick || row.type(2) != Statement::Type::Text ||
             row.type(3) != Statement::Type::Text) {
             status = Status(StatusCode::BadFormat,
                             "event " + std::to_string(row.integer(0)) +
@@ -280,8 +280,8 @@ Status RecordingTables::readEvents(Events& out) const
             continue;
         }
         out.push_back({row.integer(0), {tick, bytes.take(row.bytes(2)), bytes.take(row.bytes(3))}});
-        if (out.size() > kMostEvents || bytes.isTooMany()) {
-            return tooMany("events", kMostEvents);
+        if (out.size() > kMaxEvents || bytes.isTooMany()) {
+            return tooMany("events", kMaxEvents);
         }
     }
     // Sorted here because SQLite would buffer all rows before returning the first.
@@ -302,8 +302,8 @@ Status RecordingTables::readChecks(std::vector<Check>& out) const
     for (; step == Step::Row; step = row.step()) {
         const Check& check = out.emplace_back(
             Check{row.integer(0), row.bytes(1), row.integer(2), row.integer(3), row.integer(4), row.bytes(5)});
-        if (out.size() > kMostChecks || check.kind.size() > kMostBytes || check.hash.size() > kMostBytes) {
-            return tooMany("lines of checks", kMostChecks);
+        if (out.size() > kMaxChecks || check.kind.size() > kMostBytes || check.hash.size() > kMostBytes) {
+            return tooMany("lines of checks", kMaxChecks);
         }
     }
     return step == Step::Failed ? damaged() : Status();
@@ -363,7 +363,7 @@ std::vector<std::string> RecordingTables::embeddedHashes() const
     std::vector<std::string> hashes;
     if (m_version >= 2) {
         Statement row = m_database.prepare("SELECT sha256 FROM embedded ORDER BY sha256");
-        while (hashes.size() < kMostSurfaces && row.step() == Step::Row) {
+        while (hashes.size() < kMaxSurfaces && row.step() == Step::Row) {
             hashes.push_back(row.bytes(0));
         }
     }
@@ -400,7 +400,7 @@ core::Result<geometry::RepairedMesh> RecordingTables::readEmbedded(const std::st
     }
     for (const core::Vec3& p : surface.mesh.vertices) {
         for (const double coordinate : p) {
-            isInRange = isInRange && std::abs(coordinate) <= kMostCoordinate_mm;
+            isInRange = isInRange && std::abs(coordinate) <= kMaxCoordinate_mm;
         }
     }
     if (!isInRange || triangles == 0) {

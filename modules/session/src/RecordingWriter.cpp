@@ -25,7 +25,7 @@ using core::StatusCode;
 namespace {
 
 constexpr double kCommitInterval_s = 0.25;
-constexpr double kKept_s = 60.0; // duration of ticks kept while the disk accepts no data
+constexpr double kMaxPending_s = 60.0; // duration of ticks kept while the disk accepts no data
 /// Enough for the ticks of two commits with two layers each, and for the journal of the changed pages.
 constexpr std::size_t kReserve_bytes = 128 * 1024;
 
@@ -43,7 +43,7 @@ Status named(const Status& status, const std::filesystem::path& made, const std:
 
 struct RecordingWriter::Private
 {
-    Status begin(const internal::MetaTable& meta, Sync sync, core::OldFile old);
+    Status begin(const internal::MetaTable& meta, Sync sync, core::ExistingFile old);
     Status store();
     void deriveEvents(const servo::TickRecord& tick);
     void findChanges();
@@ -107,12 +107,12 @@ void RecordingWriter::Private::findChanges()
 }
 
 /// Creates the schema, moves a new file to its name and opens the file.
-Status RecordingWriter::Private::begin(const internal::MetaTable& meta, Sync sync, core::OldFile old)
+Status RecordingWriter::Private::begin(const internal::MetaTable& meta, Sync sync, core::ExistingFile old)
 {
     if (Status status = internal::RecordingStore::makeFile(place->file(), meta); !status.isOk()) {
         return status;
     }
-    if (old == core::OldFile::Refuse) {
+    if (old == core::ExistingFile::Refuse) {
         if (Status status = place->settle(); !status.isOk()) {
             return status;
         }
@@ -155,7 +155,7 @@ RecordingWriter::~RecordingWriter()
 
 core::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path& path,
                                                                        const RecordingInfo& info, Sync sync,
-                                                                       Events events, core::OldFile old)
+                                                                       Events events, core::ExistingFile old)
 {
     RecordingInfo filled = info;
     if (filled.startedUtc.empty()) {
@@ -170,7 +170,7 @@ core::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std
     d->place = std::move(claimed).value();
     d->derive = events;
     d->ticksPerCommit = static_cast<std::size_t>(std::clamp(kCommitInterval_s * filled.rate_Hz, 1.0, 1e5));
-    d->mostPending = static_cast<std::size_t>(std::clamp(kKept_s * filled.rate_Hz, 1e3, 1e6));
+    d->mostPending = static_cast<std::size_t>(std::clamp(kMaxPending_s * filled.rate_Hz, 1e3, 1e6));
     if (const Status status = d->begin(internal::toMeta(filled), sync, old); !status.isOk()) {
         const Status said = named(status, d->place->file(), path);
         d->file.reset();

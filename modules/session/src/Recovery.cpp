@@ -229,7 +229,7 @@ class Rescue
     Status makeCopy()
     {
         auto made = RecordingWriter::create(m_to, m_info, RecordingWriter::Sync::AtEnd,
-                                            RecordingWriter::Events::AsGiven, core::OldFile::Replace);
+                                            RecordingWriter::Events::AsGiven, core::ExistingFile::Replace);
         if (!made.isOk()) {
             return made.status();
         }
@@ -274,7 +274,7 @@ class Rescue
     {
         Status written, read;
         for (std::int64_t next = first; next <= last && written.isOk();) {
-            std::int64_t wrongTick = internal::kMostTick;
+            std::int64_t wrongTick = internal::kMaxTick;
             read = m_chosen->tables.readTicks(
                 next, last,
                 [&](const servo::TickRecord& tick) {
@@ -313,7 +313,7 @@ class Rescue
             return status;
         };
         for (const internal::Check& check : checks) {
-            if (check.first < next || check.last < check.first || check.last > internal::kMostTick) {
+            if (check.first < next || check.last < check.first || check.last > internal::kMaxTick) {
                 continue; // check out of order: its ticks are already copied, with or without a checksum
             }
             if (Status status = copyUnchecked(check.first - 1); !status.isOk()) {
@@ -330,7 +330,7 @@ class Rescue
             }
             next = check.last + 1;
         }
-        return copyUnchecked(internal::kMostTick);
+        return copyUnchecked(internal::kMaxTick);
     }
 
     Status finish()

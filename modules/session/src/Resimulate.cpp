@@ -244,7 +244,7 @@ class Resimulator
         m_rounding_mm = 0.0;
         m_rounding_N = 0.0;
         for (std::size_t i = 0; scene != nullptr && i < scene->layerCount(); ++i) {
-            const double layer_mm = kSkinsOfRounding * scene->layer(i).skin_mm;
+            const double layer_mm = kRoundingTolerance_skins * scene->layer(i).skin_mm;
             double stiffest = 0.0;
             for (const std::uint32_t number : scene->layer(i).structures) {
                 const haptics::HapticStructure& structure = scene->structures()[number];

@@ -234,7 +234,7 @@ class TickRow
 double mostOf(const TickColumn& column)
 {
     const bool isPlace = column.name == "hip" || column.name == "god";
-    return isPlace ? kMostLength_mm : column.stored == Stored::UnlessSpring ? kMostNormal : kMostForce_N;
+    return isPlace ? kMaxLength_mm : column.stored == Stored::UnlessSpring ? kMaxNormal : kMaxForce_N;
 }
 
 /// Returns the range of an integer column: that of its type, or less if a reader depends on tighter limits.
@@ -244,7 +244,7 @@ std::pair<std::int64_t, std::int64_t> rangeOf(const TickColumn& column)
     if (column.name == "constraints") {
         return {0, 3};
     }
-    return {0, sizeof(Value) == sizeof(std::int64_t) ? kMostTick
+    return {0, sizeof(Value) == sizeof(std::int64_t) ? kMaxTick
                                                      : static_cast<std::int64_t>(std::numeric_limits<Value>::max())};
 }
 
@@ -273,7 +273,7 @@ servo::TickRecord readTick(const Statement& row, int version, std::string& wrong
             } else if constexpr (std::is_same_v<Value, haptics::TickResult>) {
                 layers = values.blob(column);
             } else if constexpr (std::is_same_v<Value, double>) {
-                value = values.real(column, kMostForce_N);
+                value = values.real(column, kMaxForce_N);
             } else if (isImplied) {
                 values.skip();
             } else {

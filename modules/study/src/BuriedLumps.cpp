@@ -40,11 +40,11 @@ std::optional<std::size_t> named(const meshio::LoadedScene& scene, const std::st
 }
 
 /// Returns a clause for each structure that would be a lump if the surrounding organ were closed.
-std::string unsureLumps(const meshio::LoadedScene& scene, const Layering& layers)
+std::string lumpsInOpenOrgans(const meshio::LoadedScene& scene, const Layering& layers)
 {
     std::string clauses;
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
-        if (const auto in = layers.structures[i].unsureIn) {
+        if (const auto in = layers.structures[i].unreliableParent) {
             clauses += "; " + scene.structures[i].description.name + " seems to lie in " +
                        scene.structures[*in].description.name + ", whose surface is open or inside out";
         }
@@ -61,8 +61,8 @@ buried::FeltOptions usualOptions(const OrganWithLumps& organ, const std::functio
     return how;
 }
 
-LumpOf lumpOf(const meshio::LoadedScene& scene, std::size_t lump, std::size_t organ,
-              const std::map<std::string, double>& ratios)
+SceneLump lumpOf(const meshio::LoadedScene& scene, std::size_t lump, std::size_t organ,
+                 const std::map<std::string, double>& ratios)
 {
     const meshio::SceneStructure &of = scene.structures[lump].description, &in = scene.structures[organ].description;
     const auto given = ratios.find(of.name);
@@ -79,7 +79,7 @@ std::optional<std::size_t> organOfLump(const meshio::LoadedScene& scene, const L
     }
     const auto isLumpByShape = [&](std::size_t i) {
         const meshio::SceneStructure& of = scene.structures[i].description;
-        return ratios.count(of.name) > 0 || mayBeLump(of);
+        return ratios.count(of.name) > 0 || isLumpCandidate(of);
     };
     std::optional<std::size_t> organ = layers.structures[structure].in;
     if (!organ || !isLumpByShape(structure)) {
@@ -96,7 +96,7 @@ std::optional<std::size_t> organOfLump(const meshio::LoadedScene& scene, const L
 std::vector<buried::BuriedLump> OrganWithLumps::shapes(const meshio::LoadedScene& scene) const
 {
     std::vector<buried::BuriedLump> shapes;
-    for (const LumpOf& lump : lumps) {
+    for (const SceneLump& lump : lumps) {
         const meshio::LoadedStructure& one = scene.structures[lump.structure];
         shapes.push_back(
             {one.description.name, one.surface,
@@ -118,7 +118,8 @@ Result<std::vector<OrganWithLumps>> organsWithLumps(const meshio::LoadedScene& s
         if (!organ || *organ == i || one.surface == nullptr || scene.structures[*organ].surface == nullptr) {
             continue;
         }
-        const double radius_mm = scene.structures[*organ].description.felt_contact_radius_mm.value_or(kUsualRadius_mm);
+        const double radius_mm =
+            scene.structures[*organ].description.felt_contact_radius_mm.value_or(kDefaultContactRadius_mm);
         OrganWithLumps& to = organs.try_emplace(*organ, OrganWithLumps{*organ, radius_mm, {}}).first->second;
         to.lumps.push_back(lumpOf(scene, i, *organ, ratios));
         lumps.insert(one.description.name);
@@ -128,13 +129,13 @@ Result<std::vector<OrganWithLumps>> organsWithLumps(const meshio::LoadedScene& s
             return Status(StatusCode::NotFound, "ratio of \"" + name +
                                                     "\": found no such lump, expected a structure that lies in another "
                                                     "one" +
-                                                    unsureLumps(scene, layers));
+                                                    lumpsInOpenOrgans(scene, layers));
         }
     }
     if (organs.empty()) {
         return Status(StatusCode::Empty, "found no lump, expected a palpable structure inside another one's closed "
                                          "surface, or one whose `inside` names its organ" +
-                                             unsureLumps(scene, layers));
+                                             lumpsInOpenOrgans(scene, layers));
     }
     std::vector<OrganWithLumps> found;
     for (auto& [number, organ] : organs) {
@@ -143,7 +144,7 @@ Result<std::vector<OrganWithLumps>> organsWithLumps(const meshio::LoadedScene& s
     return found;
 }
 
-bool mayBeLump(const meshio::SceneStructure& structure)
+bool isLumpCandidate(const meshio::SceneStructure& structure)
 {
     const meshio::AnatomyKind kind = meshio::anatomyKind(structure.name);
     return meshio::isLump(kind) || kind == meshio::AnatomyKind::Other || structure.young_ratio.has_value();
@@ -156,10 +157,12 @@ Result<buried::FeltSurface> feltSurface(const meshio::LoadedScene& scene, const 
     return buried::feltSurface(of.description.name, *of.surface, organ.shapes(scene), options);
 }
 
-Result<std::vector<FeltOrgan>> feltOrgans(const meshio::LoadedScene& scene, std::vector<FeltOrgan> known,
-                                          std::vector<std::string>* notes, const std::function<bool(double)>& progress)
+Result<std::vector<OrganPalpability>> computePalpability(const meshio::LoadedScene& scene,
+                                                         std::vector<OrganPalpability> known,
+                                                         std::vector<std::string>* notes,
+                                                         const std::function<bool(double)>& progress)
 {
-    std::vector<FeltOrgan> out;
+    std::vector<OrganPalpability> out;
     const auto organs = organsWithLumps(scene);
     if (!organs.isOk()) {
         return out;
@@ -168,7 +171,7 @@ Result<std::vector<FeltOrgan>> feltOrgans(const meshio::LoadedScene& scene, std:
     std::vector<std::string>& told = notes != nullptr ? *notes : ignored;
     for (const OrganWithLumps& organ : organs.value()) {
         const auto same =
-            std::find_if(known.begin(), known.end(), [&](const FeltOrgan& one) { return one.organ == organ; });
+            std::find_if(known.begin(), known.end(), [&](const OrganPalpability& one) { return one.organ == organ; });
         if (same != known.end()) {
             out.push_back(std::move(*same));
         } else {
@@ -187,17 +190,18 @@ Result<std::vector<FeltOrgan>> feltOrgans(const meshio::LoadedScene& scene, std:
     return out;
 }
 
-std::vector<OrganWithLumps> lumpsThat(std::vector<OrganWithLumps> organs,
-                                      const std::function<bool(std::size_t structure)>& isTaken)
+std::vector<OrganWithLumps> filterLumps(std::vector<OrganWithLumps> organs,
+                                        const std::function<bool(std::size_t structure)>& isTaken)
 {
     for (OrganWithLumps& organ : organs) {
-        std::erase_if(organ.lumps, [&](const LumpOf& lump) { return !isTaken(lump.structure); });
+        std::erase_if(organ.lumps, [&](const SceneLump& lump) { return !isTaken(lump.structure); });
     }
     std::erase_if(organs, [](const OrganWithLumps& organ) { return organ.lumps.empty(); });
     return organs;
 }
 
-Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>& progress, std::vector<FeltOrgan>* kept)
+Status applyBuriedLumps(meshio::LoadedScene& scene, const std::function<bool(double)>& progress,
+                        std::vector<OrganPalpability>* kept)
 {
     if (scene.scene.buried != meshio::BuriedTouch::Felt) {
         return {};
@@ -213,7 +217,7 @@ Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>&
         const meshio::SceneStructure& lump = scene.structures[structure].description;
         return lump.palpable && (!areNamed || !lump.inside.empty());
     };
-    for (const OrganWithLumps& organ : lumpsThat(organs.value(), isThrough)) {
+    for (const OrganWithLumps& organ : filterLumps(organs.value(), isThrough)) {
         auto felt = feltSurface(scene, organ, usualOptions(organ, progress));
         if (!felt.isOk()) {
             if (felt.status().code() == StatusCode::Cancelled) {
@@ -233,7 +237,7 @@ Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>&
         }
         bool isAnyKnown = false;
         for (const buried::FeltSurface::Lump& lump : felt.value().lumps) {
-            scene.structures[organ.lumps[lump.given].structure].isFeltThrough = lump.ratio.has_value();
+            scene.structures[organ.lumps[lump.given].structure].isTransmitted = lump.ratio.has_value();
             isAnyKnown = isAnyKnown || lump.ratio;
             if (!lump.ratio) {
                 scene.warnings.push_back(ratioQuestion(lump.name, through.description.name));

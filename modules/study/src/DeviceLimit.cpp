@@ -23,14 +23,13 @@ bool isThere(const haptics::HapticStructure& structure)
 /// Returns the largest slope of the force law without the map [N/mm].
 double slopeOf(const haptics::HapticStructure& structure)
 {
-    return structure.law != nullptr ? structure.law->greatestSlope_N_per_mm()
-                                    : haptics::greatestStiffness(structure.tissue);
+    return structure.law != nullptr ? structure.law->greatestSlope_N_per_mm() : haptics::maxStiffness(structure.tissue);
 }
 
 /// Returns the largest slope of a force law with buried lumps [N/mm]: `s(d) F(d)`, where s may rise between two press
 /// depths.
 /// @param share  scale for the effect of the lumps, 0 … 1
-double feltSlope(const haptics::HapticStructure& one, double share)
+double transmittedSlope(const haptics::HapticStructure& one, double share)
 {
     const double slope = slopeOf(one);
     const auto nearer = [share](double s) { return s > 1.0 ? 1.0 + share * (s - 1.0) : s; };
@@ -52,15 +51,15 @@ double feltSlope(const haptics::HapticStructure& one, double share)
 }
 
 /// Reduces the effect of buried lumps to the limit of the device.
-void boundFelt(double most_N_per_mm, haptics::HapticStructure& one)
+void limitTransmitted(double most_N_per_mm, haptics::HapticStructure& one)
 {
-    if (!one.maps.hasFelt() || feltSlope(one, 1.0) <= most_N_per_mm) {
+    if (!one.maps.hasFelt() || transmittedSlope(one, 1.0) <= most_N_per_mm) {
         return;
     }
     double holds = 0.0, fails = 1.0;
     for (int halving = 0; halving < 12; ++halving) { // to 1/4096 of the effect
         const double middle = 0.5 * (holds + fails);
-        (feltSlope(one, middle) <= most_N_per_mm ? holds : fails) = middle;
+        (transmittedSlope(one, middle) <= most_N_per_mm ? holds : fails) = middle;
     }
     for (haptics::TissueMap& felt : one.maps.felt) {
         felt = felt.towardsOne(holds);
@@ -69,7 +68,7 @@ void boundFelt(double most_N_per_mm, haptics::HapticStructure& one)
 
 /// Applies the limit to one structure: to the map if there is one, because its values may all be below the tissue's
 /// own; else to the tissue and its law.
-void boundOne(const haptics::Tissue& left, haptics::HapticStructure& one)
+void limitStructure(const haptics::Tissue& left, haptics::HapticStructure& one)
 {
     const bool isMapped = !one.maps.stiffness.isEmpty();
     for (const core::TissueTerm& term : core::kTissueTerms) {
@@ -86,7 +85,7 @@ void boundOne(const haptics::Tissue& left, haptics::HapticStructure& one)
     } else {
         one.law = haptics::ForceTable::bounded(one.law, most);
     }
-    boundFelt(most, one);
+    limitTransmitted(most, one);
     if (!one.maps.damping.isEmpty()) {
         one.maps.damping = one.maps.damping.atMost(left.damping_Ns_per_mm);
     }
@@ -94,21 +93,21 @@ void boundOne(const haptics::Tissue& left, haptics::HapticStructure& one)
 
 } // namespace
 
-double greatestStiffness(const haptics::HapticStructure& structure)
+double maxStiffness(const haptics::HapticStructure& structure)
 {
     if (structure.maps.hasFelt()) {
-        return feltSlope(structure, 1.0);
+        return transmittedSlope(structure, 1.0);
     }
     const double slope = slopeOf(structure);
     return structure.maps.stiffness.isEmpty() ? slope : slope * structure.maps.stiffness.greatest();
 }
 
-double greatestDamping(const haptics::HapticStructure& structure) noexcept
+double maxDamping(const haptics::HapticStructure& structure) noexcept
 {
     return structure.maps.damping.isEmpty() ? structure.tissue.damping_Ns_per_mm : structure.maps.damping.greatest();
 }
 
-void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure> structures)
+void limitTissues(const haptics::Tissue& greatest, std::span<haptics::HapticStructure> structures)
 {
     std::map<std::uint32_t, std::vector<haptics::HapticStructure*>> layers; // outermost layer first
     for (haptics::HapticStructure& one : structures) {
@@ -118,10 +117,10 @@ void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure
     for (auto& [number, members] : layers) {
         double stiffness = 0.0, damping = 0.0;
         for (haptics::HapticStructure* one : members) {
-            boundOne(left, *one);
+            limitStructure(left, *one);
             if (isThere(*one)) {
-                stiffness = std::max(stiffness, greatestStiffness(*one));
-                damping = std::max(damping, greatestDamping(*one));
+                stiffness = std::max(stiffness, maxStiffness(*one));
+                damping = std::max(damping, maxDamping(*one));
             }
         }
         left.stiffness_N_per_mm = std::max(0.0, left.stiffness_N_per_mm - stiffness);
@@ -129,7 +128,7 @@ void boundBy(const haptics::Tissue& greatest, std::span<haptics::HapticStructure
     }
 }
 
-haptics::Tissue greatestTissue(const device::DeviceInfo& info, double held_N_per_mm) noexcept
+haptics::Tissue maxTissue(const device::DeviceInfo& info, double held_N_per_mm) noexcept
 {
     haptics::Tissue greatest = core::unbounded();
     greatest.stiffness_N_per_mm = std::isfinite(held_N_per_mm) ? held_N_per_mm : 5.0;
@@ -137,7 +136,7 @@ haptics::Tissue greatestTissue(const device::DeviceInfo& info, double held_N_per
     return greatest;
 }
 
-std::string boundedText(std::span<const haptics::HapticStructure> asked, std::span<const haptics::HapticStructure> held)
+std::string limitedText(std::span<const haptics::HapticStructure> asked, std::span<const haptics::HapticStructure> held)
 {
     constexpr double kRounding = 1.0 + 1e-5; // rounding of the slope of a bounded law
     constexpr int kDigits = 3;
@@ -150,14 +149,14 @@ std::string boundedText(std::span<const haptics::HapticStructure> asked, std::sp
     };
     for (std::size_t i = 0; i < asked.size(); ++i) {
         if (isThere(asked[i])) {
-            add(asked[i].name, greatestStiffness(asked[i]), greatestStiffness(held[i]), " N/mm");
-            add(asked[i].name, greatestDamping(asked[i]), greatestDamping(held[i]), " N·s/mm");
+            add(asked[i].name, maxStiffness(asked[i]), maxStiffness(held[i]), " N/mm");
+            add(asked[i].name, maxDamping(asked[i]), maxDamping(held[i]), " N·s/mm");
         }
     }
     return text;
 }
 
-TakenElsewhere takenElsewhere(std::span<const haptics::HapticStructure> structures, std::size_t structure)
+UsedByOtherLayers usedByOtherLayers(std::span<const haptics::HapticStructure> structures, std::size_t structure)
 {
     struct Most
     {
@@ -170,18 +169,18 @@ TakenElsewhere takenElsewhere(std::span<const haptics::HapticStructure> structur
         if (!isThere(one) || one.layer == structures[structure].layer) {
             continue;
         }
-        const double stiffness = greatestStiffness(one);
-        const auto [at, isFirst] = layers.try_emplace(one.layer, Most{i, stiffness, greatestDamping(one)});
+        const double stiffness = maxStiffness(one);
+        const auto [at, isFirst] = layers.try_emplace(one.layer, Most{i, stiffness, maxDamping(one)});
         if (!isFirst) {
             Most& most = at->second;
-            most.damping = std::max(most.damping, greatestDamping(one));
+            most.damping = std::max(most.damping, maxDamping(one));
             if (stiffness > most.stiffness) {
                 most.by = i;
                 most.stiffness = stiffness;
             }
         }
     }
-    TakenElsewhere taken;
+    UsedByOtherLayers taken;
     for (const auto& [number, most] : layers) {
         taken.tissue.stiffness_N_per_mm += most.stiffness;
         taken.tissue.damping_Ns_per_mm += most.damping;

@@ -32,7 +32,7 @@ double mapAt(const TissueMap& map, const PressedSurface& at) noexcept
 }
 
 /// Returns the force ratio due to buried lumps at a depth, linear between the press depths of the maps.
-double feltAt(const PressedSurface& at, double depth_mm) noexcept
+double lumpRatioAt(const PressedSurface& at, double depth_mm) noexcept
 {
     const auto& felt = at.structure->maps.felt;
     if (!at.structure->maps.hasFelt()) {
@@ -54,10 +54,10 @@ double PressedSurface::force_N(double depth_mm) const noexcept
     if (!(depth_mm > 0.0)) {
         return 0.0;
     }
-    return mapAt(structure->maps.stiffness, *this) * feltAt(*this, depth_mm) * structure->lawAt(depth_mm).force_N;
+    return mapAt(structure->maps.stiffness, *this) * lumpRatioAt(*this, depth_mm) * structure->lawAt(depth_mm).force_N;
 }
 
-double forceOfPress_N(std::span<const PressedSurface> surfaces, double way_mm) noexcept
+double pressForce_N(std::span<const PressedSurface> surfaces, double way_mm) noexcept
 {
     double force_N = 0.0;
     for (const PressedSurface& one : surfaces) {
@@ -66,7 +66,7 @@ double forceOfPress_N(std::span<const PressedSurface> surfaces, double way_mm) n
     return force_N;
 }
 
-double wayOfPress_mm(std::span<const PressedSurface> surfaces, double force_N, double deepest_mm) noexcept
+double pressTravel_mm(std::span<const PressedSurface> surfaces, double force_N, double deepest_mm) noexcept
 {
     constexpr int kSteps = 256, kHalvings = 60;
     double from_mm = deepest_mm;
@@ -81,14 +81,14 @@ double wayOfPress_mm(std::span<const PressedSurface> surfaces, double force_N, d
     for (int i = 1; i <= kSteps && !isMet; ++i) {
         low_mm = high_mm;
         high_mm = from_mm + (deepest_mm - from_mm) * i / kSteps;
-        isMet = forceOfPress_N(surfaces, high_mm) >= force_N;
+        isMet = pressForce_N(surfaces, high_mm) >= force_N;
     }
     if (!isMet) {
         return deepest_mm;
     }
     for (int i = 0; i < kHalvings; ++i) {
         const double middle_mm = 0.5 * (low_mm + high_mm);
-        (forceOfPress_N(surfaces, middle_mm) >= force_N ? high_mm : low_mm) = middle_mm;
+        (pressForce_N(surfaces, middle_mm) >= force_N ? high_mm : low_mm) = middle_mm;
     }
     return high_mm;
 }

@@ -37,7 +37,7 @@ QJsonObject pressJson(const FeltSurface& felt, const FeltSurface::LumpPress& pre
     out["low"] = isJudged ? QJsonValue(press.felt.low) : QJsonValue();
     out["high"] = isJudged ? QJsonValue(press.felt.high) : QJsonValue();
     for (std::size_t i = 0; i < press.area_mm2.size(); ++i) {
-        out[QStringLiteral("area_over_%1_mm2").arg(buried::kTold_percent[i])] = press.area_mm2[i];
+        out[QStringLiteral("area_over_%1_mm2").arg(buried::kDetectableChange_percent[i])] = press.area_mm2[i];
     }
     const auto verdict = [](buried::Verdict of) {
         return of == buried::Verdict::NotKnown ? QJsonValue()
@@ -56,9 +56,9 @@ QJsonValue ratioOrNull(const std::optional<StiffnessRatio>& ratio, double Stiffn
 
 /// Calls `take` with the organ, the lump and the known ratio of each lump.
 template<typename Take>
-void forEachLump(std::span<const FeltOrgan> organs, const Take& take)
+void forEachLump(std::span<const OrganPalpability> organs, const Take& take)
 {
-    for (const FeltOrgan& one : organs) {
+    for (const OrganPalpability& one : organs) {
         for (const FeltSurface::Lump& lump : one.felt.lumps) {
             take(one, lump, one.organ.lumps[lump.given]);
         }
@@ -67,10 +67,10 @@ void forEachLump(std::span<const FeltOrgan> organs, const Take& take)
 
 } // namespace
 
-QJsonArray lumpsJson(const meshio::LoadedScene& scene, std::span<const FeltOrgan> organs)
+QJsonArray lumpsJson(const meshio::LoadedScene& scene, std::span<const OrganPalpability> organs)
 {
     QJsonArray lumps;
-    forEachLump(organs, [&](const FeltOrgan& one, const FeltSurface::Lump& lump, const LumpOf& of) {
+    forEachLump(organs, [&](const OrganPalpability& one, const FeltSurface::Lump& lump, const SceneLump& of) {
         QJsonArray presses;
         for (std::size_t i = 0; i < lump.press.size(); ++i) {
             presses.append(pressJson(one.felt, lump.press[i], one.felt.press[i].press_mm));
@@ -83,17 +83,17 @@ QJsonArray lumpsJson(const meshio::LoadedScene& scene, std::span<const FeltOrgan
             {"young_ratio_high", ratioOrNull(of.ratio, &StiffnessRatio::high)},
             {"ratio_source", of.ratio ? QJsonValue(text(sourceText(of.ratio->source))) : QJsonValue()},
             {"ratio_citation", of.ratio ? text(of.ratio->citation) : QString()},
-            {"least_cover_mm", lump.leastCover_mm},
+            {"least_cover_mm", lump.minCover_mm},
             {"press", presses},
         });
     });
     return lumps;
 }
 
-std::vector<std::string> ratioQuestions(const meshio::LoadedScene& scene, std::span<const FeltOrgan> organs)
+std::vector<std::string> ratioQuestions(const meshio::LoadedScene& scene, std::span<const OrganPalpability> organs)
 {
     std::vector<std::string> questions;
-    forEachLump(organs, [&](const FeltOrgan& one, const FeltSurface::Lump& lump, const LumpOf& of) {
+    forEachLump(organs, [&](const OrganPalpability& one, const FeltSurface::Lump& lump, const SceneLump& of) {
         if (!of.ratio) {
             questions.push_back(ratioQuestion(lump.name, scene.structures[one.organ.organ].description.name));
         }
@@ -112,10 +112,10 @@ std::string ratioText(const std::optional<StiffnessRatio>& ratio)
     return core::shortNumber(ratio->typical, 3) + range + " times as stiff, " + std::string(sourceText(ratio->source));
 }
 
-std::vector<std::string> lumpLines(const meshio::LoadedScene& scene, std::span<const FeltOrgan> organs)
+std::vector<std::string> lumpLines(const meshio::LoadedScene& scene, std::span<const OrganPalpability> organs)
 {
     std::vector<std::string> lines;
-    forEachLump(organs, [&](const FeltOrgan& one, const FeltSurface::Lump& lump, const LumpOf& of) {
+    forEachLump(organs, [&](const OrganPalpability& one, const FeltSurface::Lump& lump, const SceneLump& of) {
         std::string line =
             lump.name + " in " + scene.structures[one.organ.organ].description.name + ": " + ratioText(of.ratio);
         for (std::size_t i = 0; of.ratio && i < lump.press.size(); ++i) {
@@ -129,10 +129,10 @@ std::vector<std::string> lumpLines(const meshio::LoadedScene& scene, std::span<c
     return lines;
 }
 
-std::string feltJson(const meshio::LoadedScene& scene, std::span<const FeltOrgan> organs)
+std::string feltJson(const meshio::LoadedScene& scene, std::span<const OrganPalpability> organs)
 {
     QJsonArray notes;
-    for (const FeltOrgan& one : organs) {
+    for (const OrganPalpability& one : organs) {
         for (const std::string& note : one.felt.notes) {
             notes.append(text(note));
         }
@@ -150,13 +150,13 @@ std::string feltJson(const meshio::LoadedScene& scene, std::span<const FeltOrgan
     return QJsonDocument(all).toJson().toStdString();
 }
 
-core::Result<std::string> feltVtp(std::span<const FeltOrgan> organs)
+core::Result<std::string> feltVtp(std::span<const OrganPalpability> organs)
 {
     meshio::VtpFile out;
     std::vector<double> ratio, low, high, cover;
     std::vector<std::int32_t> number, notJudged;
     std::int32_t lumpsBefore = 0;
-    for (const FeltOrgan& one : organs) {
+    for (const OrganPalpability& one : organs) {
         const FeltSurface& felt = one.felt;
         const auto first = static_cast<std::uint32_t>(out.points.size());
         out.points.insert(out.points.end(), felt.surface.vertices.begin(), felt.surface.vertices.end());
@@ -183,12 +183,12 @@ core::Result<std::string> feltVtp(std::span<const FeltOrgan> organs)
     return meshio::vtpBytes(out);
 }
 
-std::string lumpSentence(const FeltSurface::Lump& lump, const LumpOf& of)
+std::string lumpSentence(const FeltSurface::Lump& lump, const SceneLump& of)
 {
     std::string cover = "sticks out of the surface";
-    if (lump.leastCover_mm > 0.0) {
+    if (lump.minCover_mm > 0.0) {
         char out[64];
-        std::snprintf(out, sizeof out, "%.1f mm below at least", lump.leastCover_mm);
+        std::snprintf(out, sizeof out, "%.1f mm below at least", lump.minCover_mm);
         cover = out;
     }
     const std::string citation =

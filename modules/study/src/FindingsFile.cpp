@@ -35,7 +35,7 @@ std::optional<double> totalForce_N(const Finding& finding)
         return finding.force_N;
     }
     double sum_N = 0.0;
-    for (const core::FeltLayer& layer : finding.layers) {
+    for (const core::FindingLayer& layer : finding.layers) {
         sum_N += layer.force_N;
     }
     return sum_N;
@@ -113,7 +113,7 @@ QJsonObject display(FindingType type, double size_mm)
 
 std::string organOf(const Finding& finding)
 {
-    const std::vector<core::FeltLayer>& layers = finding.layers;
+    const std::vector<core::FindingLayer>& layers = finding.layers;
     return layers.empty() || layers.front().structure == finding.structure ? std::string() : layers.front().structure;
 }
 

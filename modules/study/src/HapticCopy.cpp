@@ -62,7 +62,7 @@ std::shared_ptr<const haptics::HapticScene> hapticScene(const meshio::LoadedScen
     std::vector<haptics::HapticStructure> structures;
     structures.reserve(scene.structures.size());
     for (const meshio::LoadedStructure& structure : scene.structures) {
-        const bool isFelt = structure.description.palpable && !structure.isFeltThrough &&
+        const bool isFelt = structure.description.palpable && !structure.isTransmitted &&
                             structure.surface != nullptr && !structure.surface->mesh.triangles.empty();
         structures.push_back(hapticStructure(structure.description, isFelt ? indexed(*structure.surface) : nullptr));
         if (isFelt) {

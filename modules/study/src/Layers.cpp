@@ -19,7 +19,7 @@ double enclosed_mm3(const LayeredSurface& one)
 }
 
 /// Returns true for equal surfaces, such as a file opened twice. Independent of the order of triangles.
-bool isTwin(const geometry::MeshReport& a, const geometry::MeshReport& b)
+bool isDuplicate(const geometry::MeshReport& a, const geometry::MeshReport& b)
 {
     const auto isSame = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(x); };
     return a.triangles == b.triangles && a.vertices == b.vertices && a.bounds.min() == b.bounds.min() &&
@@ -73,7 +73,7 @@ class Nesting
                 one.layer = first.layer;
                 one.depth = first.depth;
                 one.in = first.in;
-                one.unsureIn.reset(); // already reported for the first
+                one.unreliableParent.reset(); // already reported for the first
             }
         }
         return std::move(m_out);
@@ -95,17 +95,17 @@ class Nesting
             if (a == i || outer.surface == nullptr || !outer.surface->report.bounds.intersects(inner.report.bounds)) {
                 continue;
             }
-            if (isTwin(outer.surface->report, inner.report)) {
+            if (isDuplicate(outer.surface->report, inner.report)) {
                 if (a < i && !out.twin) {
                     out.twin = a;
                 }
-            } else if (const bool isSure = hasSureInside(outer.surface->report);
+            } else if (const bool isSure = hasReliableInterior(outer.surface->report);
                        outer.index != nullptr && (!isSure || enclosed_mm3(outer) > enclosed_mm3(m_surfaces[i])) &&
                        (isSure || isLarger(*outer.surface, inner)) && isMostlyInside(inner, *outer.index)) {
                 if (isSure) {
                     m_holders[i].push_back(a);
-                } else if (!out.unsureIn) {
-                    out.unsureIn = a;
+                } else if (!out.unreliableParent) {
+                    out.unreliableParent = a;
                 }
             }
         }
@@ -136,7 +136,7 @@ class Nesting
 
 } // namespace
 
-bool hasSureInside(const geometry::MeshReport& report) noexcept
+bool hasReliableInterior(const geometry::MeshReport& report) noexcept
 {
     return report.isClosed() && report.insideOutComponents == 0;
 }
@@ -184,7 +184,7 @@ Layering Layering::inOrder(const std::vector<std::size_t>& order) const
     Layering out;
     for (const std::size_t i : order) {
         Structure& one = out.structures.emplace_back(structures[i]);
-        for (std::optional<std::size_t>* other : {&one.in, &one.twin, &one.unsureIn}) {
+        for (std::optional<std::size_t>* other : {&one.in, &one.twin, &one.unreliableParent}) {
             if (*other) {
                 *other = place[**other];
             }
@@ -193,7 +193,7 @@ Layering Layering::inOrder(const std::vector<std::size_t>& order) const
     return out;
 }
 
-std::optional<std::size_t> Layering::feltAround(std::size_t structure, const std::vector<bool>& isFelt) const
+std::optional<std::size_t> Layering::palpableParent(std::size_t structure, const std::vector<bool>& isFelt) const
 {
     std::optional<std::size_t> in = structures[structure].in;
     while (in && !isFelt[*in]) {
@@ -208,7 +208,7 @@ std::vector<std::string> Layering::sentences(const std::vector<std::string>& nam
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < structures.size(); ++i) {
         const Structure& one = structures[i];
-        const std::optional<std::size_t> in = isFelt[i] ? feltAround(i, isFelt) : std::nullopt;
+        const std::optional<std::size_t> in = isFelt[i] ? palpableParent(i, isFelt) : std::nullopt;
         if (one.twin) {
             lines.push_back(names[i] + " and " + names[*one.twin] + " are the same surface twice");
         } else if (in && one.depth > one.layer) {
@@ -217,8 +217,8 @@ std::vector<std::string> Layering::sentences(const std::vector<std::string>& nam
         } else if (in) {
             lines.push_back(names[i] + " lies in " + names[*in] + " and is felt below it");
         }
-        if (isFelt[i] && one.unsureIn && isFelt[*one.unsureIn]) {
-            lines.push_back(names[i] + " seems to lie in " + names[*one.unsureIn] +
+        if (isFelt[i] && one.unreliableParent && isFelt[*one.unreliableParent]) {
+            lines.push_back(names[i] + " seems to lie in " + names[*one.unreliableParent] +
                             ", whose surface is open or inside out: it is not felt below it");
         }
     }

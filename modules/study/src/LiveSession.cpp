@@ -53,7 +53,7 @@ Status LiveSession::startRecording(const std::filesystem::path& path, const std:
     m_embeds = embeds;
     session::RecordingInfo info;
     info.looks = std::move(looks);
-    nameScene(info, scene, path);
+    setSceneSource(info, scene, path);
     info.device = m_device;
     return m_recorder.start(path, info, sceneRecord());
 }

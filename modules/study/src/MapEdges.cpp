@@ -71,7 +71,7 @@ class PushingMaps
 };
 
 /// Returns the outward slopes of the maps across an edge of a triangle [1/mm].
-PerMap risesOver(const SurfaceIndex& surface, const PushingMaps& maps, std::uint32_t triangle, std::uint32_t edge)
+PerMap outwardSlopes(const SurfaceIndex& surface, const PushingMaps& maps, std::uint32_t triangle, std::uint32_t edge)
 {
     const geometry::Triangle t = surface.triangle(triangle);
     const Vec3 a = surface.vertex(t[0]), e1 = surface.vertex(t[1]) - a, e2 = surface.vertex(t[2]) - a;
@@ -194,8 +194,8 @@ MapEdge worstEdge(const haptics::HapticStructure& one, const PushingMaps& maps, 
                 !(maps.varies(i) || maps.varies(beyond.triangle))) {
                 continue;
             }
-            PerMap bends = risesOver(surface, maps, i, edge);
-            const PerMap there = risesOver(surface, maps, beyond.triangle, beyond.edge);
+            PerMap bends = outwardSlopes(surface, maps, i, edge);
+            const PerMap there = outwardSlopes(surface, maps, beyond.triangle, beyond.edge);
             double ofLumps = 0.0; // largest bend of the lump maps
             for (std::size_t map = 0; map < kMaps; ++map) {
                 bends[map] = -bends[map] - there[map];

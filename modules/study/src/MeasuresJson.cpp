@@ -91,7 +91,7 @@ QJsonArray findingsJson(const std::vector<session::FindingMeasures>& findings)
                         {"peak_depth_mm", m.peakDepth_mm}};
         one["first_touched_s"] = orNull(m.firstTouched_s);
         QJsonArray layers;
-        for (const core::FeltLayer& layer : m.finding.layers) {
+        for (const core::FindingLayer& layer : m.finding.layers) {
             layers.append(QJsonObject{
                 {"structure", text(layer.structure)}, {"force_N", layer.force_N}, {"depth_mm", layer.depth_mm}});
         }
@@ -136,7 +136,7 @@ QJsonArray lumpsJson(const std::vector<session::LumpSearch>& lumps)
     for (const session::LumpSearch& one : lumps) {
         out.append(QJsonObject{{"name", text(one.lump)},
                                {"organ", text(one.organ)},
-                               {"told_area_mm2", one.told_mm2},
+                               {"told_area_mm2", one.detectable_mm2},
                                {"pressed_area_mm2", one.pressed_mm2},
                                {"pressed_hard_enough", orNull(one.share())},
                                {"greatest_change_percent", orNull(one.recorded_percent)},

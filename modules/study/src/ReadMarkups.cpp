@@ -170,8 +170,8 @@ class MarkupsReader
   private:
     void addPoint(const QJsonObject& point, const std::string& place)
     {
-        if (m_findings.size() >= kMostMarkups) {
-            m_losses.add("found more than " + core::grouped(kMostMarkups) + " points: left out", place);
+        if (m_findings.size() >= kMaxMarkups) {
+            m_losses.add("found more than " + core::grouped(kMaxMarkups) + " points: left out", place);
             return;
         }
         const bool isOurs = point["palpate"].isObject();

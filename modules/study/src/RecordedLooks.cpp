@@ -34,7 +34,7 @@ RecordedLook lookIn(const QJsonObject& json)
     look.outwards = json["outwards"].toBool();
     if (json["surface"].toString() == nameOf(meshio::SurfaceKind::Smoothed)) {
         look.surface = meshio::SurfaceKind::Smoothed;
-        look.smoothing = isShare(json["smoothing"]) ? json["smoothing"].toDouble() : meshio::kUsualSmoothing;
+        look.smoothing = isShare(json["smoothing"]) ? json["smoothing"].toDouble() : meshio::kDefaultSmoothing;
     }
     return look;
 }

@@ -17,7 +17,7 @@ double lawForce_N(const session::StructureRecord& on, double depth_mm)
                                                 : on.tissue.stiffness_N_per_mm * depth_mm;
 }
 
-void findScales(servo::TickRecord& tick, const session::SceneRecord& scene, const core::Vec3& v_WH)
+void reconstructScales(servo::TickRecord& tick, const session::SceneRecord& scene, const core::Vec3& v_WH)
 {
     for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
         haptics::Contact& contact = tick.felt.contacts[i];

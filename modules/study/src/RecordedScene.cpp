@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// @return hashes of the surfaces of all palpable structures.
-std::vector<std::string> feltHashes(const RecordingReader& reader)
+std::vector<std::string> palpableHashes(const RecordingReader& reader)
 {
     std::vector<std::string> hashes;
     for (const session::SceneRecord& scene : reader.scenes()) {
@@ -66,7 +66,7 @@ meshio::ReadOptions readAs(const RecordingReader& reader, const fs::path& file)
 }
 
 /// Finds a file at the recorded path, else relative to the recording's folder, else by name in that folder.
-std::optional<fs::path> whereIs(const RecordingReader& reader, const fs::path& file, const fs::path& beside = {})
+std::optional<fs::path> locateFile(const RecordingReader& reader, const fs::path& file, const fs::path& beside = {})
 {
     const fs::path folder = reader.path().parent_path();
     for (const fs::path& place : {file, beside.empty() ? fs::path() : folder / beside, folder / file,
@@ -146,7 +146,7 @@ class Reopening
         }
         for (std::size_t i = 0; i < m_records.size(); ++i) {
             if (m_found[i]) {
-                feelAsRecorded(*m_found[i], m_records[i]);
+                applyRecordedMaps(*m_found[i], m_records[i]);
                 m_out.scene.structures.push_back(m_found[i]->description);
                 m_out.structures.push_back(std::move(*m_found[i]));
             }
@@ -168,7 +168,7 @@ class Reopening
     /// Returns the recorded description with the recorded appearance; older recordings use the scene file.
     meshio::SceneStructure description(const StructureRecord& record, std::size_t number) const
     {
-        meshio::SceneStructure out = lookingAsInTheScene(record, number);
+        meshio::SceneStructure out = withSceneAppearance(record, number);
         if (number < m_looks.size() && m_looks[number].name == record.name) {
             out.colour = m_looks[number].colour;
             out.opacity = m_looks[number].opacity;
@@ -179,13 +179,13 @@ class Reopening
         return out;
     }
 
-    meshio::SceneStructure lookingAsInTheScene(const StructureRecord& record, std::size_t number) const
+    meshio::SceneStructure withSceneAppearance(const StructureRecord& record, std::size_t number) const
     {
         meshio::SceneStructure out = descriptionOf(record);
         const auto look = std::find_if(m_look.structures.begin(), m_look.structures.end(),
                                        [&](const meshio::SceneStructure& one) { return one.name == record.name; });
         if (look == m_look.structures.end()) {
-            out.colour = meshio::usualColour(record.name, number);
+            out.colour = meshio::defaultColour(record.name, number);
             return out;
         }
         out.colour = look->colour;
@@ -222,7 +222,7 @@ class Reopening
         std::vector<std::size_t> numbers;
         for (std::size_t i = 0; i < m_records.size(); ++i) {
             const fs::path said = m_records[i].source.mesh;
-            const auto mesh = m_found[i] ? std::nullopt : whereIs(m_reader, said);
+            const auto mesh = m_found[i] ? std::nullopt : locateFile(m_reader, said);
             if (mesh) {
                 wanted.structures.push_back(description(m_records[i], i));
                 wanted.structures.back().mesh = fs::absolute(*mesh).lexically_normal();
@@ -268,10 +268,10 @@ class Reopening
     }
 
     /// Applies the recorded maps to a structure with different maps.
-    void feelAsRecorded(meshio::LoadedStructure& one, const StructureRecord& record)
+    void applyRecordedMaps(meshio::LoadedStructure& one, const StructureRecord& record)
     {
         if (record.tissueMaps.hasFelt()) {
-            feelLumpsAsRecorded(one, record);
+            applyRecordedLumps(one, record);
         }
         if (one.maps.empty() && record.tissueMaps.isEmpty()) {
             return;
@@ -304,7 +304,7 @@ class Reopening
     }
 
     /// Applies the recorded effect of buried lumps to a structure without recomputing that effect.
-    void feelLumpsAsRecorded(meshio::LoadedStructure& one, const StructureRecord& record)
+    void applyRecordedLumps(meshio::LoadedStructure& one, const StructureRecord& record)
     {
         const auto index = indexed(*one.surface);
         for (const haptics::TissueMap& felt : record.tissueMaps.felt) {
@@ -336,21 +336,21 @@ class Reopening
 } // namespace
 
 Result<meshio::LoadedScene> openScene(const fs::path& path, const meshio::ReadOptions& options,
-                                      std::vector<FeltOrgan>* felt)
+                                      std::vector<OrganPalpability>* felt)
 {
     if (session::isRecordingFile(path)) {
         return sceneOfRecording(path, options);
     }
     auto loaded = meshio::loadScene(path, options);
     if (loaded.isOk()) {
-        if (Status status = feelBuried(loaded.value(), options.progress, felt); !status.isOk()) {
+        if (Status status = applyBuriedLumps(loaded.value(), options.progress, felt); !status.isOk()) {
             return status;
         }
     }
     return loaded;
 }
 
-void nameScene(session::RecordingInfo& info, const fs::path& scene, const fs::path& recording)
+void setSceneSource(session::RecordingInfo& info, const fs::path& scene, const fs::path& recording)
 {
     if (scene.empty() || recording.empty()) {
         return;
@@ -370,7 +370,8 @@ void nameScene(session::RecordingInfo& info, const fs::path& scene, const fs::pa
 
 std::optional<fs::path> recordedSceneFile(const RecordingReader& reader)
 {
-    return reader.info().scene.empty() ? std::nullopt : whereIs(reader, reader.info().scene, reader.info().sceneBeside);
+    return reader.info().scene.empty() ? std::nullopt
+                                       : locateFile(reader, reader.info().scene, reader.info().sceneBeside);
 }
 
 Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const fs::path& scene)
@@ -383,7 +384,7 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const fs::p
         }
         meshes[hash] = std::make_shared<const geometry::RepairedMesh>(std::move(surface).value());
     }
-    const std::vector<std::string> felt = feltHashes(reader);
+    const std::vector<std::string> felt = palpableHashes(reader);
     const bool isWhole =
         std::all_of(felt.begin(), felt.end(), [&](const std::string& hash) { return meshes.contains(hash); });
     if (scene.empty() && isWhole && !meshes.empty()) {
@@ -397,7 +398,7 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const fs::p
         files.push_back(recordedSceneFile(reader).value_or(reader.info().scene));
     } else if (!reader.scenes().empty()) {
         for (const StructureRecord& structure : reader.scenes().front().structures) {
-            const fs::path file = whereIs(reader, structure.source.mesh).value_or(structure.source.mesh);
+            const fs::path file = locateFile(reader, structure.source.mesh).value_or(structure.source.mesh);
             if (!file.empty() && std::find(files.begin(), files.end(), file) == files.end()) {
                 files.push_back(file);
             }
@@ -432,12 +433,12 @@ bool hasFingertip(const RecordingReader& reader)
     return !reader.scenes().empty() && reader.scenes().front().fingertip_mm > 0.0;
 }
 
-double usualDistance_mm(const RecordingReader& reader, const session::MeshesByHash& surfaces)
+double defaultDistance_mm(const RecordingReader& reader, const session::MeshesByHash& surfaces)
 {
     constexpr double kLeast_mm = 1.0; // smaller values are costly without adding information
     const double usual_mm = hasFingertip(reader) ? std::max(reader.scenes().front().fingertip_mm, kLeast_mm)
                                                  : session::MeasureOptions().distance_mm;
-    return std::max(usual_mm, session::leastDistance_mm(surfaces));
+    return std::max(usual_mm, session::minDistance_mm(surfaces));
 }
 
 } // namespace palpate::study

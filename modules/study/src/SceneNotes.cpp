@@ -54,7 +54,7 @@ struct Border
     std::size_t a, b;
     bool isNested; ///< nested: a gap between them is unreachable
     double ratio;  ///< stiffness ratio of the stiffer to the softer structure, at least 1
-    bool isSeam() const { return ratio > kFeltSeam; }
+    bool isSeam() const { return ratio > kPalpableSeamRatio; }
 };
 
 double ratioOf(double a, double b)
@@ -139,7 +139,7 @@ std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces)
     return borderNotes(surfaces, layeringOf(surfaces));
 }
 
-std::vector<std::string> unfeltLumpNotes(std::span<const NeighbourSurface> surfaces, const Layering& found)
+std::vector<std::string> maskedLumpNotes(std::span<const NeighbourSurface> surfaces, const Layering& found)
 {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -162,7 +162,7 @@ std::vector<std::string> neighbourNotes(const meshio::LoadedScene& scene, const 
 {
     const std::vector<NeighbourSurface> surfaces = neighbours(scene, felt);
     const Layering found = layeringOf(surfaces);
-    std::vector<std::string> lines = unfeltLumpNotes(surfaces, found);
+    std::vector<std::string> lines = maskedLumpNotes(surfaces, found);
     for (std::string& line : borderNotes(surfaces, found)) {
         lines.push_back(std::move(line));
     }

@@ -27,7 +27,7 @@ using session::LumpSearch;
 
 /// Logarithm of the stiffness change that a trained hand detects. The logarithm treats softer and stiffer places
 /// equally.
-const double kTold = std::log1p(buried::kTold_percent[1] / 100.0);
+const double kDetectableLogRatio = std::log1p(buried::kDetectableChange_percent[1] / 100.0);
 
 struct Searched
 {
@@ -95,9 +95,9 @@ void judge(const Searched& searched, std::vector<LumpSearch>& out)
         if (std::abs(percent) > std::abs(*lump.predicted_percent)) {
             lump.predicted_percent = percent;
         }
-        if (changeAt(felt, v, felt.press.back().press_mm) >= kTold) {
-            lump.told_mm2 += area_mm2[v];
-            lump.pressed_mm2 += met >= kTold ? area_mm2[v] : 0.0;
+        if (changeAt(felt, v, felt.press.back().press_mm) >= kDetectableLogRatio) {
+            lump.detectable_mm2 += area_mm2[v];
+            lump.pressed_mm2 += met >= kDetectableLogRatio ? area_mm2[v] : 0.0;
         }
     }
     out.insert(out.end(), lumps.begin(), lumps.end());
@@ -125,7 +125,7 @@ class Ticks
                 if (one.organ == name) {
                     const auto place =
                         one.touched->add(contact.p_WG, contact.f_W.norm(), contact.depth_mm, m_reader.info().dt_s);
-                    noteChange(one, place, tick, contact, v_WH);
+                    updateRecordedChange(one, place, tick, contact, v_WH);
                 }
             }
         }
@@ -134,13 +134,13 @@ class Ticks
 
   private:
     /// Updates the ratio of the measured force to the force of the organ alone at the same depth.
-    void noteChange(Searched& organ, const std::optional<std::uint32_t>& place, const servo::TickRecord& tick,
-                    const haptics::Contact& on, const core::Vec3& v_WH) const
+    void updateRecordedChange(Searched& organ, const std::optional<std::uint32_t>& place, const servo::TickRecord& tick,
+                              const haptics::Contact& on, const core::Vec3& v_WH) const
     {
         const session::SceneRecord* scene = m_reader.scene(tick.scene);
         const core::Vec3 push_W = on.p_WG - tick.p_WH;
         const double depth_mm = push_W.norm();
-        if (scene == nullptr || on.structure >= scene->structures.size() || depth_mm < core::kLeastFeltDepth_mm) {
+        if (scene == nullptr || on.structure >= scene->structures.size() || depth_mm < core::kMinStiffnessDepth_mm) {
             return;
         }
         core::Vec3 all_W = core::Vec3::Zero();
@@ -184,12 +184,12 @@ class Ticks
 Result<std::vector<LumpSearch>> searchedLumps(const session::RecordingReader& reader, const meshio::LoadedScene& scene,
                                               double distance_mm, const std::function<bool(double)>& progress)
 {
-    auto organs = feltOrgans(scene, {}, nullptr, progress);
+    auto organs = computePalpability(scene, {}, nullptr, progress);
     if (!organs.isOk()) {
         return organs.status();
     }
     std::vector<Searched> all;
-    for (FeltOrgan& organ : organs.value()) {
+    for (OrganPalpability& organ : organs.value()) {
         auto touched = std::make_unique<session::TouchedSurface>(organ.felt.surface, distance_mm);
         const std::size_t lumps = organ.felt.lumps.size();
         all.push_back({scene.structures[organ.organ.organ].description.name, std::move(organ.felt), std::move(touched),

@@ -69,7 +69,7 @@ constexpr std::array kPublished{
 
 /// Stiffness of a half-space under a flat punch of radius a = 5 mm, approximating a fingertip: k = 2 a E / (1 - nu^2),
 /// nu = 1/2.
-constexpr double asFelt_N_per_mm(double young_kPa)
+constexpr double punchStiffness_N_per_mm(double young_kPa)
 {
     return 2.0 * 5.0 * 1e-3 * young_kPa / 0.75;
 }
@@ -113,23 +113,23 @@ std::optional<double> tissueStiffness_N_per_mm(AnatomyKind kind)
     case AnatomyKind::Liver: // 2.3 kPa of shear modulus: Venkatesh et al. 2008
         return 0.092;
     case AnatomyKind::Kidney: // Young's moduli of kidney to tendon: Arda et al. 2011, doi:10.2214/AJR.10.5449
-        return asFelt_N_per_mm(5.0);
+        return punchStiffness_N_per_mm(5.0);
     case AnatomyKind::Spleen:
-        return asFelt_N_per_mm(2.9);
+        return punchStiffness_N_per_mm(2.9);
     case AnatomyKind::Pancreas:
-        return asFelt_N_per_mm(4.8);
+        return punchStiffness_N_per_mm(4.8);
     case AnatomyKind::Thyroid:
-        return asFelt_N_per_mm(10.97);
+        return punchStiffness_N_per_mm(10.97);
     case AnatomyKind::SalivaryGland:
-        return asFelt_N_per_mm(10.92);
+        return punchStiffness_N_per_mm(10.92);
     case AnatomyKind::Muscle:
-        return asFelt_N_per_mm(11.1);
+        return punchStiffness_N_per_mm(11.1);
     case AnatomyKind::Tendon:
-        return asFelt_N_per_mm(51.5);
+        return punchStiffness_N_per_mm(51.5);
     case AnatomyKind::Prostate: // by indentation, Urology 2010
-        return asFelt_N_per_mm(17.0);
+        return punchStiffness_N_per_mm(17.0);
     case AnatomyKind::Breast: // first linear region: doi in resources/docs/felt.md
-        return asFelt_N_per_mm(3.2);
+        return punchStiffness_N_per_mm(3.2);
     case AnatomyKind::LymphNode: // below 2.71 m/s, above which nodes count as malignant; assumed value
         return 0.15;
     case AnatomyKind::Bone: // rigid within the limits of devices; assumed value

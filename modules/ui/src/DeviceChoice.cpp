@@ -112,29 +112,30 @@ void DeviceChoice::fill(QMenu& menu)
         }
     });
     calibrate->setToolTip(tr("Takes the pose that the device is in now as its calibration pose"));
-    menu.addAction(tr("What is plugged in…"), this, &DeviceChoice::tellWhatIsOnTheBus);
+    menu.addAction(tr("What is plugged in…"), this, &DeviceChoice::reportBusDevices);
 }
 
 void DeviceChoice::addPuck(QMenu& menu)
 {
-    const auto add = [&](std::size_t place, const QString& text, const QString& tip, PuckUse use) {
+    const auto add = [&](std::size_t place, const QString& text, const QString& tip, SixAxisMouseUse use) {
         QAction* action = menu.addAction(text);
         action->setCheckable(true);
         action->setToolTip(tip);
-        connect(action, &QAction::triggered, this, [this, use](bool isOn) { usePuck(isOn ? use : PuckUse::Nothing); });
+        connect(action, &QAction::triggered, this,
+                [this, use](bool isOn) { usePuck(isOn ? use : SixAxisMouseUse::Nothing); });
         m_puckActions[place] = action;
     };
     add(0, tr("SpaceMouse moves the view"),
-        tr("The puck turns and shifts the anatomy while another device is the hand"), PuckUse::MovesView);
+        tr("The puck turns and shifts the anatomy while another device is the hand"), SixAxisMouseUse::MovesView);
     add(1, tr("SpaceMouse presses"),
         tr("The pointer says where, the puck how hard: the further it is pushed down, the more newtons of effort"),
-        PuckUse::Presses);
+        SixAxisMouseUse::Presses);
 }
 
-void DeviceChoice::usePuck(PuckUse use)
+void DeviceChoice::usePuck(SixAxisMouseUse use)
 {
     Status status;
-    if (use == PuckUse::Nothing) {
+    if (use == SixAxisMouseUse::Nothing) {
         (void)m_puck.use(nullptr);
     } else if (m_chosen == kPuckPlugin) {
         status = Status(StatusCode::Unsupported, "the SpaceMouse is the hand now; choose another device for it first");
@@ -142,22 +143,22 @@ void DeviceChoice::usePuck(PuckUse use)
         auto made = m_plugins->make(kPuckPlugin);
         status = made.isOk() ? m_puck.use(std::move(made).value()) : made.status();
     }
-    if (m_puckUse == PuckUse::Presses) {
+    if (m_puckUse == SixAxisMouseUse::Presses) {
         Q_EMIT pushed(0.0); // releases a running press before the role changes
     }
-    m_puckUse = m_puck.isOn() ? use : PuckUse::Nothing;
-    m_puckActions[0]->setChecked(m_puckUse == PuckUse::MovesView);
-    m_puckActions[1]->setChecked(m_puckUse == PuckUse::Presses);
+    m_puckUse = m_puck.isOn() ? use : SixAxisMouseUse::Nothing;
+    m_puckActions[0]->setChecked(m_puckUse == SixAxisMouseUse::MovesView);
+    m_puckActions[1]->setChecked(m_puckUse == SixAxisMouseUse::Presses);
     if (!status.isOk()) {
         Q_EMIT refused(engineText(status));
-    } else if (m_puckUse == PuckUse::Presses) {
+    } else if (m_puckUse == SixAxisMouseUse::Presses) {
         Q_EMIT pressingWanted();
     }
 }
 
 void DeviceChoice::takePuck(const device::DeviceState& from, const device::DeviceState& to, double passed_s)
 {
-    if (m_puckUse == PuckUse::Presses) {
+    if (m_puckUse == SixAxisMouseUse::Presses) {
         Q_EMIT pushed(pushOf(from, to, passed_s));
     } else if (from.isPresent && to.isPresent && (from.p_D != to.p_D || from.q_D.coeffs() != to.q_D.coeffs())) {
         moveWithHand(m_viewport.view().camera(), from, to);
@@ -284,7 +285,7 @@ bool DeviceChoice::isTroubled() const
     return m_live.deviceReport().condition != device::DeviceCondition::Working;
 }
 
-void DeviceChoice::tellWhatIsOnTheBus()
+void DeviceChoice::reportBusDevices()
 {
     QStringList lines;
     if (m_plugins != nullptr) {

@@ -37,7 +37,7 @@ double Effort::force_N(double now_s) const noexcept
     return m_share ? *m_share * m_most_N : std::min(m_most_N, kRise_N_per_s * (now_s - *m_touches_s));
 }
 
-std::vector<study::PressedSurface> surfacesInTheWay(const haptics::HapticScene& scene, const view::Ray& press)
+std::vector<study::PressedSurface> surfacesAlongPress(const haptics::HapticScene& scene, const view::Ray& press)
 {
     constexpr double kFlattest = 0.05; // limits the correction for surfaces seen edge-on
     std::vector<study::PressedSurface> found;

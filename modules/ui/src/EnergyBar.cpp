@@ -13,7 +13,7 @@ namespace palpate::ui {
 
 EnergyBar::EnergyBar(QWidget* parent)
     : QWidget(parent)
-    , Spoken(this)
+    , AccessibleReadout(this)
 {
     setFixedHeight(12);
     setObjectName(QStringLiteral("energy"));
@@ -25,10 +25,10 @@ void EnergyBar::setEnergy(double energy_mJ)
     m_energy_mJ = std::isfinite(energy_mJ) ? energy_mJ : 0.0;
     m_range_mJ = std::max(m_range_mJ, std::abs(m_energy_mJ));
     update();
-    tellValue();
+    announceValue();
 }
 
-QString EnergyBar::spokenText() const
+QString EnergyBar::accessibleText() const
 {
     return tr("%1 mJ").arg(QLocale().toString(m_energy_mJ, 'f', 2));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/ui/Spoken.h"
+#include "palpate/ui/AccessibleReadout.h"
 
 #include <QWidget>
 
@@ -9,16 +9,16 @@ namespace palpate::ui {
 
 /// Bar of the energy exchanged with the hand around zero: energy put in by the hand to the right, excess energy
 /// returned to the hand to the left in another colour.
-class EnergyBar : public QWidget, public Spoken
+class EnergyBar : public QWidget, public AccessibleReadout
 {
     Q_OBJECT
   public:
     explicit EnergyBar(QWidget* parent = nullptr);
     void setEnergy(double energy_mJ);
     [[nodiscard]] QSize sizeHint() const override { return {120, 12}; }
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Indicator; }
-    [[nodiscard]] QString spokenText() const override;
-    [[nodiscard]] std::optional<Scale> spokenScale() const override
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Indicator; }
+    [[nodiscard]] QString accessibleText() const override;
+    [[nodiscard]] std::optional<Scale> accessibleScale() const override
     {
         return Scale{m_energy_mJ, -m_range_mJ, m_range_mJ};
     }

@@ -27,7 +27,7 @@ bool sharesGodObject(const servo::TickRecord& tick, std::size_t i)
 
 /// Text of a layer's force. @param isInner  adds the penetration depth, which the panel shows elsewhere for the
 /// outermost layer
-QString shareText(const FeltLayer& layer, bool isInner)
+QString shareText(const LayerShare& layer, bool isInner)
 {
     // The component along the total force, with fixed digits. These components add up to the total; the vector lengths
     // do not.
@@ -40,7 +40,7 @@ QString shareText(const FeltLayer& layer, bool isInner)
 
 } // namespace
 
-QString frictionText(const FeltLayer& layer)
+QString frictionText(const LayerShare& layer)
 {
     switch (layer.friction) {
     case haptics::Friction::Holds:
@@ -53,15 +53,15 @@ QString frictionText(const FeltLayer& layer)
     return {};
 }
 
-std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N, const LayerLooks& looks)
+std::vector<LayerShare> layerShares(const servo::TickRecord& tick, double shown_N, const LayerStyleLookup& looks)
 {
     const double model_N = tick.felt.f_W.norm();
     const double scale = model_N > 0.0 ? shown_N / model_N : 0.0;
     const core::Vec3 direction = model_N > 0.0 ? core::Vec3(tick.felt.f_W / model_N) : core::Vec3::Zero();
-    std::vector<FeltLayer> layers;
+    std::vector<LayerShare> layers;
     for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
         const haptics::Contact& contact = tick.felt.contacts[i];
-        LayerLook look = looks(contact.structure);
+        LayerStyle look = looks(contact.structure);
         const core::Vec3 sideways = contact.f_W - contact.f_W.dot(contact.n_W) * contact.n_W;
         layers.push_back({std::move(look.name), look.colour, scale * contact.f_W.norm(),
                           scale * contact.f_W.dot(direction), contact.depth_mm, contact.friction,
@@ -70,9 +70,9 @@ std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N,
     return layers;
 }
 
-FeltStiffness feltStiffness(const servo::TickRecord& tick, const TissueOf& tissueOf)
+ContactStiffness contactStiffness(const servo::TickRecord& tick, const TissueOf& tissueOf)
 {
-    FeltStiffness felt;
+    ContactStiffness felt;
     double alone_N_per_mm = 0.0;
     for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
         const haptics::Contact& contact = tick.felt.contacts[i];
@@ -88,22 +88,22 @@ FeltStiffness feltStiffness(const servo::TickRecord& tick, const TissueOf& tissu
     return felt;
 }
 
-QString layersText(const std::vector<FeltLayer>& layers)
+QString layersText(const std::vector<LayerShare>& layers)
 {
     if (layers.size() == 1 && layers.front().friction == haptics::Friction::None) {
         return layers.front().name;
     }
     QStringList parts;
-    for (const FeltLayer& layer : layers) {
+    for (const LayerShare& layer : layers) {
         parts << layer.name + QLatin1Char(' ') + shareText(layer, !parts.isEmpty());
     }
     return parts.join(QStringLiteral(" · "));
 }
 
-QString layersMarkup(const std::vector<FeltLayer>& layers)
+QString layersMarkup(const std::vector<LayerShare>& layers)
 {
     QStringList parts;
-    for (const FeltLayer& layer : layers) {
+    for (const LayerShare& layer : layers) {
         const bool isInner = !parts.isEmpty();
         const QString text = QStringLiteral("<b>%1</b> %2").arg(layer.name.toHtmlEscaped(), shareText(layer, isInner));
         parts << QStringLiteral("<span style='color:%1'>■</span> %2").arg(layer.colour.name(), text);
@@ -111,10 +111,10 @@ QString layersMarkup(const std::vector<FeltLayer>& layers)
     return QStringLiteral("<p style='white-space:pre'>%1</p>").arg(parts.join(QStringLiteral("<br>")));
 }
 
-std::vector<LayerForce> layerForces(const std::vector<FeltLayer>& layers)
+std::vector<LayerForce> layerForces(const std::vector<LayerShare>& layers)
 {
     std::vector<LayerForce> forces;
-    for (const FeltLayer& layer : layers) {
+    for (const LayerShare& layer : layers) {
         forces.push_back({layer.colour, layer.along_N});
     }
     return forces;
@@ -133,7 +133,7 @@ void showFriction(const servo::TickRecord& tick, const core::Tissue& tissue, vie
                       depth_mm * (slides ? tissue.friction_dynamic : tissue.friction_static)};
 }
 
-void showInner(const servo::TickRecord& tick, const std::vector<FeltLayer>& layers, view::TouchState& state)
+void showInner(const servo::TickRecord& tick, const std::vector<LayerShare>& layers, view::TouchState& state)
 {
     state.innerCount = 0;
     for (std::size_t i = 1; i < std::min<std::size_t>(layers.size(), tick.felt.contactCount); ++i) {
@@ -148,7 +148,7 @@ void showInner(const servo::TickRecord& tick, const std::vector<FeltLayer>& laye
 }
 
 view::TouchState touchState(const servo::TickRecord& tick, const core::Vec3& f_W, double fingertip_mm,
-                            const std::vector<FeltLayer>& layers, const core::Tissue* tissue)
+                            const std::vector<LayerShare>& layers, const core::Tissue* tissue)
 {
     view::TouchState state;
     state.p_WH = tick.p_WH;

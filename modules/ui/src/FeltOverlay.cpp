@@ -101,7 +101,7 @@ void FeltOverlay::draw()
     }
     m_maps.setCovered(true);
     m_drawn.clear();
-    double greatest = buried::kTold_percent.back();
+    double greatest = buried::kDetectableChange_percent.back();
     bool isHatched = false;
     std::vector<std::vector<float>> changes;
     for (const auto& one : organs()) {
@@ -114,11 +114,12 @@ void FeltOverlay::draw()
         }
     }
     for (std::size_t i = 0; i < organs().size(); ++i) {
-        const FeltOrganShown& one = *organs()[i];
+        const DisplayedOrgan& one = *organs()[i];
         const buried::FeltSurface& felt = one.organ.felt;
         m_drawn.push_back(static_cast<int>(one.organ.organ.organ));
-        m_viewport.view().setPicture(one.organ.organ.organ, view::feltColoured(*one.picture, felt.surface,
-                                                                               {changes[i], felt.notJudged, greatest}));
+        m_viewport.view().setPicture(
+            one.organ.organ.organ,
+            view::palpabilityColoured(*one.picture, felt.surface, {changes[i], felt.notJudged, greatest}));
     }
     drawLegend(greatest, isHatched);
     m_viewport.update();
@@ -134,10 +135,10 @@ void FeltOverlay::drawLegend(double greatest_percent, bool isHatched)
     content.range.high = greatest_percent;
     content.range.hasUnknown = isHatched;
     content.marks = {{0.0, tr("0 %: no lump").toStdString()},
-                     {buried::kTold_percent[0], tr("7 %: half of that").toStdString()},
-                     {buried::kTold_percent[1], tr("14 %: a trained hand tells").toStdString()},
-                     {buried::kTold_percent[2], tr("28 %: plainly felt").toStdString()}};
-    if (greatest_percent > 1.15 * buried::kTold_percent[2]) {
+                     {buried::kDetectableChange_percent[0], tr("7 %: half of that").toStdString()},
+                     {buried::kDetectableChange_percent[1], tr("14 %: a trained hand tells").toStdString()},
+                     {buried::kDetectableChange_percent[2], tr("28 %: plainly felt").toStdString()}};
+    if (greatest_percent > 1.15 * buried::kDetectableChange_percent[2]) {
         content.marks.push_back(
             {greatest_percent, tr("%1 %: most here").arg(QLocale().toString(greatest_percent, 'f', 0)).toStdString()});
     }
@@ -167,7 +168,7 @@ QString FeltOverlay::textAt(int row, const Vec3& p_W) const
     for (const auto& one : organs()) {
         if (one->organ.organ.organ == static_cast<std::size_t>(row)) {
             const vtkIdType vertex = one->vertices->FindClosestPoint(p_W.data());
-            return vertex < 0 ? QString() : feltPlaceText(one->organ.felt, static_cast<std::size_t>(vertex), m_press);
+            return vertex < 0 ? QString() : palpabilityText(one->organ.felt, static_cast<std::size_t>(vertex), m_press);
         }
     }
     return {};

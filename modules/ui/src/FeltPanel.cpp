@@ -48,7 +48,7 @@ QString tipText(const buried::FeltSurface::LumpPress& press, const buried::FeltS
 {
     const QString verdict = verdictRangeText(press, lump.ratio);
     return press.best ? FeltPanel::tr("between %1 and %2")
-                                .arg(feltChangeText(press.felt.low), feltChangeText(press.felt.high)) +
+                                .arg(responseChangeText(press.felt.low), responseChangeText(press.felt.high)) +
                             QLatin1Char('\n') + verdict
                       : verdict;
 }
@@ -56,13 +56,13 @@ QString tipText(const buried::FeltSurface::LumpPress& press, const buried::FeltS
 QString cellText(const buried::FeltSurface::LumpPress& press)
 {
     const QString verdict = verdictWords(press.verdict);
-    return (press.best ? feltChangeText(press.felt.estimate) + QLatin1Char('\n') + verdict : verdict) + ends(press);
+    return (press.best ? responseChangeText(press.felt.estimate) + QLatin1Char('\n') + verdict : verdict) + ends(press);
 }
 
 QString briefText(const buried::FeltSurface::LumpPress& press)
 {
     const QString sign = verdictSign(press.verdict);
-    return (press.best ? feltChangeText(press.felt.estimate) + QStringLiteral("  ") + sign : sign) + ends(press);
+    return (press.best ? responseChangeText(press.felt.estimate) + QStringLiteral("  ") + sign : sign) + ends(press);
 }
 
 /// Legend of the verdict symbols.
@@ -228,8 +228,8 @@ QWidget* FeltPanel::makeChoices()
     m_best = new QPushButton(tr("Show me the best place"), choices);
     m_ratioLabel = new QLabel(choices);
     m_ratioLabel->setTextFormat(Qt::PlainText);
-    m_ratio =
-        makeSpin(kLeastRatio, buried::kMostRatio, tr("How many times as stiff as its organ the lump is"), choices);
+    m_ratio = makeSpin(kLeastRatio, buried::kMaxModulusRatio, tr("How many times as stiff as its organ the lump is"),
+                       choices);
     m_source = new ShownComboBox(choices);
     m_source->setAccessibleName(tr("Where the lump's stiffness comes from"));
     m_source->addItems({tr("As typed"), tr("From the two Young's moduli"), tr("By tissues or names")});
@@ -276,7 +276,7 @@ void FeltPanel::fill()
         m_table->setRowCount(0);
         m_rows.clear();
         for (std::size_t i = 0; i < m_overlay.organs().size(); ++i) {
-            const study::FeltOrgan& organ = m_overlay.organs()[i]->organ;
+            const study::OrganPalpability& organ = m_overlay.organs()[i]->organ;
             for (std::size_t k = 0; k < organ.felt.lumps.size(); ++k) {
                 const std::size_t lump = organ.organ.lumps[organ.felt.lumps[k].given].structure;
                 addRow({i, k, static_cast<int>(lump), static_cast<int>(organ.organ.organ)});
@@ -296,11 +296,11 @@ void FeltPanel::fill()
 
 void FeltPanel::addRow(const Row& row)
 {
-    const study::FeltOrgan& organ = m_overlay.organs()[row.organ]->organ;
+    const study::OrganPalpability& organ = m_overlay.organs()[row.organ]->organ;
     const buried::FeltSurface::Lump& lump = organ.felt.lumps[row.lump];
     const QString in = readableName(m_model.structure(row.organRow).name);
     const QString cover =
-        lump.leastCover_mm > 0.0 ? tr("%1 mm").arg(QLocale().toString(lump.leastCover_mm, 'f', 1)) : tr("lies open");
+        lump.minCover_mm > 0.0 ? tr("%1 mm").arg(QLocale().toString(lump.minCover_mm, 'f', 1)) : tr("lies open");
     const std::optional<study::StiffnessRatio>& ratio = organ.organ.lumps[lump.given].ratio;
     const QString source = ratio ? ratioSourceText(ratio->source) : tr("type it, or choose one that is published");
     QStringList cells{readableName(lump.name) + QLatin1Char('\n') + tr("in %1").arg(in),

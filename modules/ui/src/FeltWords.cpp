@@ -56,7 +56,7 @@ QString percent(double ratio)
     return QLocale().toString(static_cast<int>(std::lround(100.0 * (ratio - 1.0))));
 }
 
-QString whyNotJudged(std::uint8_t why)
+QString notEvaluatedText(std::uint8_t why)
 {
     QStringList reasons;
     if ((why & buried::kCurved) != 0) {
@@ -88,18 +88,18 @@ QString whenPressed(const buried::FeltSurface& felt, std::size_t vertex, std::si
         }
     }
     return QCoreApplication::translate("palpate::ui::FeltWords", ";\n%1 when pressed %2 mm")
-        .arg(feltChangeText(felt.press[deeper].ratio[vertex]), QLocale().toString(felt.press[deeper].press_mm));
+        .arg(responseChangeText(felt.press[deeper].ratio[vertex]), QLocale().toString(felt.press[deeper].press_mm));
 }
 
 } // namespace
 
-QString feltChangeText(double ratio)
+QString responseChangeText(double ratio)
 {
     const QString sign = std::lround(100.0 * (ratio - 1.0)) > 0 ? QStringLiteral("+") : QString();
     return QStringLiteral("%1%2 %").arg(sign, percent(ratio));
 }
 
-QString saysOf(buried::Verdict verdict)
+QString verdictPhrase(buried::Verdict verdict)
 {
     switch (verdict) {
     case buried::Verdict::Plainly:
@@ -163,10 +163,10 @@ QString ratioSourceText(study::RatioSource source)
     return QCoreApplication::translate(kContext, study::sourceText(source).data());
 }
 
-QString feltPlaceText(const buried::FeltSurface& felt, std::size_t vertex, std::size_t press)
+QString palpabilityText(const buried::FeltSurface& felt, std::size_t vertex, std::size_t press)
 {
     if (felt.notJudged[vertex] != 0) {
-        return whyNotJudged(felt.notJudged[vertex]);
+        return notEvaluatedText(felt.notJudged[vertex]);
     }
     if (felt.lump[vertex] == 0) {
         return QCoreApplication::translate("palpate::ui::FeltWords", "no lump is felt here");
@@ -178,9 +178,9 @@ QString feltPlaceText(const buried::FeltSurface& felt, std::size_t vertex, std::
                                    .arg(readableName(lump.name), shortText(lump.ratio->typical))
                              : readableName(lump.name);
     return QCoreApplication::translate("palpate::ui::FeltWords", "%1: %2 mm below, %3 (%4 … %5 %): %6")
-               .arg(name, QLocale().toString(felt.cover_mm[vertex], 'f', 0), feltChangeText(here.ratio[vertex]),
+               .arg(name, QLocale().toString(felt.cover_mm[vertex], 'f', 0), responseChangeText(here.ratio[vertex]),
                     percent(here.low[vertex]), percent(here.high[vertex]),
-                    saysOf(buried::verdictOf(here.ratio[vertex]))) +
+                    verdictPhrase(buried::verdictOf(here.ratio[vertex]))) +
            whenPressed(felt, vertex, press);
 }
 

@@ -34,7 +34,7 @@ QString sizeText(const std::optional<double>& value)
 QString tipOf(const core::Finding& finding)
 {
     QStringList lines;
-    for (const core::FeltLayer& layer : finding.layers) {
+    for (const core::FindingLayer& layer : finding.layers) {
         lines << FindingsModel::tr("%1: %2 N, %3 mm deep")
                      .arg(readableName(layer.structure), forceText(layer.force_N), depthText(layer.depth_mm));
     }

@@ -38,7 +38,7 @@ double axisStep(double duration_s, double width_px)
 
 ForceTimeline::ForceTimeline(QWidget* parent)
     : QWidget(parent)
-    , Spoken(this)
+    , AccessibleReadout(this)
 {
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -71,11 +71,11 @@ void ForceTimeline::setPosition(double position_s)
     if (position_s != m_position_s) {
         m_position_s = position_s;
         update();
-        tellValue();
+        announceValue();
     }
 }
 
-QString ForceTimeline::spokenText() const
+QString ForceTimeline::accessibleText() const
 {
     if (m_duration_s <= 0.0) {
         return tr("no recording");
@@ -91,12 +91,12 @@ QString ForceTimeline::spokenText() const
     return tr("%1, %2 N").arg(time, forceText(m_peaks_N[static_cast<std::size_t>(bin)]));
 }
 
-std::optional<Spoken::Scale> ForceTimeline::spokenScale() const
+std::optional<AccessibleReadout::Scale> ForceTimeline::accessibleScale() const
 {
     return Scale{m_position_s, 0.0, m_duration_s, kStep_s};
 }
 
-void ForceTimeline::setSpoken(double value)
+void ForceTimeline::setAccessibleValue(double value)
 {
     if (m_duration_s > 0.0 && !m_isLive) {
         Q_EMIT seekWanted(std::clamp(value, 0.0, m_duration_s));
@@ -118,7 +118,7 @@ void ForceTimeline::addLive(double time_s, double force_N)
     m_duration_s = static_cast<double>(m_peaks_N.size()) * kLiveBin_s;
     m_position_s = m_duration_s;
     update();
-    tellValue();
+    announceValue();
 }
 
 void ForceTimeline::clear()

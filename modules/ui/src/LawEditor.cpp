@@ -84,7 +84,7 @@ LawEditor::LawEditor(QWidget* parent)
     connect(m_kind, &QComboBox::activated, this,
             [this](int chosen) { choose(core::kLawKinds[static_cast<std::size_t>(chosen)]); });
     connect(m_switch, &QCheckBox::toggled, this, [this](bool isOn) {
-        const auto terms = core::lawTerms(m_tissue.law.kind);
+        const auto terms = core::lawParameters(m_tissue.law.kind);
         for (std::size_t i = 0; i < terms.size(); ++i) {
             if (terms[i].isSwitch) {
                 editNumber(i, isOn ? 1.0 : 0.0);
@@ -102,14 +102,14 @@ void LawEditor::show(const core::Tissue& tissue, double greatest_N_per_mm)
     m_tissue = tissue;
     m_greatest = greatest_N_per_mm;
     m_kind->setCurrentIndex(static_cast<int>(tissue.law.kind));
-    const auto terms = core::lawTerms(tissue.law.kind);
+    const auto terms = core::lawParameters(tissue.law.kind);
     m_form->setRowVisible(m_switch, false);
     for (std::size_t i = 0; i < m_numbers.size(); ++i) {
         QDoubleSpinBox* field = m_numbers[i];
         const bool isField = i < terms.size() && !terms[i].isSwitch;
         m_form->setRowVisible(field, isField);
         if (isField) {
-            const core::LawTerm& term = terms[i];
+            const core::LawParameter& term = terms[i];
             const QString name = termText(term.name), unit = QString::fromUtf8(term.unit.data());
             static_cast<QLabel*>(m_form->labelForField(field))->setText(name);
             field->setRange(0.0, term.most); // too small values are rejected with a message instead

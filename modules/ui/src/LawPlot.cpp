@@ -283,7 +283,7 @@ void LawPlot::keyPressEvent(QKeyEvent* event)
 void LawPlot::movePoint(double depth_mm, double force_N)
 {
     core::ForceLaw law = m_tissue.law;
-    const double step_mm = std::max(2.0 * core::ForceLaw::kLeastStep_mm, 0.005 * m_reach_mm);
+    const double step_mm = std::max(2.0 * core::ForceLaw::kMinPointSpacing_mm, 0.005 * m_reach_mm);
     const double low = law.points[*m_held - 1][0] + step_mm;
     const double high = *m_held + 1 < law.points.size() ? law.points[*m_held + 1][0] - step_mm : m_reach_mm;
     law.points[*m_held] = {std::max(low, std::min(depth_mm, high)), std::clamp(force_N, 0.0, m_top_N)};

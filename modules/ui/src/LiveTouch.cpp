@@ -49,9 +49,9 @@ LiveTouch::~LiveTouch()
     stop();
 }
 
-haptics::Tissue LiveTouch::greatestTissue() const
+haptics::Tissue LiveTouch::maxTissue() const
 {
-    return study::greatestTissue(m_info, heldStiffness_N_per_mm());
+    return study::maxTissue(m_info, heldStiffness_N_per_mm());
 }
 
 double LiveTouch::heldStiffness_N_per_mm() const
@@ -66,7 +66,7 @@ QString LiveTouch::limitText() const
     const QString name = QString::fromStdString(m_info.name);
     const double held = heldStiffness_N_per_mm();
     if (!std::isfinite(held)) {
-        return tr("%1 can show tissue up to %2 N/mm.").arg(name, locale.toString(greatestTissue().stiffness_N_per_mm));
+        return tr("%1 can show tissue up to %2 N/mm.").arg(name, locale.toString(maxTissue().stiffness_N_per_mm));
     }
     const double scale = m_map.isDirect ? 1.0 : m_map.scale;
     QString text = tr("%1 can show tissue up to %2 N/mm here.").arg(name, locale.toString(held, 'g', 3));
@@ -203,25 +203,25 @@ void LiveTouch::stop()
 
 void LiveTouch::handOverScene()
 {
-    m_scene = m_model.hapticScene(greatestTissue(), m_fingertip_mm);
+    m_scene = m_model.hapticScene(maxTissue(), m_fingertip_mm);
     m_session.setScene(m_scene, m_model.sources());
-    tellRefused();
+    reportSoftenedStructure();
     Q_EMIT handedOver();
 }
 
-void LiveTouch::tellRefused()
+void LiveTouch::reportSoftenedStructure()
 {
-    const haptics::Tissue greatest = greatestTissue();
-    const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(greatest);
+    const haptics::Tissue greatest = maxTissue();
+    const std::vector<haptics::HapticStructure> felt = m_model.hapticStructures(greatest);
     const auto number = [](double stiffness_N_per_mm) { return QLocale().toString(stiffness_N_per_mm, 'g', 3); };
-    const auto wanted = [this] { return m_model.feltStructures(core::unbounded()); };
+    const auto wanted = [this] { return m_model.hapticStructures(core::unbounded()); };
     QString line;
     for (int row = 0; row < m_model.rowCount() && line.isEmpty(); ++row) {
         const meshio::SceneStructure& one = m_model.structure(row);
         const auto at = static_cast<std::size_t>(row);
-        const double asked = felt[at].maps.stiffness.isEmpty() ? haptics::greatestStiffness(one.tissue)
-                                                               : study::greatestStiffness(wanted()[at]);
-        const double is = study::greatestStiffness(felt[at]);
+        const double asked =
+            felt[at].maps.stiffness.isEmpty() ? haptics::maxStiffness(one.tissue) : study::maxStiffness(wanted()[at]);
+        const double is = study::maxStiffness(felt[at]);
         if (one.palpable && asked > is * (1.0 + kRounding)) {
             // Short for the line below the view; the stiffness field explains the reason.
             line = tr("%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 can show here%5.")

@@ -23,7 +23,7 @@ struct LumpMaps::Job
 /// Results of the worker.
 struct LumpMaps::Found
 {
-    FeltOrgans shown, felt; ///< of all lumps; of the lumps in transmitted mode
+    DisplayedOrgans shown, felt; ///< of all lumps; of the lumps in transmitted mode
     QStringList notes;
     bool isShown = false; ///< `shown` was requested or equals `felt`
 };
@@ -34,10 +34,10 @@ constexpr int kWait_ms = 300;  // delay after the latest change
 constexpr int kBlink_ms = 400; // shorter computations show no progress
 
 /// Prepares the display data of an organ. @param picture  original display mesh of the organ
-std::shared_ptr<const FeltOrganShown> shownOrgan(study::FeltOrgan organ, std::size_t triangles,
+std::shared_ptr<const DisplayedOrgan> shownOrgan(study::OrganPalpability organ, std::size_t triangles,
                                                  const vtkSmartPointer<vtkPolyData>& picture)
 {
-    FeltOrganShown one;
+    DisplayedOrgan one;
     const geometry::TriangleMesh& mesh = organ.felt.surface;
     if (mesh.triangles.size() == triangles) {
         one.picture = picture;
@@ -57,13 +57,13 @@ std::shared_ptr<const FeltOrganShown> shownOrgan(study::FeltOrgan organ, std::si
     one.vertices->SetDataSet(cloud);
     one.vertices->BuildLocator();
     one.organ = std::move(organ);
-    return std::make_shared<const FeltOrganShown>(std::move(one));
+    return std::make_shared<const DisplayedOrgan>(std::move(one));
 }
 
 /// Extracts the maps for the haptic scene at the organ's original vertices, which precede those added by refinement.
-StructureModel::FeltThrough feltThrough(const study::FeltOrgan& from)
+StructureModel::TransmittedMap transmittedMap(const study::OrganPalpability& from)
 {
-    StructureModel::FeltThrough to;
+    StructureModel::TransmittedMap to;
     to.organ = static_cast<int>(from.organ.organ);
     for (const buried::FeltSurface::Press& press : from.felt.press) {
         to.below.emplace_back(press.ratio.begin(),
@@ -88,7 +88,7 @@ class LumpMaps::Making
     /// @param forHand  rows in transmitted mode; empty: no maps for the haptic scene
     /// @param known  results that are still valid
     Making(meshio::LoadedScene scene, std::vector<vtkSmartPointer<vtkPolyData>> pictures, std::vector<bool> forHand,
-           bool isShown, FeltOrgans known, Progress progress)
+           bool isShown, DisplayedOrgans known, Progress progress)
         : m_scene(std::move(scene))
         , m_pictures(std::move(pictures))
         , m_forHand(std::move(forHand))
@@ -106,8 +106,8 @@ class LumpMaps::Making
             m_found.isShown = true;
             return std::move(m_found);
         }
-        const std::vector<study::OrganWithLumps> felt =
-            study::lumpsThat(all.value(), [this](std::size_t row) { return row < m_forHand.size() && m_forHand[row]; });
+        const std::vector<study::OrganWithLumps> felt = study::filterLumps(
+            all.value(), [this](std::size_t row) { return row < m_forHand.size() && m_forHand[row]; });
         m_found.isShown = m_found.isShown || felt == all.value();
         m_count = static_cast<double>(felt.size() + (m_found.isShown && felt != all.value() ? all.value().size() : 0));
         for (const study::OrganWithLumps& organ : felt) {
@@ -124,9 +124,9 @@ class LumpMaps::Making
 
   private:
     /// Looks for already computed maps of this organ with the same lumps; null otherwise.
-    std::shared_ptr<const FeltOrganShown> made(const study::OrganWithLumps& organ) const
+    std::shared_ptr<const DisplayedOrgan> made(const study::OrganWithLumps& organ) const
     {
-        for (const FeltOrgans* from : {&m_found.felt, &m_known}) {
+        for (const DisplayedOrgans* from : {&m_found.felt, &m_known}) {
             for (const auto& one : *from) {
                 if (one->organ.organ == organ) {
                     return one;
@@ -136,7 +136,7 @@ class LumpMaps::Making
         return nullptr;
     }
 
-    void make(const study::OrganWithLumps& organ, const QString& what, FeltOrgans& to)
+    void make(const study::OrganWithLumps& organ, const QString& what, DisplayedOrgans& to)
     {
         if (auto one = made(organ); one != nullptr) {
             to.push_back(std::move(one));
@@ -176,7 +176,7 @@ class LumpMaps::Making
     meshio::LoadedScene m_scene;
     std::vector<vtkSmartPointer<vtkPolyData>> m_pictures;
     std::vector<bool> m_forHand;
-    FeltOrgans m_known;
+    DisplayedOrgans m_known;
     Progress m_progress;
     Found m_found;
     double m_count = 1.0, m_done = 0.0; ///< in organs
@@ -221,16 +221,16 @@ std::vector<LumpMaps::Cause> LumpMaps::causes() const
     return causes;
 }
 
-std::vector<bool> LumpMaps::lumpsForHand() const
+std::vector<bool> LumpMaps::transmittedLumps() const
 {
     std::vector<bool> lumps;
     for (int row = 0; row < m_model.rowCount(); ++row) {
-        lumps.push_back(m_model.isToBeFeltThrough(row));
+        lumps.push_back(m_model.isTransmitted(row));
     }
     return lumps;
 }
 
-bool LumpMaps::isForHand() const
+bool LumpMaps::hasTransmittedLumps() const
 {
     return std::find(m_forHand.begin(), m_forHand.end(), true) != m_forHand.end();
 }
@@ -256,11 +256,11 @@ void LumpMaps::reset()
     m_wait.stop();
     m_organs.clear();
     m_causes = causes();
-    m_forHand = lumpsForHand();
+    m_forHand = transmittedLumps();
     m_isUpToDate = m_isGivenUp = false;
     m_isHandUpToDate = true;
     for (std::size_t i = 0; i < m_forHand.size(); ++i) {
-        m_isHandUpToDate = m_isHandUpToDate && m_forHand[i] == m_model.rows()[i].loaded.isFeltThrough;
+        m_isHandUpToDate = m_isHandUpToDate && m_forHand[i] == m_model.rows()[i].loaded.isTransmitted;
     }
     Q_EMIT outdated(true);
     if (m_isWanted || !isHandUpToDate()) {
@@ -272,7 +272,7 @@ void LumpMaps::reset()
 void LumpMaps::follow()
 {
     std::vector<Cause> now = causes();
-    std::vector<bool> forHand = lumpsForHand();
+    std::vector<bool> forHand = transmittedLumps();
     const bool isOther = now != m_causes, isOtherHand = isOther || forHand != m_forHand;
     if (isOtherHand) {
         m_causes = std::move(now);
@@ -315,7 +315,7 @@ void LumpMaps::begin()
         pictures.push_back(row.picture);
     }
     auto making = std::make_shared<Making>(sceneNow(), std::move(pictures), m_forHand, m_isWanted,
-                                           m_isUpToDate ? m_organs : FeltOrgans(), progress);
+                                           m_isUpToDate ? m_organs : DisplayedOrgans(), progress);
     m_thread.start([this, job = m_job, making] {
         auto found = std::make_shared<Found>(making->run());
         QMetaObject::invokeMethod(this, [this, job, found] {
@@ -364,14 +364,14 @@ void LumpMaps::take(Found& found)
     m_notes = std::move(found.notes);
     Q_EMIT ended();
     if (!hadHand) {
-        std::vector<StructureModel::FeltThrough> maps;
+        std::vector<StructureModel::TransmittedMap> maps;
         for (const auto& one : found.felt) {
-            StructureModel::FeltThrough map = feltThrough(one->organ);
+            StructureModel::TransmittedMap map = transmittedMap(one->organ);
             if (!map.lumps.empty()) {
                 maps.push_back(std::move(map));
             }
         }
-        m_model.setFeltThrough(maps); // emits `edited`, but changes none of the causes
+        m_model.setTransmittedMaps(maps); // emits `edited`, but changes none of the causes
     }
     if (!m_notes.isEmpty()) {
         Q_EMIT noted(m_notes);

@@ -64,13 +64,12 @@ double mostOf(const meshio::SurfaceMap& map, const core::Tissue& tissue, const h
 {
     switch (map.mapping.quantity) {
     case core::MappedQuantity::Damping:
-        return study::greatestDamping(felt);
+        return study::maxDamping(felt);
     case core::MappedQuantity::Stiffness:
         if (felt.maps.stiffness.isEmpty()) {
             break; // not in the haptic scene
         }
-        return tissue.law.kind == core::LawKind::Linear ? study::greatestStiffness(felt)
-                                                        : felt.maps.stiffness.greatest();
+        return tissue.law.kind == core::LawKind::Linear ? study::maxStiffness(felt) : felt.maps.stiffness.greatest();
     case core::MappedQuantity::Friction:
         break;
     }
@@ -79,9 +78,9 @@ double mostOf(const meshio::SurfaceMap& map, const core::Tissue& tissue, const h
 
 } // namespace
 
-std::vector<SurfaceNumbers> numbersOf(const meshio::LoadedStructure& structure)
+std::vector<SurfaceField> surfaceFields(const meshio::LoadedStructure& structure)
 {
-    std::vector<SurfaceNumbers> numbers;
+    std::vector<SurfaceField> numbers;
     for (const meshio::SurfaceMap& map : structure.maps) {
         numbers.push_back({keyOf(map), feltTitle(map, structure.description.tissue), map.isPerTriangle});
     }
@@ -98,10 +97,10 @@ std::vector<SurfaceNumbers> numbersOf(const meshio::LoadedStructure& structure)
     return numbers;
 }
 
-SurfaceNumbers numbersOf(const meshio::LoadedStructure& structure, const QString& what,
-                         const haptics::HapticStructure& felt)
+SurfaceField surfaceFields(const meshio::LoadedStructure& structure, const QString& what,
+                           const haptics::HapticStructure& felt)
 {
-    for (SurfaceNumbers& numbers : numbersOf(structure)) {
+    for (SurfaceField& numbers : surfaceFields(structure)) {
         if (numbers.what != what) {
             continue;
         }
@@ -211,8 +210,8 @@ void MapDisplay::refresh()
     }
     const auto i = static_cast<std::size_t>(m_row);
     const StructureRow& row = m_model.rows()[i];
-    SurfaceNumbers numbers =
-        m_what.isEmpty() ? SurfaceNumbers() : numbersOf(row.loaded, m_what, m_model.feltStructures(m_greatest)[i]);
+    SurfaceField numbers =
+        m_what.isEmpty() ? SurfaceField() : surfaceFields(row.loaded, m_what, m_model.hapticStructures(m_greatest)[i]);
     if (numbers.values.empty()) { // including maps that were removed
         restore();
         return;

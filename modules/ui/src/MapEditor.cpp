@@ -365,7 +365,7 @@ void MapEditor::refreshColours(const QString& coloured)
 {
     m_colours->clear();
     m_colours->addItem(tr("Own colour"), QString());
-    for (const SurfaceNumbers& numbers : numbersOf(m_structure)) {
+    for (const SurfaceField& numbers : surfaceFields(m_structure)) {
         m_colours->addItem(numbers.title, numbers.what);
     }
     m_colours->setCurrentIndex(std::max(0, m_colours->findData(coloured)));

@@ -96,7 +96,7 @@ void MapWarnings::take(const std::shared_ptr<const haptics::HapticScene>& scene,
         lines << QString();
     }
     for (const study::MapEdge& edge : edges) {
-        if (edge.swing_mm < study::kLeastSwing_mm) {
+        if (edge.swing_mm < study::kMinSwing_mm) {
             continue;
         }
         const QString name = readableName(scene->structures()[edge.structure].name);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/PalpationController.h"
 
-#include "palpate/ui/LumpUnder.h"
+#include "palpate/ui/LumpAtContact.h"
 #include <palpate/core/Clock.h>
 #include <palpate/haptics/ForceTable.h>
 
@@ -73,7 +73,7 @@ void PalpationController::connectPointer()
         if (m_isByEffort) {
             turnEffort(notches);
         } else {
-            tellDepth(m_hand.turnDepth(notches), notches > 0.0);
+            emitDepth(m_hand.turnDepth(notches), notches > 0.0);
             run();
         }
     });
@@ -84,7 +84,7 @@ bool PalpationController::isPressing() const
     return m_hand.phase(seconds(core::monotonicNow_ns())) == PointerHand::Phase::Pressing;
 }
 
-void PalpationController::tellDepth(bool isWithin, bool isDeeper)
+void PalpationController::emitDepth(bool isWithin, bool isDeeper)
 {
     Q_EMIT depthChanged(depth_mm());
     if (!isWithin && isDeeper) {
@@ -116,7 +116,7 @@ void PalpationController::turnEffort(double notches)
 }
 
 /// Sets the depth of a press by effort to the depth at which the surfaces in the way resist with the requested force.
-void PalpationController::sinkByEffort(double now_s)
+void PalpationController::updateEffortDepth(double now_s)
 {
     if (!m_isByEffort || !isPressing()) {
         return; // during lift-off the hand returns from its current depth
@@ -125,12 +125,12 @@ void PalpationController::sinkByEffort(double now_s)
     const view::Ray press{*m_hand.hoverPoint(), m_hand.direction()};
     std::vector<study::PressedSurface> inTheWay;
     if (m_live.scene() != nullptr) {
-        inTheWay = surfacesInTheWay(*m_live.scene(), press);
+        inTheWay = surfacesAlongPress(*m_live.scene(), press);
     }
     // Without a surface in the way, e.g. beyond a rim, nothing resists: the hand stays at surface height.
     m_hand.setAim(inTheWay.empty() ? 0.0
-                                   : study::wayOfPress_mm(inTheWay, m_effort.force_N(now_s),
-                                                          hover_mm + m_hand.settings().deepest_mm) -
+                                   : study::pressTravel_mm(inTheWay, m_effort.force_N(now_s),
+                                                           hover_mm + m_hand.settings().deepest_mm) -
                                          hover_mm);
 }
 
@@ -189,7 +189,7 @@ void PalpationController::stepDepth(int steps)
     if (m_live.usesPointer() && m_isByEffort) {
         turnEffort(steps);
     } else if (m_live.usesPointer()) {
-        tellDepth(m_hand.stepDepth(steps), steps > 0);
+        emitDepth(m_hand.stepDepth(steps), steps > 0);
         run();
     }
 }
@@ -240,7 +240,7 @@ void PalpationController::refreshText()
 }
 
 /// Updates the commanded depth, and whether the surface has slid aside from under the hand.
-void PalpationController::judgePress(const servo::TickRecord& tick, TouchReading& reading)
+void PalpationController::updatePressState(const servo::TickRecord& tick, TouchReading& reading)
 {
     // Fraction of the commanded depth. The penetration depth falls below this only where the surface deflects the hand
     // sideways.
@@ -314,7 +314,7 @@ void PalpationController::press()
     const double now_s = seconds(core::monotonicNow_ns());
     m_hand.press();
     m_effort.begin(now_s + m_hand.settings().pressTime_s);
-    sinkByEffort(now_s);
+    updateEffortDepth(now_s);
     m_live.pointer().setState(m_hand.state(now_s));
     run();
 }
@@ -347,7 +347,7 @@ void PalpationController::step()
         return;
     }
     const double now_s = seconds(now_ns);
-    sinkByEffort(now_s);
+    updateEffortDepth(now_s);
     m_live.pointer().setState(m_hand.state(now_s));
     const PointerHand::Phase phase = m_hand.phase(now_s);
     const bool isNew = m_live.fetch(m_tick);
@@ -400,11 +400,11 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     TouchReading reading;
     const bool isTouching = tick.felt.structure >= 0;
     if (isTouching) {
-        reading.layers = feltLayers(tick, f_W.norm(), [this](std::uint32_t number) {
+        reading.layers = layerShares(tick, f_W.norm(), [this](std::uint32_t number) {
             const int row = static_cast<int>(number);
             return row < m_model.rowCount()
-                       ? LayerLook{readableName(m_model.structure(row).name), colourOf(m_model.structure(row))}
-                       : LayerLook{};
+                       ? LayerStyle{readableName(m_model.structure(row).name), colourOf(m_model.structure(row))}
+                       : LayerStyle{};
         });
     }
     const core::Tissue* tissue = isTouching && tick.felt.structure < m_model.rowCount()
@@ -413,7 +413,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     view::TouchState state = touchState(tick, f_W, m_live.fingertip_mm(), reading.layers, tissue);
     state.isPresent = true; // including hovering, which the device does not know
     state.hasCrosshair = m_isByKeys;
-    judgePress(tick, reading);
+    updatePressState(tick, reading);
     if (!m_shown.isPresent || state.innerCount != m_shown.innerCount || state.p_WH != m_shown.p_WH ||
         state.p_WG != m_shown.p_WG || state.f_W != m_shown.f_W || state.hasCrosshair != m_shown.hasCrosshair) {
         m_shown = state;
@@ -421,10 +421,10 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         m_viewport.update();
     }
     reading.time_s = seconds(now_ns);
-    reading.isAtBound = (tick.flags & servo::kIterationLimit) != 0;
+    reading.isAtIterationLimit = (tick.flags & servo::kIterationLimit) != 0;
     if (state.isInContact && tick.felt.structure < m_model.rowCount()) {
         reading.structure = readableName(m_model.structure(tick.felt.structure).name);
-        const FeltStiffness stiffness = feltStiffness(tick, [this](std::uint32_t number) {
+        const ContactStiffness stiffness = contactStiffness(tick, [this](std::uint32_t number) {
             const int row = static_cast<int>(number);
             return row < m_model.rowCount() ? &m_model.structure(row).tissue : nullptr;
         });
@@ -433,7 +433,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         reading.force_N = f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
         reading.constraints = tick.felt.constraints;
-        if (const auto under = lumpUnder(m_model, tick.felt.structure, tick.felt.p_WG, reading.depth_mm)) {
+        if (const auto under = lumpAtContact(m_model, tick.felt.structure, tick.felt.p_WG, reading.depth_mm)) {
             reading.lump = readableName(m_model.structure(under->row).name);
             reading.lumpRatio = under->ratio;
         }

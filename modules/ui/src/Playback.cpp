@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/Playback.h"
 
-#include "palpate/ui/LumpUnder.h"
+#include "palpate/ui/LumpAtContact.h"
 
 #include <algorithm>
 
@@ -118,7 +118,7 @@ void Playback::seek(double position_s)
     m_panel.refresh();
 }
 
-LayerLook Playback::lookOf(const servo::TickRecord& tick, std::uint32_t number) const
+LayerStyle Playback::lookOf(const servo::TickRecord& tick, std::uint32_t number) const
 {
     const std::string name = m_recording->structureName(tick, number);
     if (name.empty()) {
@@ -132,9 +132,9 @@ LayerLook Playback::lookOf(const servo::TickRecord& tick, std::uint32_t number) 
     return {readableName(name), QColor(Qt::gray)};
 }
 
-std::vector<FeltLayer> Playback::layersOf(const servo::TickRecord& tick) const
+std::vector<LayerShare> Playback::layersOf(const servo::TickRecord& tick) const
 {
-    return feltLayers(tick, tick.felt.f_W.norm(), [&](std::uint32_t number) { return lookOf(tick, number); });
+    return layerShares(tick, tick.felt.f_W.norm(), [&](std::uint32_t number) { return lookOf(tick, number); });
 }
 
 /// Adds the transmitted lump at the contact, if the open scene contains the touched structure.
@@ -145,7 +145,7 @@ void Playback::addLump(TouchReading& reading, const servo::TickRecord& tick) con
         if (m_model.structure(row).name != name) {
             continue;
         }
-        if (const auto under = lumpUnder(m_model, row, tick.felt.p_WG, reading.depth_mm)) {
+        if (const auto under = lumpAtContact(m_model, row, tick.felt.p_WG, reading.depth_mm)) {
             reading.lump = readableName(m_model.structure(under->row).name);
             reading.lumpRatio = under->ratio;
         }
@@ -157,11 +157,11 @@ void Playback::feed(const servo::TickRecord& tick, double time_s)
 {
     TouchReading reading;
     reading.time_s = time_s;
-    reading.isAtBound = (tick.flags & servo::kIterationLimit) != 0;
+    reading.isAtIterationLimit = (tick.flags & servo::kIterationLimit) != 0;
     if (tick.felt.structure >= 0) {
         reading.layers = layersOf(tick);
         reading.structure = lookOf(tick, static_cast<std::uint32_t>(tick.felt.structure)).name;
-        const FeltStiffness stiffness = m_recording->stiffness(tick);
+        const ContactStiffness stiffness = m_recording->stiffness(tick);
         reading.stiffness_N_per_mm = stiffness.whole_N_per_mm;
         reading.stiffnessRatio = stiffness.ratio;
         reading.force_N = tick.felt.f_W.norm();

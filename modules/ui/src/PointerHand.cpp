@@ -20,8 +20,8 @@ PointerHandSettings settingsForSize(double diagonal_mm)
     settings.hover_mm *= share;
     settings.depth_mm *= share;
     settings.step_mm *= share;
-    settings.gentle_mm *= share;
-    settings.deeper_mm_per_s *= share;
+    settings.easeThreshold_mm *= share;
+    settings.pressSpeed_mm_per_s *= share;
     settings.stride_mm *= share;
     settings.deepest_mm = diagonal_mm;
     return settings;
@@ -162,8 +162,8 @@ device::PointerState PointerHand::state(double now_s) const
     state.depth_mm = m_aim_mm.value_or(m_settings.depth_mm);
     state.hover_mm = m_settings.hover_mm;
     state.pressTime_s = m_settings.pressTime_s;
-    state.gentle_mm = m_settings.gentle_mm;
-    state.deeper_mm_per_s = m_settings.deeper_mm_per_s;
+    state.easeThreshold_mm = m_settings.easeThreshold_mm;
+    state.pressSpeed_mm_per_s = m_settings.pressSpeed_mm_per_s;
     state.liftTime_s = m_settings.liftTime_s;
     return state;
 }

@@ -55,7 +55,7 @@ std::optional<servo::TickRecord> RecordedTouch::at(double time_s) const
         const auto before = number > extent.firstTick ? m_reader->at(number - 1) : std::nullopt;
         const core::Vec3 v_WH =
             before ? core::Vec3((tick->p_WH - before->p_WH) * m_reader->info().rate_Hz) : core::Vec3::Zero();
-        study::findScales(*tick, *scene, v_WH);
+        study::reconstructScales(*tick, *scene, v_WH);
     }
     return tick;
 }
@@ -80,10 +80,10 @@ const core::Tissue* RecordedTouch::tissue(const servo::TickRecord& tick) const
                : nullptr;
 }
 
-FeltStiffness RecordedTouch::stiffness(const servo::TickRecord& tick) const
+ContactStiffness RecordedTouch::stiffness(const servo::TickRecord& tick) const
 {
     const session::SceneRecord* scene = m_reader->scene(tick.scene);
-    return feltStiffness(tick, [scene](std::uint32_t number) {
+    return contactStiffness(tick, [scene](std::uint32_t number) {
         return scene != nullptr && number < scene->structures.size() ? &scene->structures[number].tissue : nullptr;
     });
 }

@@ -98,7 +98,7 @@ class SceneLoader::Opening
         m_read = [scene = std::move(scene)](const std::filesystem::path& path, const meshio::ReadOptions& how) {
             auto loaded = meshio::loadScene(scene, path, how);
             if (loaded.isOk()) {
-                if (core::Status status = study::feelBuried(loaded.value(), how.progress); !status.isOk()) {
+                if (core::Status status = study::applyBuriedLumps(loaded.value(), how.progress); !status.isOk()) {
                     return core::Result<meshio::LoadedScene>(status);
                 }
             }
@@ -113,7 +113,7 @@ class SceneLoader::Opening
         for (std::size_t i = 0; i < m_files.size() && !m_job->isCancelled; ++i) {
             read(i);
         }
-        tellSize();
+        emitSceneSize();
         prepare();
         m_opened->seconds = static_cast<double>(timer.elapsed()) * 1e-3;
         tell([&loader = m_loader, opened = m_opened, problems = m_problems, isCancelled = m_job->isCancelled.load()] {
@@ -217,7 +217,7 @@ class SceneLoader::Opening
         }
     }
 
-    void tellSize()
+    void emitSceneSize()
     {
         core::Box box;
         for (const StructureRow& row : m_opened->rows) {
@@ -389,7 +389,7 @@ void SceneLoader::findGaps(const std::vector<StructureRow>& rows)
     auto kept = std::make_shared<Kept>();
     for (const StructureRow& row : rows) {
         const bool counts =
-            !row.isRemoved && StructureModel::isFelt(row.loaded.description) && !row.loaded.isFeltThrough;
+            !row.isRemoved && StructureModel::isFelt(row.loaded.description) && !row.loaded.isTransmitted;
         kept->surfaces.push_back(row.loaded.surface);
         kept->indices.push_back(counts ? row.touch : nullptr);
         kept->neighbours.push_back({readableName(row.loaded.description.name).toStdString(),

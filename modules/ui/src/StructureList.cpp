@@ -150,10 +150,10 @@ void StructureList::makeView()
     }
     header->setSectionResizeMode(StructureModel::Name, QHeaderView::Stretch);
     header->hide();
-    takeLook();
+    applyStyle();
 }
 
-void StructureList::takeLook()
+void StructureList::applyStyle()
 {
     m_view->setMinimumHeight(9 * fontMetrics().height()); // about six rows; the list scrolls
     const int symbol_px = withText_px(18);
@@ -176,9 +176,9 @@ void StructureList::takeLook()
 void StructureList::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        takeLook();
+        applyStyle();
     } else if (event->type() == QEvent::StyleChange) { // a new style sheet restores the view's old palette
-        QMetaObject::invokeMethod(this, &StructureList::takeLook, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &StructureList::applyStyle, Qt::QueuedConnection);
     }
     QWidget::changeEvent(event);
 }

@@ -56,7 +56,7 @@ class StructureList : public QWidget
 
   private:
     void makeView();
-    void takeLook();
+    void applyStyle();
     [[nodiscard]] QWidget* makeHead();
     void keepSelection();
     void bringSelectionBack();

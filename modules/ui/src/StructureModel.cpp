@@ -150,7 +150,7 @@ void StructureModel::setRows(std::vector<StructureRow> rows, meshio::BuriedTouch
         if (buried == meshio::BuriedTouch::Layers) {
             row.recordedBelow = row.loaded.feltBelow;
         }
-        refreshFelt(row);
+        refreshTouchMaps(row);
     }
     endResetModel();
 }
@@ -191,12 +191,12 @@ void StructureModel::setLayers(const std::vector<std::uint32_t>& layers, const Q
     editAll(std::move(edits), text);
 }
 
-bool StructureModel::isToBeFeltThrough(int row) const
+bool StructureModel::isTransmitted(int row) const
 {
     const StructureRow& one = m_rows[static_cast<std::size_t>(row)];
     const meshio::SceneStructure& lump = one.loaded.description;
     return m_buried == meshio::BuriedTouch::Felt && !one.isRemoved && isFelt(lump) &&
-           (areLumpsNamed() ? !lump.inside.empty() : study::mayBeLump(lump) && organAround(row).has_value());
+           (areLumpsNamed() ? !lump.inside.empty() : study::isLumpCandidate(lump) && organAround(row).has_value());
 }
 
 bool StructureModel::areLumpsNamed() const
@@ -220,9 +220,9 @@ std::optional<int> StructureModel::organAround(int row) const
          in = m_rows[static_cast<std::size_t>(*in)].in) {
         const StructureRow& around = m_rows[static_cast<std::size_t>(*in)];
         if (!around.isRemoved && isFelt(around.loaded.description) && around.loaded.surface != nullptr &&
-            study::hasSureInside(around.loaded.surface->report)) {
+            study::hasReliableInterior(around.loaded.surface->report)) {
             organ = in;
-            if (isByShape && !study::mayBeLump(around.loaded.description)) {
+            if (isByShape && !study::isLumpCandidate(around.loaded.description)) {
                 break; // an organ, regardless of further containers
             }
         }
@@ -242,21 +242,21 @@ std::uint32_t StructureModel::layerWithin(int row) const
 }
 
 /// Clears the maps of lumps no longer in transmitted mode. Returns the rows with changed touch.
-std::vector<int> StructureModel::dropFeltThrough()
+std::vector<int> StructureModel::clearTransmittedMaps()
 {
     std::vector<int> others;
     bool isAny = false;
     for (int i = 0; i < rowCount() && !isAny; ++i) {
-        isAny = isToBeFeltThrough(i);
+        isAny = isTransmitted(i);
     }
     for (int i = 0; i < rowCount(); ++i) {
         StructureRow& row = m_rows[static_cast<std::size_t>(i)];
-        const bool isLost = row.loaded.isFeltThrough && !isToBeFeltThrough(i);
+        const bool isLost = row.loaded.isTransmitted && !isTransmitted(i);
         const bool isOther = !isAny && row.loaded.feltBelow != row.recordedBelow;
-        row.loaded.isFeltThrough = row.loaded.isFeltThrough && !isLost;
+        row.loaded.isTransmitted = row.loaded.isTransmitted && !isLost;
         if (isOther) {
             row.loaded.feltBelow = row.recordedBelow;
-            refreshFelt(row);
+            refreshTouchMaps(row);
         }
         if (isLost || isOther) {
             others.push_back(i);
@@ -265,14 +265,14 @@ std::vector<int> StructureModel::dropFeltThrough()
     return others;
 }
 
-void StructureModel::setFeltThrough(const std::vector<FeltThrough>& maps)
+void StructureModel::setTransmittedMaps(const std::vector<TransmittedMap>& maps)
 {
     if (m_buried != meshio::BuriedTouch::Felt) {
         return;
     }
     std::vector<bool> isThrough(m_rows.size());
     std::vector<const std::vector<std::vector<float>>*> below(m_rows.size());
-    for (const FeltThrough& one : maps) {
+    for (const TransmittedMap& one : maps) {
         below[static_cast<std::size_t>(one.organ)] = &one.below;
         for (const int lump : one.lumps) {
             isThrough[static_cast<std::size_t>(lump)] = true;
@@ -283,10 +283,10 @@ void StructureModel::setFeltThrough(const std::vector<FeltThrough>& maps)
         const bool isOtherMap = below[i] == nullptr ? !one.feltBelow.empty() : one.feltBelow != *below[i];
         if (isOtherMap) {
             one.feltBelow = below[i] == nullptr ? std::vector<std::vector<float>>() : *below[i];
-            refreshFelt(m_rows[i]);
+            refreshTouchMaps(m_rows[i]);
         }
-        if (isOtherMap || one.isFeltThrough != isThrough[i]) {
-            one.isFeltThrough = isThrough[i];
+        if (isOtherMap || one.isTransmitted != isThrough[i]) {
+            one.isTransmitted = isThrough[i];
             Q_EMIT edited(static_cast<int>(i), Change::Touch);
         }
     }
@@ -302,9 +302,9 @@ void StructureModel::addRows(std::vector<StructureRow> rows, const QString& text
     for (StructureRow& row : rows) {
         numbers.push_back(rowCount());
         row.isRemoved = true; // until the undo step runs
-        row.loaded.isFeltThrough = false;
+        row.loaded.isTransmitted = false;
         row.loaded.feltBelow.clear();
-        refreshFelt(row);
+        refreshTouchMaps(row);
         m_rows.push_back(std::move(row));
     }
     endInsertRows();
@@ -329,7 +329,7 @@ void StructureModel::setRemoved(const std::vector<int>& rows, bool isRemoved)
     for (const int row : rows) {
         m_rows[static_cast<std::size_t>(row)].isRemoved = isRemoved;
     }
-    const std::vector<int> others = dropFeltThrough();
+    const std::vector<int> others = clearTransmittedMaps();
     // Affects the texts of contained structures.
     Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
     for (const int row : rows) {
@@ -354,7 +354,7 @@ int StructureModel::presentCount() const
         std::count_if(m_rows.begin(), m_rows.end(), [](const StructureRow& row) { return !row.isRemoved; }));
 }
 
-QString StructureModel::feltText(int row, std::uint32_t layer) const
+QString StructureModel::touchOrderText(int row, std::uint32_t layer) const
 {
     if (layer == 0) {
         return tr("outermost");
@@ -370,10 +370,11 @@ QString StructureModel::feltText(int row, std::uint32_t layer) const
     return tr("%1 below").arg(layer);
 }
 
-QString StructureModel::feltText(int row) const
+QString StructureModel::touchOrderText(int row) const
 {
-    const std::optional<int> organ = isToBeFeltThrough(row) ? organAround(row) : std::nullopt;
-    return organ ? tr("through %1").arg(readableName(structure(*organ).name)) : feltText(row, structure(row).layer);
+    const std::optional<int> organ = isTransmitted(row) ? organAround(row) : std::nullopt;
+    return organ ? tr("through %1").arg(readableName(structure(*organ).name))
+                 : touchOrderText(row, structure(row).layer);
 }
 
 void StructureModel::apply(const std::vector<Edited>& edits, std::optional<meshio::BuriedTouch> buried)
@@ -388,14 +389,14 @@ void StructureModel::apply(const std::vector<Edited>& edits, std::optional<meshi
         if (before.back().maps != now.maps) {
             resolveMaps(one.row);
         } else if (before.back().tissue != now.tissue) {
-            refreshFelt(m_rows[static_cast<std::size_t>(one.row)]);
+            refreshTouchMaps(m_rows[static_cast<std::size_t>(one.row)]);
         }
         first = std::min(first, one.row);
         last = std::max(last, one.row);
     }
-    std::vector<int> others = dropFeltThrough();
+    std::vector<int> others = clearTransmittedMaps();
     for (int row = 0; buried && row < rowCount(); ++row) {
-        if (isToBeFeltThrough(row)) {
+        if (isTransmitted(row)) {
             others.push_back(row);
         }
     }
@@ -444,7 +445,7 @@ void StructureModel::resolveMaps(int row)
     for (const std::string& line : losses) {
         one.mapProblems << engineText(line);
     }
-    refreshFelt(one);
+    refreshTouchMaps(one);
 }
 
 void StructureModel::setMaps(int row, const std::optional<std::vector<core::TissueMapping>>& of,
@@ -456,7 +457,7 @@ void StructureModel::setMaps(int row, const std::optional<std::vector<core::Tiss
     }
     one.loaded.maps = std::move(maps);
     one.mapProblems = problems;
-    refreshFelt(one);
+    refreshTouchMaps(one);
     Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     Q_EMIT edited(row, Change::Touch);
 }
@@ -487,7 +488,7 @@ void StructureModel::setSurface(int row, const StructureRow& built)
     if (now.maps == of.maps) {
         one.loaded.maps = built.loaded.maps;
         one.mapProblems = built.mapProblems;
-        refreshFelt(one);
+        refreshTouchMaps(one);
     } else {
         resolveMaps(row);
     }
@@ -544,7 +545,7 @@ void StructureModel::smooth(const std::vector<int>& rows)
 }
 
 /// Prepares the maps for the servo tick. @par Cost O(triangles) per map
-void StructureModel::refreshFelt(StructureRow& row)
+void StructureModel::refreshTouchMaps(StructureRow& row)
 {
     const bool varies = !row.loaded.maps.empty() || !row.loaded.feltBelow.empty();
     row.felt = row.touch != nullptr && varies ? study::tissueMaps(row.loaded, *row.touch) : haptics::TissueMaps();
@@ -555,7 +556,7 @@ void StructureModel::setTouch(int row, std::shared_ptr<const geometry::SurfaceIn
     StructureRow& one = m_rows[static_cast<std::size_t>(row)];
     one.touch = std::move(touch);
     one.sha256 = std::move(sha256);
-    refreshFelt(one);
+    refreshTouchMaps(one);
     Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     Q_EMIT edited(row, Change::Touch);
 }
@@ -657,29 +658,29 @@ view::Appearance StructureModel::appearanceOf(int row) const
     return appearance;
 }
 
-std::vector<haptics::HapticStructure> StructureModel::feltStructures(const haptics::Tissue& greatest) const
+std::vector<haptics::HapticStructure> StructureModel::hapticStructures(const haptics::Tissue& greatest) const
 {
     std::vector<haptics::HapticStructure> structures;
     structures.reserve(m_rows.size());
     for (const StructureRow& row : m_rows) {
         const meshio::SceneStructure& from = row.loaded.description;
         structures.push_back(study::hapticStructure(
-            from, isFelt(from) && !row.loaded.isFeltThrough && !row.isRemoved ? row.touch : nullptr));
+            from, isFelt(from) && !row.loaded.isTransmitted && !row.isRemoved ? row.touch : nullptr));
         if (structures.back().surface != nullptr) {
             structures.back().maps = row.felt;
-            if (const int number = static_cast<int>(structures.size()) - 1; isToBeFeltThrough(number)) {
+            if (const int number = static_cast<int>(structures.size()) - 1; isTransmitted(number)) {
                 structures.back().layer = layerWithin(number); // map not computed yet
             }
         }
     }
-    study::boundBy(greatest, structures);
+    study::limitTissues(greatest, structures);
     return structures;
 }
 
 std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const haptics::Tissue& greatest,
                                                                         double fingertip_mm) const
 {
-    return std::make_shared<const haptics::HapticScene>(feltStructures(greatest), fingertip_mm);
+    return std::make_shared<const haptics::HapticScene>(hapticStructures(greatest), fingertip_mm);
 }
 
 std::vector<session::StructureSource> StructureModel::sources() const
@@ -733,11 +734,11 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
             return name;
         }
         if (role == Qt::AccessibleTextRole) {
-            const QString felt = feltText(index.row());
+            const QString felt = touchOrderText(index.row());
             return felt == tr("outermost") ? name : tr("%1, felt %2").arg(name, felt);
         }
         if (role == kLayerRole) {
-            return isToBeFeltThrough(index.row()) ? layerWithin(index.row()) : one.layer;
+            return isTransmitted(index.row()) ? layerWithin(index.row()) : one.layer;
         }
         if (role == Qt::DecorationRole) {
             return swatch(colourOf(one));
@@ -749,7 +750,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
             const auto& surface = m_rows[static_cast<std::size_t>(index.row())].loaded.surface;
             const QString triangles =
                 QLocale().toString(surface == nullptr ? 0 : static_cast<qulonglong>(surface->mesh.triangles.size()));
-            return tr("%1\n%2 triangles\nFelt: %3").arg(name, triangles, feltText(index.row()));
+            return tr("%1\n%2 triangles\nFelt: %3").arg(name, triangles, touchOrderText(index.row()));
         }
         break;
     case Health:

@@ -194,7 +194,7 @@ QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget*
     const QString name = termText(term.name), unit = QString::fromUtf8(term.unit.data());
     field->setSuffix(QLatin1Char(' ') + unit);
     field->setToolTip(tr("%1 as felt [%2]: %3").arg(name, unit, termText(term.meaning)));
-    field->setAccessibleName(tr("%1 in %2").arg(name, termText(term.spokenUnit)));
+    field->setAccessibleName(tr("%1 in %2").arg(name, termText(term.accessibleUnit)));
     // Fields round to fewer digits than the scene stores: take over only the edited one.
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, &term](double value) {
         changeTissue([&](haptics::Tissue& tissue) { tissue.*term.member = value; });
@@ -381,7 +381,7 @@ QWidget* StructurePanel::makeTissueBox()
 void StructurePanel::setGreatest(const haptics::Tissue& greatest, const QString& why)
 {
     m_greatest = greatest;
-    m_why = why;
+    m_limitReason = why;
     m_refusal->hide(); // the message refers to the previous limit
     showSelection();
 }
@@ -510,7 +510,7 @@ void StructurePanel::click(const QModelIndex& index)
 /// Moves the selected structures by layers, inwards for steps > 0. A structure already at the limit stays.
 void StructurePanel::moveLayers(int steps)
 {
-    std::vector<FeltWay> ways;
+    std::vector<TouchMode> ways;
     for (const int row : selectedRows()) {
         const int layer = static_cast<int>(m_model.structure(row).layer) + steps;
         if (layer >= 0 && layer < static_cast<int>(haptics::kMaxLayers)) {
@@ -520,7 +520,7 @@ void StructurePanel::moveLayers(int steps)
     changeWays(ways);
 }
 
-void StructurePanel::changeWays(const std::vector<FeltWay>& ways)
+void StructurePanel::changeWays(const std::vector<TouchMode>& ways)
 {
     if (!ways.empty()) {
         feel(m_model, ways,
@@ -645,7 +645,7 @@ void StructurePanel::showTouch(const TouchReading& reading)
 {
     const QString name = currentRow() >= 0 ? readableName(m_model.structure(currentRow()).name) : QString();
     const auto here = std::find_if(reading.layers.begin(), reading.layers.end(),
-                                   [&name](const FeltLayer& layer) { return layer.name == name; });
+                                   [&name](const LayerShare& layer) { return layer.name == name; });
     const bool isHere = here != reading.layers.end();
     m_law->setTouch(isHere ? here->depth_mm : 0.0, isHere ? here->stiffnessScale : 1.0);
 }
@@ -653,19 +653,19 @@ void StructurePanel::showTouch(const TouchReading& reading)
 void StructurePanel::showLayer(int row)
 {
     const std::uint32_t layer = m_model.structure(row).layer;
-    const std::optional<int> organ = organToFeelThrough(m_model, row);
+    const std::optional<int> organ = transmittingOrgan(m_model, row);
     m_layer->clear();
     for (std::uint32_t i = 0; i < std::max<std::uint32_t>(haptics::kMaxLayers, layer + 1); ++i) {
-        const QString text = m_model.feltText(row, i);
+        const QString text = m_model.touchOrderText(row, i);
         m_layer->addItem(!organ   ? text
                          : i == 0 ? tr("on its own surface, outermost")
                                   : tr("as a layer, %1").arg(text),
                          i);
     }
-    const bool isThrough = m_model.isToBeFeltThrough(row);
+    const bool isThrough = m_model.isTransmitted(row);
     if (organ || isThrough) {
         m_layer->addItem(isThrough
-                             ? tr("%1 (felt from above)").arg(m_model.feltText(row))
+                             ? tr("%1 (felt from above)").arg(m_model.touchOrderText(row))
                              : tr("through %1 (felt from above)").arg(readableName(m_model.structure(*organ).name)));
     }
     m_layer->setCurrentIndex(isThrough ? m_layer->count() - 1 : static_cast<int>(layer));
@@ -677,11 +677,11 @@ void StructurePanel::setLayer(const QVariant& chosen)
     if (m_isShowing) {
         return;
     }
-    std::vector<FeltWay> ways;
+    std::vector<TouchMode> ways;
     for (const int row : selectedRows()) {
         if (chosen.isValid()) {
             ways.push_back({row, chosen.toUInt()});
-        } else if (organToFeelThrough(m_model, row)) {
+        } else if (transmittingOrgan(m_model, row)) {
             ways.push_back({row, std::nullopt});
         }
     }
@@ -689,12 +689,12 @@ void StructurePanel::setLayer(const QVariant& chosen)
 }
 
 /// Stiffness used by other layers: "liver takes 0.8" for each; empty without other layers.
-QString StructurePanel::whoTakes(const std::vector<haptics::HapticStructure>& felt, int row) const
+QString StructurePanel::otherLayersText(const std::vector<haptics::HapticStructure>& felt, int row) const
 {
     QStringList takers;
-    for (const std::size_t by : study::takenElsewhere(felt, static_cast<std::size_t>(row)).by) {
+    for (const std::size_t by : study::usedByOtherLayers(felt, static_cast<std::size_t>(row)).by) {
         takers << tr("%1 takes %2")
-                      .arg(readableName(felt[by].name), QLocale().toString(study::greatestStiffness(felt[by]), 'g', 3));
+                      .arg(readableName(felt[by].name), QLocale().toString(study::maxStiffness(felt[by]), 'g', 3));
     }
     return takers.join(QStringLiteral(", "));
 }
@@ -702,15 +702,15 @@ QString StructurePanel::whoTakes(const std::vector<haptics::HapticStructure>& fe
 /// Shows the effective stiffness when the device limits it.
 void StructurePanel::showBound(int row)
 {
-    const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(m_greatest);
+    const std::vector<haptics::HapticStructure> felt = m_model.hapticStructures(m_greatest);
     const auto at = static_cast<std::size_t>(row);
     const bool isMapped = !felt[at].maps.stiffness.isEmpty();
-    const double own = isMapped ? study::greatestStiffness(m_model.feltStructures(core::unbounded())[at])
-                                : haptics::greatestStiffness(m_model.structure(row).tissue);
-    const double is = study::greatestStiffness(felt[at]);
+    const double own = isMapped ? study::maxStiffness(m_model.hapticStructures(core::unbounded())[at])
+                                : haptics::maxStiffness(m_model.structure(row).tissue);
+    const double is = study::maxStiffness(felt[at]);
     m_bound->setVisible(own > is + halfDigit(core::kTissueTerms.front()));
     const QLocale locale;
-    const QString takers = whoTakes(felt, row);
+    const QString takers = otherLayersText(felt, row);
     m_bound->setText((isMapped ? tr("felt as at most %1 N/mm: the device can show %2 N/mm in all%3")
                                : tr("felt as %1 N/mm: the device can show %2 N/mm in all%3"))
                          .arg(locale.toString(is, 'g', 3), locale.toString(m_greatest.stiffness_N_per_mm, 'g', 3),
@@ -723,17 +723,17 @@ QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const hap
     if (const core::Status law = core::check(asked.law); !law.isOk()) {
         QString why = engineText(law);
         // Label of the field instead of the file's key.
-        for (const core::LawTerm& term : core::lawTerms(asked.law.kind)) {
+        for (const core::LawParameter& term : core::lawParameters(asked.law.kind)) {
             why.replace(QLatin1String(term.key.data()), termText(term.name));
         }
         return tr("This law is refused: %1.").arg(why);
     }
-    const std::vector<haptics::HapticStructure> felt = m_model.feltStructures(m_greatest);
-    const haptics::Tissue taken = study::takenElsewhere(felt, static_cast<std::size_t>(row)).tissue;
+    const std::vector<haptics::HapticStructure> felt = m_model.hapticStructures(m_greatest);
+    const haptics::Tissue taken = study::usedByOtherLayers(felt, static_cast<std::size_t>(row)).tissue;
     for (const core::TissueTerm& term : core::kTissueTerms) {
         const bool isStiffness = term.member == &haptics::Tissue::stiffness_N_per_mm;
-        const double value = isStiffness ? haptics::greatestStiffness(asked) : asked.*term.member;
-        const double before = isStiffness ? haptics::greatestStiffness(now) : now.*term.member;
+        const double value = isStiffness ? haptics::maxStiffness(asked) : asked.*term.member;
+        const double before = isStiffness ? haptics::maxStiffness(now) : now.*term.member;
         const double most = std::max(0.0, m_greatest.*term.member - taken.*term.member);
         if (!(value > most + halfDigit(term)) || !(value > before)) {
             continue; // within the limit, or a reduction of a value that already exceeds the limit
@@ -744,8 +744,8 @@ QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const hap
                       "less.")
                 .arg(locale.toString(value, 'g', 4), locale.toString(most, 'f', 4));
         }
-        const QString takers = whoTakes(felt, row);
-        const QString why = takers.isEmpty() ? m_why : tr("%1 Of that %2.").arg(m_why, takers);
+        const QString takers = otherLayersText(felt, row);
+        const QString why = takers.isEmpty() ? m_limitReason : tr("%1 Of that %2.").arg(m_limitReason, takers);
         const QString found = locale.toString(value, 'g', 4);
         const QString allowed = locale.toString(std::floor(100.0 * most + 1e-6) / 100.0, 'f', 2);
         return asked.law.kind == core::LawKind::Linear

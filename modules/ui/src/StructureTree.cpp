@@ -93,8 +93,8 @@ std::vector<StructureTree::Group> StructureTree::arranged() const
                          [&](int a, int b) { return QString::localeAwareCompare(names.at(a), names.at(b)) < 0; });
     } else if (m_order == Order::Tissue) {
         std::stable_sort(rows.begin(), rows.end(), [this](int a, int b) {
-            return haptics::greatestStiffness(m_model.structure(a).tissue) <
-                   haptics::greatestStiffness(m_model.structure(b).tissue);
+            return haptics::maxStiffness(m_model.structure(a).tissue) <
+                   haptics::maxStiffness(m_model.structure(b).tissue);
         });
     } else if (m_order == Order::Layer) {
         std::stable_sort(rows.begin(), rows.end(),

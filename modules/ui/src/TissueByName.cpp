@@ -47,7 +47,7 @@ std::vector<StructureModel::Edited> tissueByName(const StructureModel& model, co
                     (!row.isRemoved && StructureModel::isFelt(one) && !isPassedThrough(meshio::anatomyKind(one.name)));
     }
     for (const study::Layering::Structure& one : layering.structures) {
-        for (const std::optional<std::size_t>& around : {one.in, one.unsureIn}) {
+        for (const std::optional<std::size_t>& around : {one.in, one.unreliableParent}) {
             if (around) {
                 holds[*around] = true;
             }
@@ -58,9 +58,10 @@ std::vector<StructureModel::Edited> tissueByName(const StructureModel& model, co
         const StructureRow& row = model.rows()[static_cast<std::size_t>(number)];
         const meshio::AnatomyKind kind = meshio::anatomyKind(row.loaded.description.name);
         meshio::SceneStructure changed = row.loaded.description;
-        const std::optional<std::size_t> around = layering.structures[static_cast<std::size_t>(number)].in
-                                                      ? layering.structures[static_cast<std::size_t>(number)].in
-                                                      : layering.structures[static_cast<std::size_t>(number)].unsureIn;
+        const std::optional<std::size_t> around =
+            layering.structures[static_cast<std::size_t>(number)].in
+                ? layering.structures[static_cast<std::size_t>(number)].in
+                : layering.structures[static_cast<std::size_t>(number)].unreliableParent;
         const std::string* organ = around ? &model.structure(static_cast<int>(*around)).name : nullptr;
         const std::optional<double> stiffness = study::namedStiffness_N_per_mm(changed.name, organ);
         if (stiffness && row.loaded.maps.empty()) {

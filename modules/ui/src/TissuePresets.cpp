@@ -25,7 +25,7 @@ core::Tissue healthy(AnatomyKind kind)
     return linear(study::tissueStiffness_N_per_mm(kind).value());
 }
 
-core::Tissue lawful(core::LawKind kind, const std::array<double, core::ForceLaw::kMostNumbers>& numbers)
+core::Tissue lawful(core::LawKind kind, const std::array<double, core::ForceLaw::kMaxParameters>& numbers)
 {
     core::Tissue tissue = linear(0.25);
     tissue.law = {kind, numbers, {}};

@@ -26,7 +26,7 @@ QString axisText(double value)
 
 TouchChart::TouchChart(const TouchHistory& history, QWidget* parent)
     : QWidget(parent)
-    , Spoken(this)
+    , AccessibleReadout(this)
     , m_history(history)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -34,7 +34,7 @@ TouchChart::TouchChart(const TouchHistory& history, QWidget* parent)
     setToolTip(tr("Force [N] and depth [mm] over the last 10 s"));
 }
 
-QString TouchChart::spokenText() const
+QString TouchChart::accessibleText() const
 {
     if (m_history.samples().empty()) {
         return tr("nothing was felt yet");
@@ -190,14 +190,14 @@ void TouchChart::paintLayers(QPainter& painter, const QRectF& lane, double top_N
 
 ForceBar::ForceBar(QWidget* parent)
     : QWidget(parent)
-    , Spoken(this)
+    , AccessibleReadout(this)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setFocusPolicy(Qt::TabFocus); // reachable by keyboard, so that a screen reader can read the force
     setAccessibleName(tr("Force in newton"));
 }
 
-QString ForceBar::spokenText() const
+QString ForceBar::accessibleText() const
 {
     return tr("%1 N of %2 N").arg(forceText(m_force_N), axisText(m_limit_N));
 }
@@ -213,7 +213,7 @@ void ForceBar::setForce(double force_N)
 {
     m_force_N = force_N;
     update();
-    tellValue();
+    announceValue();
 }
 
 double ForceBar::share() const noexcept

@@ -31,11 +31,11 @@ QString depthText(double depth_mm)
     return QLocale().toString(depth_mm, 'f', depth_mm < 0.95 ? 2 : 1);
 }
 
-FeltStructure feltStructure(const TouchReading& reading)
+PalpatedStructure palpatedStructure(const TouchReading& reading)
 {
     const bool isTold = buried::verdictOf(reading.lumpRatio) != buried::Verdict::NotByHand;
     if (reading.layers.size() > 1) {
-        const FeltLayer& inner = reading.layers.back();
+        const LayerShare& inner = reading.layers.back();
         return {inner.name, reading.structure, inner.along_N, inner.depth_mm, {}};
     }
     if (!reading.lump.isEmpty() && isTold) {
@@ -44,7 +44,7 @@ FeltStructure feltStructure(const TouchReading& reading)
     return {reading.structure, {}, reading.force_N, reading.depth_mm, {}};
 }
 
-QString whereText(const FeltStructure& felt)
+QString whereText(const PalpatedStructure& felt)
 {
     return felt.inside.isEmpty() ? felt.name : TouchPanel::tr("%1 in %2").arg(felt.name, felt.inside);
 }
@@ -162,7 +162,7 @@ void TouchPanel::setLine(const QString& structure, const QString& detail)
     m_detail->setText(detail);
 }
 
-void TouchPanel::setLayers(std::vector<FeltLayer> layers)
+void TouchPanel::setLayers(std::vector<LayerShare> layers)
 {
     const bool hasFriction = !layers.empty() && layers.front().friction != haptics::Friction::None;
     if (layers.size() < 2 && !hasFriction) { // name and force are already shown above
@@ -171,7 +171,7 @@ void TouchPanel::setLayers(std::vector<FeltLayer> layers)
         return;
     }
     m_layers->setAccessibleName(layersText(layers)); // the label's text is markup
-    for (FeltLayer& layer : layers) {
+    for (LayerShare& layer : layers) {
         layer.name = m_layers->fontMetrics().elidedText(layer.name, Qt::ElideMiddle, std::max(80, width() - 160));
     }
     m_layers->setText(layersMarkup(layers));
@@ -180,8 +180,8 @@ void TouchPanel::setLayers(std::vector<FeltLayer> layers)
 /// Shows the transmitted lump at the contact in place of the layers.
 void TouchPanel::showLump(const TouchReading& reading)
 {
-    const QString change = feltChangeText(reading.lumpRatio);
-    const QString verdict = saysOf(buried::verdictOf(reading.lumpRatio));
+    const QString change = responseChangeText(reading.lumpRatio);
+    const QString verdict = verdictPhrase(buried::verdictOf(reading.lumpRatio));
     m_layers->setAccessibleName(tr("over %1: %2, %3").arg(reading.lump, change, verdict));
     const QString name = m_layers->fontMetrics().elidedText(reading.lump, Qt::ElideMiddle, std::max(80, width() - 160));
     m_layers->setText(QStringLiteral("<p style='white-space:pre'>%1<br>%2</p>")
@@ -207,9 +207,9 @@ void TouchPanel::show(const TouchReading& reading)
     if (!reading.lump.isEmpty() && reading.layers.size() < 2) {
         showLump(reading);
     }
-    m_late->setText(reading.isAtBound ? tr("very fine mesh here: the force follows late") : QString());
+    m_late->setText(reading.isAtIterationLimit ? tr("very fine mesh here: the force follows late") : QString());
     double along_N = 0.0;
-    for (const FeltLayer& layer : reading.layers) {
+    for (const LayerShare& layer : reading.layers) {
         along_N += layer.friction != haptics::Friction::None ? layer.sideways_N : 0.0;
     }
     m_history.add({reading.time_s, reading.force_N, reading.depth_mm, layerForces(reading.layers), along_N});

@@ -10,7 +10,7 @@ namespace palpate::ui {
 namespace {
 
 constexpr double kPlain_Hz = 220.0, kLowest_Hz = 55.0, kHighest_Hz = 3520.0;
-constexpr double kNoticed = 1.07; ///< k/k0 per semitone: half of the 14 % that a trained hand detects
+constexpr double kJustNoticeableRatio = 1.07; ///< k/k0 per semitone: half of the 14 % that a trained hand detects
 constexpr double kSemitones = 12.0;
 constexpr double kLoudest = 0.6;
 constexpr double kFollows_s = 0.015; ///< time constant of pitch and loudness: slow enough to avoid clicks, fast enough
@@ -23,7 +23,7 @@ double pitch_Hz(double ratio) noexcept
     if (!(ratio > 0.0)) {
         return kLowest_Hz;
     }
-    return std::clamp(kPlain_Hz * std::exp2(std::log(ratio) / std::log(kNoticed) / kSemitones), kLowest_Hz,
+    return std::clamp(kPlain_Hz * std::exp2(std::log(ratio) / std::log(kJustNoticeableRatio) / kSemitones), kLowest_Hz,
                       kHighest_Hz);
 }
 

@@ -60,7 +60,7 @@ VtkViewport::VtkViewport(QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(240, 180);
-    takeLook();
+    applyStyle();
 
     m_window->SetOwnContext(0);           // the context belongs to Qt
     m_window->SetFrameBlitModeToNoBlit(); // blitToWidget copies the frame
@@ -81,7 +81,7 @@ VtkViewport::VtkViewport(QWidget* parent)
     });
 }
 
-void VtkViewport::takeLook()
+void VtkViewport::applyStyle()
 {
     if (isHighContrast()) {
         const view::Colour ground = isDarkTheme() ? view::Colour{0.0, 0.0, 0.0} : view::Colour{1.0, 1.0, 1.0};
@@ -102,7 +102,7 @@ void VtkViewport::takeLook()
 void VtkViewport::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        takeLook();
+        applyStyle();
     }
     QOpenGLWidget::changeEvent(event);
 }

@@ -11,13 +11,13 @@ using core::Vec3;
 
 namespace {
 
-struct Stand
+struct ViewDirection
 {
     Vec3 from_W; ///< direction from the patient to the viewer
     Vec3 up_W;
 };
 
-Stand standOf(ViewFrom from)
+ViewDirection viewDirection(ViewFrom from)
 {
     switch (from) {
     case ViewFrom::Front:
@@ -69,7 +69,7 @@ void fit(vtkCamera& camera, const core::Box& bounds, double aspect)
 
 void lookFrom(vtkCamera& camera, ViewFrom from, const core::Box& bounds, double aspect)
 {
-    const Stand stand = standOf(from);
+    const ViewDirection stand = viewDirection(from);
     const Vec3 centre = bounds.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(bounds.center());
     const Vec3 position = centre + stand.from_W;
     camera.SetFocalPoint(centre.x(), centre.y(), centre.z());

@@ -24,7 +24,7 @@ constexpr int kColourRows = 10; // rows of colours, interpolated linearly
 constexpr double kBarLeft_px = 20.0, kBarWidth_px = 16.0, kBarHeight_px = 160.0;
 constexpr double kLeastHeight_px = 50.0, kTitle = 3.5; // in letters
 constexpr double kGreyHeight_px = 16.0, kBeside_px = 8.0;
-constexpr double kApart = 1.35;                            // line spacing between marks, in letters
+constexpr double kLineSpacing = 1.35;                      // line spacing between marks, in letters
 constexpr double kLead_px = 14.0;                          // from the bar to the text of a mark
 constexpr double kMostWidth = 0.36, kLeastLetter_px = 9.0; // fraction of the view; smallest font size
 constexpr double kAboveCube_px = 28.0, kAboveGrey_px = 12.0;
@@ -131,14 +131,14 @@ ColourLegend::ColourLegend()
     for (auto& text : m_texts) {
         text = vtkSmartPointer<vtkTextActor>::New();
         text->GetTextProperty()->SetVerticalJustificationToCentered();
-        text->GetTextProperty()->SetColor(kTextInk[0], kTextInk[1], kTextInk[2]);
+        text->GetTextProperty()->SetColor(kTextColour[0], kTextColour[1], kTextColour[2]);
         text->VisibilityOff();
     }
     m_texts[0]->GetTextProperty()->SetVerticalJustificationToBottom();
     for (auto& text : m_markTexts) {
         text = vtkSmartPointer<vtkTextActor>::New();
         text->GetTextProperty()->SetVerticalJustificationToCentered();
-        text->GetTextProperty()->SetColor(kTextInk[0], kTextInk[1], kTextInk[2]);
+        text->GetTextProperty()->SetColor(kTextColour[0], kTextColour[1], kTextColour[2]);
         text->VisibilityOff();
     }
     m_lines->GetProperty()->SetLineWidth(1.5F);
@@ -179,7 +179,7 @@ void ColourLegend::show(const Content& content)
     m_texts[4]->SetVisibility(m_hasUnknown);
     m_range = range;
     m_marks = content.marks;
-    m_marks.resize(std::min(m_marks.size(), kMostMarks));
+    m_marks.resize(std::min(m_marks.size(), kMaxMarks));
     for (std::size_t i = 0; i < m_markTexts.size(); ++i) {
         const bool isThere = i < m_marks.size();
         m_markTexts[i]->SetInput(isThere ? m_marks[i].text.c_str() : "");
@@ -224,15 +224,15 @@ std::vector<std::string> ColourLegend::markTexts() const
 }
 
 /// Height of a bar with room for the texts of the marks. [device px]
-double ColourLegend::markedHeight(double letter) const
+double ColourLegend::heightWithMarks(double letter) const
 {
-    return kApart * letter * (static_cast<double>(m_marks.size()) + 1.0);
+    return kLineSpacing * letter * (static_cast<double>(m_marks.size()) + 1.0);
 }
 
 /// Places the texts of the marks at their values, spread apart where the values are close together.
 void ColourLegend::placeMarks(const Place& at)
 {
-    const double apart = kApart * at.letter, width = m_range.high - m_range.low;
+    const double apart = kLineSpacing * at.letter, width = m_range.high - m_range.low;
     std::vector<double> tick, beside;
     for (const Mark& mark : m_marks) {
         const double share = width > 0.0 ? std::clamp((mark.value - m_range.low) / width, 0.0, 1.0) : 0.0;
@@ -245,7 +245,7 @@ void ColourLegend::placeMarks(const Place& at)
     const double end = at.right + kLead_px * at.pixelRatio;
     for (std::size_t i = 0; i < m_marks.size(); ++i) {
         addLine(*m_lines, {at.left, tick[i]}, {at.right, tick[i]}, kTextGround);
-        addLine(*m_lines, {at.right, tick[i]}, {end, beside[i]}, kTextInk);
+        addLine(*m_lines, {at.right, tick[i]}, {end, beside[i]}, kTextColour);
         m_markTexts[i]->SetPosition(end + 0.5 * kBeside_px * at.pixelRatio, beside[i]);
     }
 }
@@ -297,7 +297,7 @@ TextStyle ColourLegend::fitting(vtkRenderer& renderer, const ViewFrame& frame, d
     const double r = frame.pixelRatio;
     const double letter = letterSize_px(style, TextUse::Usual, r);
     const double apart = r * (2.0 * kAboveGrey_px + kBeside_px); // independent of the font size
-    const double words = std::max(r * kGreyHeight_px, letter) + kTitle * letter + markedHeight(letter);
+    const double words = std::max(r * kGreyHeight_px, letter) + kTitle * letter + heightWithMarks(letter);
     const double room = renderer.GetSize()[1] - r * below_px - apart;
     const double beside = r * (kBarWidth_px + kLead_px + kBeside_px); // independent of the font size
     const double wide = reach(renderer, style, r) - beside;
@@ -326,12 +326,12 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, const Be
     if (!m_marks.empty() &&
         !isRight) { // a wide legend goes into the upper corner, where it hides less, and is only as high as its texts
         const double rest = greyHeight + 2.0 * r * kAboveGrey_px + kTitle * letter + room;
-        greyLow = std::max(greyLow, renderer.GetSize()[1] - rest - markedHeight(letter));
+        greyLow = std::max(greyLow, renderer.GetSize()[1] - rest - heightWithMarks(letter));
     }
     const double greyHigh = greyLow + greyHeight, low = greyHigh + r * kAboveGrey_px;
     const double above =
         renderer.GetSize()[1] - low - kTitle * letter - r * kAboveGrey_px - room; // the bar is shorter in a low view
-    const double most = m_marks.empty() ? std::max(r * kBarHeight_px, 6.0 * letter) : markedHeight(letter);
+    const double most = m_marks.empty() ? std::max(r * kBarHeight_px, 6.0 * letter) : heightWithMarks(letter);
     const double high = low + std::clamp(above, std::min(most, std::max(r * kLeastHeight_px, 3.0 * letter)), most);
     placeColumn(*m_bar, kColourRows, {left, right, low, high});
     placeColumn(*m_grey, 2, {left, right, greyLow, greyHigh});

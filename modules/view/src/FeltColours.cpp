@@ -48,8 +48,8 @@ constexpr const char* kFragment = R"(//VTK::Color::Impl
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> feltColoured(vtkPolyData& picture, const geometry::TriangleMesh& mesh,
-                                          const FeltColours& colours)
+vtkSmartPointer<vtkPolyData> palpabilityColoured(vtkPolyData& picture, const geometry::TriangleMesh& mesh,
+                                                 const FeltColours& colours)
 {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->ShallowCopy(&picture);
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkPolyData> feltColoured(vtkPolyData& picture, const geometry::
     return data;
 }
 
-void drawFeltLines(vtkActor& actor, vtkPolyData& picture)
+void drawPalpabilityContours(vtkActor& actor, vtkPolyData& picture)
 {
     auto* mapper = vtkPolyDataMapper::SafeDownCast(actor.GetMapper());
     vtkShaderProperty* shader = actor.GetShaderProperty();

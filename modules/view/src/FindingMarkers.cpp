@@ -275,9 +275,9 @@ void FindingMarkers::setVisible(bool isVisible)
     m_placed.reset();
 }
 
-void FindingMarkers::findHidden(const IsBehind& isBehind)
+void FindingMarkers::updateHidden(const IsBehind& isBehind)
 {
-    for (std::size_t i = 0; i < m_marks.size() && m_marks.size() <= kMostNumbered; ++i) {
+    for (std::size_t i = 0; i < m_marks.size() && m_marks.size() <= kMaxNumbered; ++i) {
         const bool isHidden = isBehind(m_marks[i].p_W);
         if (isHidden != m_isHidden[i]) {
             m_isHidden[i] = isHidden;
@@ -290,7 +290,7 @@ std::string FindingMarkers::textOf(std::size_t i) const
 {
     const FindingMark& mark = m_marks[i];
     const bool isSelected = mark.number == m_selected;
-    if (!isSelected && m_marks.size() > kMostNumbered) {
+    if (!isSelected && m_marks.size() > kMaxNumbered) {
         return {};
     }
     return std::to_string(mark.number) + (isSelected && !mark.name.empty() ? "  " + mark.name : "");
@@ -318,7 +318,7 @@ void FindingMarkers::writeTexts(const ViewFrame& frame)
 }
 
 /// Returns whether a number overlaps one of the boxes at the current layout.
-bool FindingMarkers::isCovering(const std::vector<Eigen::AlignedBox2d>& taken) const
+bool FindingMarkers::overlapsAny(const std::vector<Eigen::AlignedBox2d>& taken) const
 {
     return std::any_of(m_labels.begin(), m_labels.end(), [&](const DiscLabel& one) {
         const Pixel centre = one.disc_px + one.offset_px;
@@ -337,7 +337,7 @@ void FindingMarkers::place(const ViewFrame& frame, const std::vector<Eigen::Alig
     }
     if (frame.pixelRatio != m_pixelRatio || frame.text != m_textStyle) {
         writeTexts(frame);
-    } else if (m_placed == frame && (m_avoided.empty() ? !isCovering(taken) : areSame(m_avoided, taken))) {
+    } else if (m_placed == frame && (m_avoided.empty() ? !overlapsAny(taken) : areSame(m_avoided, taken))) {
         return; // a hand far from all numbers does not trigger a rebuild
     }
     Flat& shapes = m_picture->shapes;
@@ -349,10 +349,10 @@ void FindingMarkers::place(const ViewFrame& frame, const std::vector<Eigen::Alig
         const double size = frame.mmPerPixel(m_marks[i].p_W);
         m_labels[i].disc_px = Pixel(fromEye.dot(frame.right_W), fromEye.dot(frame.up_W)) / size;
     }
-    if (m_marks.size() <= kMostNumbered) {
+    if (m_marks.size() <= kMaxNumbered) {
         placeLabels(m_labels, internal::kMarkerRadius_px);
         m_avoided.clear();
-        if (isCovering(taken)) {
+        if (overlapsAny(taken)) {
             m_avoided = taken;
             placeLabels(m_labels, internal::kMarkerRadius_px, taken);
         }
@@ -386,7 +386,7 @@ void FindingMarkers::place(const ViewFrame& frame, const std::vector<Eigen::Alig
         const Pixel low(std::round(at.x() - half.x()), std::round(at.y() - half.y()));
         const Pixel from = Pixel(piece.x, piece.y).cwiseQuotient(m_picture->atlasSize);
         const Pixel to = Pixel(piece.x + piece.width, piece.y + piece.height).cwiseQuotient(m_picture->atlasSize);
-        texts.addTextured(rectangle(low + half, half), from, to, rgba(kTextInk, m_isHidden[i] ? 0.6 : 1.0));
+        texts.addTextured(rectangle(low + half, half), from, to, rgba(kTextColour, m_isHidden[i] ? 0.6 : 1.0));
     }
     shapes.finish(m_isVisible);
     texts.finish(m_isVisible);

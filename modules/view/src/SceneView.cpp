@@ -147,13 +147,13 @@ double SceneView::aspect() const
 void SceneView::look(ViewFrom from)
 {
     lookFrom(camera(), from, bounds(), aspect());
-    ++m_looks;
+    ++m_fitCount;
 }
 
 void SceneView::fitAll()
 {
     fit(camera(), bounds(), aspect());
-    ++m_looks;
+    ++m_fitCount;
 }
 
 void SceneView::centreOn(const Vec3& p_W)
@@ -210,11 +210,11 @@ core::Box SceneView::bounds() const
 void SceneView::findHiddenFindings(const ViewFrame& frame)
 {
     const Seen now{frame, m_findings.revision(), m_tissueRevision};
-    if (m_findings.count() == 0 || m_seen == now) {
+    if (m_findings.count() == 0 || m_findingInputs == now) {
         return;
     }
-    m_seen = now;
-    m_findings.findHidden([&](const Vec3& p_W) {
+    m_findingInputs = now;
+    m_findings.updateHidden([&](const Vec3& p_W) {
         // A finding lies on a surface: hits closer than this belong to the finding's own surface.
         constexpr double kOwn_mm = 0.5, kOwnShare = 1e-3;
         const double along_mm = (frame.eye_W - p_W).dot(frame.back_W);
@@ -230,7 +230,7 @@ void SceneView::findHiddenFindings(const ViewFrame& frame)
 
 /// Number of vertices of visible tissue inside a box, from a sample of a few hundred vertices per structure.
 /// @param box_px  logical pixels from the centre of the view
-std::size_t SceneView::tissueIn(const Eigen::AlignedBox2d& box_px, const ViewFrame& frame) const
+std::size_t SceneView::countTissueVertices(const Eigen::AlignedBox2d& box_px, const ViewFrame& frame) const
 {
     constexpr vtkIdType kAsked = 512;
     std::size_t count = 0;
@@ -255,15 +255,15 @@ void SceneView::placeLegend(const ViewFrame& frame)
 {
     using Corner = ColourLegend::Corner;
     const ColourLegend::Below below{m_cube.top_px(), m_scaleBar.top() / frame.pixelRatio};
-    const LegendSeen now{m_legend.revision(), m_looks, frame.width_px, frame.height_px};
-    if (m_legend.isShown() && m_legend.hasMarks() && !(now == m_legendSeen)) {
-        m_legendSeen = now;
+    const LegendInputs now{m_legend.revision(), m_fitCount, frame.width_px, frame.height_px};
+    if (m_legend.isShown() && m_legend.hasMarks() && !(now == m_legendInputs)) {
+        m_legendInputs = now;
         m_legend.setCorner(Corner::LowerRight);
         m_legend.place(*m_overlay, frame, below);
-        const std::size_t right = tissueIn(m_legend.box(), frame);
+        const std::size_t right = countTissueVertices(m_legend.box(), frame);
         m_legend.setCorner(Corner::UpperLeft);
         m_legend.place(*m_overlay, frame, below);
-        if (right < tissueIn(m_legend.box(), frame)) {
+        if (right < countTissueVertices(m_legend.box(), frame)) {
             m_legend.setCorner(Corner::LowerRight);
         }
     }

@@ -45,7 +45,7 @@ void StructureActor::setPicture(vtkPolyData* surface)
         surface->GetPointData()->GetScalars() != nullptr || surface->GetCellData()->GetScalars() != nullptr;
     mapper->SetScalarVisibility(hasColours);
     mapper->SetColorModeToDirectScalars();
-    drawFeltLines(*m_actor, *surface);
+    drawPalpabilityContours(*m_actor, *surface);
 }
 
 void StructureActor::bend(const Dimple& dimple, const ViewFrame& frame)

@@ -28,7 +28,7 @@ std::string numberText(double value, std::chars_format format, int precision, co
 
 } // namespace
 
-Colour inkOf(const Colour& colour)
+Colour textColourOf(const Colour& colour)
 {
     constexpr double kLeast = 0.65;
     Colour ink{};

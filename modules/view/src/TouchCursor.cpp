@@ -171,7 +171,7 @@ void TouchCursor::place(const ViewFrame& frame, const Eigen::AlignedBox2d& taken
     }
     const double pixel_mm = frame.mmPerPixel(m_state.p_WG);
     const double ball_mm = std::max(0.5 * kBall_px * pixel_mm, m_state.fingertip_mm);
-    const Vec3 ball_W = m_state.p_WG + sunk_W();
+    const Vec3 ball_W = m_state.p_WG + dentOffset_W();
     placeBall(*m_ball, ball_W, ball_mm);
     const Colour colour = ballColour();
     m_ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
@@ -198,10 +198,10 @@ void TouchCursor::place(const ViewFrame& frame, const Eigen::AlignedBox2d& taken
 }
 
 /// Offset from the surface at rest to the bottom of the dent.
-Vec3 TouchCursor::sunk_W() const
+Vec3 TouchCursor::dentOffset_W() const
 {
     const Dimple dimple = Dimple::of(m_state);
-    return m_isInDent ? Vec3(-dimple.depth_mm * dimple.n_W) : Vec3::Zero();
+    return m_drawsInDent ? Vec3(-dimple.depth_mm * dimple.n_W) : Vec3::Zero();
 }
 
 double TouchCursor::patchRadius_mm(const ViewFrame& frame) const
@@ -225,7 +225,7 @@ void TouchCursor::placeContact(const ViewFrame& frame, bool isTouching)
         if (isShown) {
             n_W.normalize();
             // The god-object of a fingertip is the centre of its sphere.
-            layOn(*flat, m_state.p_WG + sunk_W() - m_state.fingertip_mm * n_W, n_W, m_patch_mm);
+            layOn(*flat, m_state.p_WG + dentOffset_W() - m_state.fingertip_mm * n_W, n_W, m_patch_mm);
         }
     }
 }
@@ -286,18 +286,18 @@ void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching, const Eig
     const bool isLeft = along.x() < -8.0;
     std::vector<TouchLabels::Item> items;
     items.push_back(
-        {m_arrow.label(), m_arrow.tip_W(), {isLeft ? -1.0 : 1.0, along.y() < -8.0 ? -0.6 : 0.6}, kTextInk, true});
+        {m_arrow.label(), m_arrow.tip_W(), {isLeft ? -1.0 : 1.0, along.y() < -8.0 ? -0.6 : 0.6}, kTextColour, true});
     const Eigen::Vector2d beside(isLeft ? 1.0 : -1.0, 0.0);
     const double depth_mm = (m_state.p_WG - m_state.p_WH).norm();
     const auto middle = [&](const Vec3& p_WG) -> Vec3 { return 0.5 * (p_WG + m_state.p_WH); };
     const std::size_t innerCount = std::min(m_state.innerCount, m_state.inner.size());
     // The depth of the outermost layer is labelled beside the part of the line inside this layer only.
     const Vec3 outerEnd_W = innerCount > 0 ? m_state.inner[0].p_WG : m_state.p_WH;
-    items.push_back({millimetres(depth_mm, frame.text), 0.5 * (m_state.p_WG + outerEnd_W), beside, kTextInk, false});
+    items.push_back({millimetres(depth_mm, frame.text), 0.5 * (m_state.p_WG + outerEnd_W), beside, kTextColour, false});
     for (std::size_t i = 0; i < innerCount; ++i) {
         const TouchState::Inner& inner = m_state.inner[i];
         items.push_back(
-            {millimetres(inner.depth_mm, frame.text), middle(inner.p_WG), beside, inkOf(inner.colour), false});
+            {millimetres(inner.depth_mm, frame.text), middle(inner.p_WG), beside, textColourOf(inner.colour), false});
     }
     m_labels.place(items, std::move(taken), frame);
 }

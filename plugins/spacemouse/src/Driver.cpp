@@ -76,12 +76,12 @@ Status Driver::start()
     return {};
 }
 
-void Driver::makeThreadReady() noexcept
+void Driver::prepareThread() noexcept
 {
     pthread_setname_np(pthread_self(), "palpate-puck");
 }
 
-void Driver::tellLost() noexcept
+void Driver::onDeviceLost() noexcept
 {
     m_heard.write(Heard{}); // unplugging leaves the last deflection in place although the puck is no longer held
     m_isLost = true;

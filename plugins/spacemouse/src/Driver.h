@@ -38,9 +38,9 @@ class Driver final : public hid::HidDriver
         std::int64_t time_ns = 0;
     };
 
-    void makeThreadReady() noexcept override;
+    void prepareThread() noexcept override;
     void serve(hid::HidDevice& mouse) noexcept override;
-    void tellLost() noexcept override;
+    void onDeviceLost() noexcept override;
     [[nodiscard]] std::vector<hid::HidEntry> list(std::mutex& bus) const override { return listMice(bus); }
 
     RateSettings m_settings;

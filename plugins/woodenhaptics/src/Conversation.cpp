@@ -10,7 +10,7 @@ namespace palpate::woodenhaptics {
 namespace {
 
 constexpr double kFastestJoint_rad_per_s = 60.0; // 10 m/s at the tip of the kit's arm
-constexpr double kMakersLimit_A = 2.0;           // amplifier limit of the original host program
+constexpr double kOriginalHostLimit_A = 2.0;     // amplifier limit of the original host program
 // The hand counts as present slightly beyond the nominal workspace; the safety gate refuses from 1.5 times the radius
 // on.
 constexpr double kReach = 1.4;
@@ -56,7 +56,7 @@ bool Conversation::take(std::span<const std::uint8_t> report, std::int64_t now_n
 {
     const bool isKnown = report.size() == kLengths[0] || report.size() == kLengths[1];
     if (!isKnown || (m_protocol != 0 && report.size() != kLengths[m_protocol == 2 ? 0 : 1])) {
-        m_strangeLength = report.size();
+        m_unexpectedLength = report.size();
         return refuse();
     }
     if (m_protocol == 0 && m_length != static_cast<int>(report.size())) {
@@ -150,7 +150,7 @@ std::span<const std::uint8_t> Conversation::answer(const core::Vec3& f_D, std::i
     const core::Vec3 bounded = force_N > m_config.maxForce_N ? core::Vec3(f_D * (m_config.maxForce_N / force_N)) : f_D;
     core::Vec3 currents_A = m_kinematics.currents(m_kinematics.torques(m_q, bounded));
     // Scaling all three currents keeps the direction of the force.
-    const double limit_A = std::min(kMakersLimit_A, m_config.fullScale_A);
+    const double limit_A = std::min(kOriginalHostLimit_A, m_config.fullScale_A);
     const double largest_A = currents_A.cwiseAbs().maxCoeff();
     if (largest_A > limit_A) {
         currents_A *= limit_A / largest_A;

@@ -47,7 +47,7 @@ class Conversation
     /// Number of rejected reports.
     [[nodiscard]] std::uint64_t refused() const noexcept { return m_refused; }
     /// Length of the latest report of unexpected length; 0: none so far.
-    [[nodiscard]] std::size_t strangeLength() const noexcept { return m_strangeLength; }
+    [[nodiscard]] std::size_t unexpectedLength() const noexcept { return m_unexpectedLength; }
 
   private:
     bool refuse() noexcept;
@@ -62,7 +62,7 @@ class Conversation
     device::DeviceState m_state;
     std::array<std::uint8_t, 15> m_out{};
     std::uint64_t m_refused = 0;
-    std::size_t m_strangeLength = 0;
+    std::size_t m_unexpectedLength = 0;
     std::size_t m_guess = 0; // alternates the length in zero() while the protocol is unknown
     int m_length = 0;        // length of the latest valid reports, in bytes
     int m_protocol = 0;

@@ -43,7 +43,7 @@ void Counters::restart(const RawCounts& raw, std::int64_t now_ns) noexcept
     m_time_ns = now_ns;
     m_seen_ns = now_ns;
     m_counts = core::Vec3(raw[0], raw[1], raw[2]);
-    m_agreeing = 0;
+    m_consistentCount = 0;
     m_hasBegun = true;
 }
 
@@ -59,13 +59,14 @@ Counters::Answer Counters::take(const RawCounts& raw, std::int64_t now_ns) noexc
         }
         m_raw = raw;
         m_time_ns = now_ns;
-        m_agreeing = 0;
+        m_consistentCount = 0;
         return Answer::Taken;
     }
-    m_agreeing = m_agreeing > 0 && isNear(m_elsewhere, raw, since(m_elsewhere_ns)) ? m_agreeing + 1 : 1;
-    m_elsewhere = raw;
-    m_elsewhere_ns = now_ns;
-    if (m_agreeing < (m_hasBegun ? kAgreeingToRestart : kAgreeingToBegin)) {
+    m_consistentCount =
+        m_consistentCount > 0 && isNear(m_rejected, raw, since(m_rejected_ns)) ? m_consistentCount + 1 : 1;
+    m_rejected = raw;
+    m_rejected_ns = now_ns;
+    if (m_consistentCount < (m_hasBegun ? kAgreeingToRestart : kAgreeingToBegin)) {
         return Answer::Refused;
     }
     const bool isFirst = !m_hasBegun;

@@ -40,11 +40,11 @@ class Counters
     core::Vec3 m_fastest_per_s;
     core::Vec3 m_counts = core::Vec3::Zero();
     RawCounts m_raw{};
-    RawCounts m_elsewhere{};    ///< latest rejected values
+    RawCounts m_rejected{};     ///< latest rejected values
     std::int64_t m_time_ns = 0; ///< time of the latest accepted report
     std::int64_t m_seen_ns = 0; ///< time of the latest report, accepted or not
-    std::int64_t m_elsewhere_ns = 0;
-    int m_agreeing = 0; ///< consecutive rejected reports that are consistent with each other
+    std::int64_t m_rejected_ns = 0;
+    int m_consistentCount = 0; ///< consecutive rejected reports that are consistent with each other
     bool m_hasBegun = false;
 };
 

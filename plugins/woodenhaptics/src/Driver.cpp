@@ -26,7 +26,7 @@ constexpr hid::HidDriver::Kind kKind{"woodenhaptics",
                                      "no WoodenHaptics arm is connected (USB 1234:0006): plug it in and switch it on",
                                      100 * kMillisecond_ns};
 // A force expires unless the servo thread renews it.
-constexpr std::int64_t kPushEnds_ns = 20 * kMillisecond_ns;
+constexpr std::int64_t kForceTimeout_ns = 20 * kMillisecond_ns;
 constexpr int kPriority = 75; // above the servo thread; each iteration is short
 
 } // namespace
@@ -84,11 +84,11 @@ Status Driver::start()
     m_isCalibrationWanted = false;
     m_condition = DeviceCondition::Working;
     m_protocol = 0;
-    m_strangeLength = 0;
+    m_unexpectedLength = 0;
     m_isTrusted = true;
     m_latency.clear();
-    m_answers_ns = 0;
-    m_push.write(Push{});
+    m_readState_ns = 0;
+    m_push.write(ForceCommand{});
     m_state.write(device::DeviceState{});
     run(std::move(opened).value());
     const std::int64_t deadline_ns = core::monotonicNow_ns() + kStartTimeout_ns;
@@ -99,14 +99,14 @@ Status Driver::start()
         return {};
     }
     stop();
-    if (const std::size_t length = m_strangeLength; length != 0) {
+    if (const std::size_t length = m_unexpectedLength; length != 0) {
         return {StatusCode::Unsupported, "woodenhaptics: " + path() + ": its reports have " + std::to_string(length) +
                                              " bytes, expected 14 or 8: another device with mbed's ids"};
     }
     return {StatusCode::DeviceLost, "woodenhaptics: " + path() + ": it does not answer; is it switched on?"};
 }
 
-void Driver::makeThreadReady() noexcept
+void Driver::prepareThread() noexcept
 {
     pthread_setname_np(pthread_self(), "palpate-arm");
     sched_param param{};
@@ -114,7 +114,7 @@ void Driver::makeThreadReady() noexcept
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &param); // without permission the policy stays unchanged
 }
 
-void Driver::tellLost() noexcept
+void Driver::onDeviceLost() noexcept
 {
     device::DeviceState lost;
     lost.isLost = true;
@@ -150,15 +150,15 @@ void Driver::serve(hid::HidDevice& arm) noexcept
             continue;
         }
         m_refused = refusedBefore + talk.refused();
-        m_strangeLength = talk.strangeLength();
+        m_unexpectedLength = talk.unexpectedLength();
         publish(talk);
         if (m_isCalibrationWanted.exchange(false)) {
             talk.calibrate();
         }
         m_push.fetch();
-        const Push push = m_push.value().get();
+        const ForceCommand push = m_push.value().get();
         const std::int64_t now_ns = core::monotonicNow_ns();
-        const bool isWanted = isNew && now_ns - push.time_ns < kPushEnds_ns;
+        const bool isWanted = isNew && now_ns - push.time_ns < kForceTimeout_ns;
         if (!arm.write(talk.answer(isWanted ? push.f_D : core::Vec3::Zero(), now_ns))) {
             return;
         }
@@ -184,13 +184,13 @@ device::DeviceState Driver::read(std::int64_t) noexcept PALPATE_NONBLOCKING
 {
     m_state.fetch();
     const device::DeviceState state = m_state.value().get();
-    m_answers_ns = state.time_ns;
+    m_readState_ns = state.time_ns;
     return state;
 }
 
 void Driver::write(const core::Vec3& f_D) noexcept PALPATE_NONBLOCKING
 {
-    m_push.write(Push{f_D, m_answers_ns, core::monotonicNow_ns()});
+    m_push.write(ForceCommand{f_D, m_readState_ns, core::monotonicNow_ns()});
 }
 
 device::DeviceReport Driver::report() const

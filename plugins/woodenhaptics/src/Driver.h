@@ -32,16 +32,16 @@ class Driver final : public hid::HidDriver
 
   private:
     /// Force command from the servo thread.
-    struct Push
+    struct ForceCommand
     {
         core::Vec3 f_D = core::Vec3::Zero(); ///< [N]
         std::int64_t answers_ns = 0;         ///< time stamp of the state from which the force was computed
         std::int64_t time_ns = 0;
     };
 
-    void makeThreadReady() noexcept override;
+    void prepareThread() noexcept override;
     void serve(hid::HidDevice& arm) noexcept override;
-    void tellLost() noexcept override;
+    void onDeviceLost() noexcept override;
     [[nodiscard]] std::vector<hid::HidEntry> list(std::mutex& bus) const override { return listArms(bus); }
     void publish(const Conversation& talk) noexcept;
 
@@ -51,13 +51,13 @@ class Driver final : public hid::HidDriver
     std::atomic<bool> m_isCalibrationWanted{false};
 
     core::TripleBuffer<device::PlainCopy<device::DeviceState>> m_state; // I/O thread -> servo thread
-    core::TripleBuffer<device::PlainCopy<Push>> m_push;                 // servo thread -> I/O thread
-    std::int64_t m_answers_ns = 0; // servo thread only: time stamp of the last state read
+    core::TripleBuffer<device::PlainCopy<ForceCommand>> m_push;         // servo thread -> I/O thread
+    std::int64_t m_readState_ns = 0; // servo thread only: time stamp of the last state read
 
     // Written by the I/O thread for report().
     std::atomic<device::DeviceCondition> m_condition{device::DeviceCondition::Working};
     std::atomic<int> m_protocol{0};
-    std::atomic<std::size_t> m_strangeLength{0};
+    std::atomic<std::size_t> m_unexpectedLength{0};
     core::TimingHistogram m_latency;
 };
 

@@ -38,7 +38,7 @@ std::optional<EnergyJudge::Touch> EnergyJudge::touchOf(const std::vector<haptics
     const haptics::HapticStructure& on = structures[plane.structure];
     const PlaceOnTriangle place(*on.surface, plane.triangle, tick.p_WG);
     const double depth = (tick.p_WG - hip).norm();
-    if (!place.isInside() || !on.neverFalls() || on.maps.stiffness.bendsOn(plane.triangle) ||
+    if (!place.isInside() || !on.isMonotonic() || on.maps.stiffness.bendsOn(plane.triangle) ||
         !(plane.n_W.dot(tick.p_WG - hip) > 0.0)) {
         return std::nullopt;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "law/MapValue.h"
+#include "law/MapSample.h"
 #include "law/Touch.h"
 #include "probe/BallProbe.h"
 
@@ -25,7 +25,7 @@ class Foot
     {
         return m_place.risesOf(map).value;
     }
-    [[nodiscard]] PALPATE_ALWAYS_INLINE MapValue valueOf(const TissueMap& map) const noexcept
+    [[nodiscard]] PALPATE_ALWAYS_INLINE MapSample valueOf(const TissueMap& map) const noexcept
     {
         return m_place.valueOf(map);
     }

@@ -27,7 +27,7 @@ core::Message problem(const Knot& from, const Knot& to)
     if (!(length >= ForceTable::kLeastCell_mm)) {
         return core::Message(PALPATE_TEXT("is not deeper than the previous knot"));
     }
-    const double most = ForceTable::kMostSlope;
+    const double most = ForceTable::kMaxSlope;
     if (std::abs(from.slopeAfter) > most || std::abs(to.slopeBefore) > most ||
         std::abs(to.force_N - from.force_N) > most * length) {
         return core::Message(PALPATE_TEXT("has a steeper slope than any law"));
@@ -54,7 +54,7 @@ core::Message problem(const Knot& knot, bool isFirst, bool isLast)
     if (knot.force_N < 0.0) {
         return core::Message(PALPATE_TEXT("has a force below 0"));
     }
-    if (isLast && (knot.slopeAfter < 0.0 || knot.slopeAfter > ForceTable::kMostSlope || knot.depth_mm > kDeepest_mm)) {
+    if (isLast && (knot.slopeAfter < 0.0 || knot.slopeAfter > ForceTable::kMaxSlope || knot.depth_mm > kDeepest_mm)) {
         return core::Message(PALPATE_TEXT("ends with a slope below 0 or steeper than any law"));
     }
     return {};
@@ -171,7 +171,7 @@ ForceTable::ForceTable(std::vector<Knot> knots)
     }
 }
 
-double greatestStiffness(const Tissue& tissue)
+double maxStiffness(const Tissue& tissue)
 {
     const std::shared_ptr<const ForceTable> table = ForceTable::build(tissue);
     return table == nullptr ? tissue.stiffness_N_per_mm : table->greatestSlope_N_per_mm();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "law/Friction.h"
 
-#include "law/FeltBelow.h"
-#include "law/MapValue.h"
+#include "law/MapSample.h"
+#include "law/Transmission.h"
 
 #include <algorithm>
 #include <array>
@@ -68,7 +68,7 @@ double stiffnessAt(const HapticStructure& on, const Facet& facet, const Vec3& fo
     const law::MapPlace place(facet, foot);
     double s = map.isEmpty() ? 1.0 : place.risesOf(map).value;
     if (hasFelt) {
-        s *= isPressed ? law::FeltBelow::scaleAt(place, on, depth_mm) : place.risesOf(on.maps.felt[0]).value;
+        s *= isPressed ? law::Transmission::scaleAt(place, on, depth_mm) : place.risesOf(on.maps.felt[0]).value;
     }
     return s * k;
 }
@@ -141,20 +141,20 @@ void CoulombFriction::raise(const HapticStructure& on, const Facet& facet, const
         return; // no contact pressure
     }
     // W <= lambda F for a monotonic law: in most places this simple bound already proves that friction suffices.
-    if (!on.maps.hasFelt() && on.neverFalls() && isGentle(map, facet, std::min(atRest, sliding) / lambda_mm)) {
+    if (!on.maps.hasFelt() && on.isMonotonic() && isGentle(map, facet, std::min(atRest, sliding) / lambda_mm)) {
         return;
     }
-    if (on.maps.hasFelt() && map.isEmpty() && on.neverFalls() &&
+    if (on.maps.hasFelt() && map.isEmpty() && on.isMonotonic() &&
         areGentle(on.maps.felt, facet, std::min(atRest, sliding) / lambda_mm)) {
         return;
     }
     const ForceTable::Value law = on.lawAt(lambda_mm);
     const law::MapPlace place(facet, foot);
-    const law::MapValue s = map.isEmpty() ? law::MapValue{} : place.valueOf(map);
+    const law::MapSample s = map.isEmpty() ? law::MapSample{} : place.valueOf(map);
     double push_N = s.value * law.force_N;
     Vec3 pull_N = law.energy_mJ * s.gradient;
     if (on.maps.hasFelt()) {
-        const law::FeltBelow felt = law::FeltBelow::at(place, on, lambda_mm, law);
+        const law::Transmission felt = law::Transmission::at(place, on, lambda_mm, law);
         push_N *= felt.scale;
         pull_N = s.value * felt.gradient + felt.energy_mJ * s.gradient;
     }
@@ -163,7 +163,7 @@ void CoulombFriction::raise(const HapticStructure& on, const Facet& facet, const
     sliding = std::max(sliding, least);
 }
 
-double CoulombFriction::remainingShare(double r_mm, double rounding_mm) noexcept
+double CoulombFriction::remainingFraction(double r_mm, double rounding_mm) noexcept
 {
     m_now.lastSlid = false;
     if (!m_now.slides) {

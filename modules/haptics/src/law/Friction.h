@@ -45,7 +45,7 @@ class CoulombFriction
     struct State
     {
         bool slides;
-        bool lastSlid;     ///< the last call of `remainingShare` allowed sliding
+        bool lastSlid;     ///< the last call of `remainingFraction` allowed sliding
         bool isBehind;     ///< `behind_mm` is valid
         double still_mm;   ///< R with static friction
         double sliding_mm; ///< R with kinetic friction
@@ -75,7 +75,7 @@ class CoulombFriction
     /// @param r_mm  distance from the god-object to g*
     /// @param rounding_mm  differences up to this length are ignored
     /// @return the fraction of the distance to g* that remains after the move; 1 if static friction holds
-    [[nodiscard]] double remainingShare(double r_mm, double rounding_mm) noexcept;
+    [[nodiscard]] double remainingFraction(double r_mm, double rounding_mm) noexcept;
     /// Returns true if friction alone holds the god-object against a pull.
     /// @param pull_mm  length of the spring along the direction of motion
     [[nodiscard]] bool holdsAgainst(double pull_mm) const noexcept

@@ -42,6 +42,6 @@ using LinearLaw = Sum<LinearSpring, LinearDamper>;
 using UnmappedLaw = Sum<LawSpring, LinearDamper>;
 /// No buried lumps.
 using MappedLaw = Sum<MapSpring, MapDamper>;
-using FeltLaw = Sum<FeltSpring, MapDamper>;
+using FeltLaw = Sum<TransmissionSpring, MapDamper>;
 
 } // namespace palpate::haptics::law

@@ -104,7 +104,7 @@ std::vector<Knot> hertz(const ForceLaw& law)
                      const double slope = d > 0.0 ? 1.5 * force / d : 0.0;
                      return Knot{d, force, slope, slope};
                  },
-                 ForceLaw::kMostSlope});
+                 ForceLaw::kMaxSlope});
 }
 
 /// Hertz's force times 1 + a1 x + a2 x^2 + a3 x^3 + a4 x^4, x = sqrt(R d) / thickness.
@@ -124,7 +124,7 @@ std::vector<Knot> layer(const ForceLaw& law)
         }
         return Knot{d, force, slope, slope};
     };
-    return ball({at, ForceLaw::kMostSlope});
+    return ball({at, ForceLaw::kMaxSlope});
 }
 
 /// Three line segments: up to F1, down to F2, and up again.

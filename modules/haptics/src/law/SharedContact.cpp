@@ -95,7 +95,7 @@ void askLaw(const Touch& touch, Part& part) noexcept
     const Foot foot(touch);
     const MappedTouch mapped{touch, foot};
     const Vec3 spring_W =
-        touch.structure.maps.hasFelt() ? Sum<FeltSpring>::force(mapped) : Sum<MapSpring>::force(mapped);
+        touch.structure.maps.hasFelt() ? Sum<TransmissionSpring>::force(mapped) : Sum<MapSpring>::force(mapped);
     const double along_N = spring_W.dot(touch.up_W);
     part.secant_N_per_mm = along_N / touch.depth_mm;
     // The stored energy of a part is the energy of its law times its fraction of the push: W_S(lambda_S) at a right

@@ -11,7 +11,7 @@
 namespace palpate::haptics::law {
 
 /// Returns true if the active planes belong to more than one structure.
-[[nodiscard]] inline bool isShared(std::span<const ActiveConstraint> planes) noexcept
+[[nodiscard]] inline bool hasSeveralStructures(std::span<const ActiveConstraint> planes) noexcept
 {
     return std::any_of(planes.begin(), planes.end(),
                        [&](const ActiveConstraint& plane) { return plane.structure != planes[0].structure; });

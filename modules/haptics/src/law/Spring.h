@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "law/FeltBelow.h"
 #include "law/Foot.h"
 #include "law/Touch.h"
+#include "law/Transmission.h"
 
 namespace palpate::haptics::law {
 
@@ -53,14 +53,14 @@ struct MapSpring
             return touch.scale * on.lawAt(touch.depth_mm).force_N * touch.up_W;
         }
         const ForceTable::Value law = on.lawAt(touch.depth_mm);
-        const MapValue s = touch.foot.valueOf(map);
+        const MapSample s = touch.foot.valueOf(map);
         touch.scale = s.value;
         return s.value * law.force_N * touch.up_W - law.energy_mJ * touch.foot.freePart(s.gradient);
     }
 };
 
-/// Same as MapSpring, with buried lumps: `U = s(x) sum_j s_j(x) W_j(d)`, see FeltBelow.h.
-struct FeltSpring
+/// Same as MapSpring, with buried lumps: `U = s(x) sum_j s_j(x) W_j(d)`, see Transmission.h.
+struct TransmissionSpring
 {
     [[nodiscard]] static bool isIn(const HapticStructure&) noexcept { return true; }
     [[nodiscard]] PALPATE_ALWAYS_INLINE static Vec3 force(const MappedTouch& touch) noexcept
@@ -71,12 +71,12 @@ struct FeltSpring
         const HapticStructure& on = touch.structure;
         if (on.tissue.hasFriction()) [[unlikely]] { // with friction, the gradient of the stored energy is omitted
             const double s = on.maps.stiffness.isEmpty() ? 1.0 : touch.foot.numberOf(on.maps.stiffness);
-            touch.scale = s * FeltBelow::scaleAt(touch.foot.place(), on, touch.depth_mm);
+            touch.scale = s * Transmission::scaleAt(touch.foot.place(), on, touch.depth_mm);
             return touch.scale * on.lawAt(touch.depth_mm).force_N * touch.up_W;
         }
         const ForceTable::Value law = on.lawAt(touch.depth_mm);
-        const FeltBelow felt = FeltBelow::at(touch.foot.place(), on, touch.depth_mm, law);
-        const MapValue s = on.maps.stiffness.isEmpty() ? MapValue{} : touch.foot.valueOf(on.maps.stiffness);
+        const Transmission felt = Transmission::at(touch.foot.place(), on, touch.depth_mm, law);
+        const MapSample s = on.maps.stiffness.isEmpty() ? MapSample{} : touch.foot.valueOf(on.maps.stiffness);
         touch.scale = s.value * felt.scale;
         const Vec3 f_W = touch.scale * law.force_N * touch.up_W;
         return f_W - touch.foot.freePart(s.value * felt.gradient + felt.energy_mJ * s.gradient);

@@ -16,7 +16,7 @@ using core::Vec3;
 constexpr double kHalfWidth = 0.75; // cells: a cell includes the facets for a margin of a quarter of its width
 constexpr double kWanted = 48.0;    // target number of facets of mean size in a cell
 constexpr int kLevels = 3;          // each level has half the cell size of the previous one
-constexpr std::uint32_t kMostAsked = 8 * BallCell::kMost; // bounding boxes tested before a cell counts as too full
+constexpr std::uint32_t kMaxTested = 8 * BallCell::kMost; // bounding boxes tested before a cell counts as too full
 
 // In units of TickWork.
 constexpr std::uint32_t kGather = 90;
@@ -35,7 +35,7 @@ class BallCell::Gathering
     bool find(const geometry::SurfaceIndex& surface, std::uint32_t structure, std::uint32_t first,
               std::uint32_t n) noexcept
     {
-        if (m_count + n > kMostAsked) {
+        if (m_count + n > kMaxTested) {
             return false;
         }
         surface.prefetchTriangles(first);
@@ -102,10 +102,10 @@ class BallCell::Gathering
     }
 
     std::uint32_t m_count = 0;
-    std::array<std::uint32_t, kMostAsked> m_structure;
-    std::array<std::uint32_t, kMostAsked> m_triangle;
-    std::array<std::int32_t, kMostAsked> m_isTwoSided; ///< all ones or zero
-    const double* m_at[3][kMostAsked];
+    std::array<std::uint32_t, kMaxTested> m_structure;
+    std::array<std::uint32_t, kMaxTested> m_triangle;
+    std::array<std::int32_t, kMaxTested> m_isTwoSided; ///< all ones or zero
+    const double* m_at[3][kMaxTested];
 };
 
 bool BallCell::gather(const HapticLayer& layer, const Vec3& p, double size_mm) noexcept

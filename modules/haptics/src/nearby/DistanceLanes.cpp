@@ -52,9 +52,9 @@ struct Away
 /// Computes the closest points on eight triangles. Their positions are accurate to rounding, with one exception: if the
 /// closest points on two edges are equally far away within rounding, these points, and so the directions away from
 /// them, may differ by the square root of the rounding error.
-/// @tparam isWary  compute `along` as the minimum over all such points
+/// @tparam isConservative  compute `along` as the minimum over all such points
 /// @param coordinate_mm  largest coordinate of p and of the group
-template<bool isWary>
+template<bool isConservative>
 PALPATE_ALWAYS_INLINE Away awayFrom(const TriangleGroup& group, const float* p, const float* v,
                                     float coordinate_mm) noexcept
 {
@@ -100,7 +100,7 @@ PALPATE_ALWAYS_INLINE Away awayFrom(const TriangleGroup& group, const float* p, 
     const Float8 perNormal2 = load8(group.perNormal2);
     const Float8 outside2 = least(least(ab2, ac2), bc2);
     Float8 onOutside;
-    if constexpr (isWary) {
+    if constexpr (isConservative) {
         const Float8 asNear2 = outside2 * (1.0f + kAsNear) + kAsNearAt * coordinate_mm * coordinate_mm;
         const Float8 most = zero + std::numeric_limits<float>::infinity();
         onOutside =

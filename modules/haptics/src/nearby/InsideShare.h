@@ -12,7 +12,7 @@ using core::Vec3;
 
 /// Returns the fraction of the move x → y that stays inside the box.
 /// @pre x is inside the box
-[[nodiscard]] inline double insideShare(const core::Box& box, const Vec3& x, const Vec3& y) noexcept
+[[nodiscard]] inline double insideFraction(const core::Box& box, const Vec3& x, const Vec3& y) noexcept
 {
     double share = 1.0;
     for (int axis = 0; axis < 3; ++axis) {

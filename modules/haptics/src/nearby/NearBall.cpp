@@ -174,7 +174,7 @@ class NearBall::Traversal
     }
 
   private:
-    [[nodiscard]] geometry::SweptInterest interest() const noexcept
+    [[nodiscard]] geometry::SweptPruning interest() const noexcept
     {
         // The minimum opposition is unknown for the rest of a move, which starts elsewhere.
         return {(m_first.limit - m_begin) / (1.0 - m_begin), m_begin > 0.0 ? 0.0 : m_first.cosine()};
@@ -190,7 +190,7 @@ class NearBall::Traversal
                 m_work.spend(price * (before - nodes));
                 leaf(i, n);
                 nodes = before = m_work.left() / price;
-                return m_work.isSpent() ? geometry::SweptInterest{-1.0, 0.0} : interest();
+                return m_work.isSpent() ? geometry::SweptPruning{-1.0, 0.0} : interest();
             });
         m_work.spend(price * (before - nodes));
         if (free < m_free_mm) {
@@ -301,7 +301,7 @@ Sweep NearBall::sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, Ti
         if (cell.isFull() || !cell.region().contains(p)) {
             break;
         }
-        const double upTo = done + (1.0 - done) * insideShare(cell.region(), p, y);
+        const double upTo = done + (1.0 - done) * insideFraction(cell.region(), p, y);
         first.limit = upTo;
         offer(layer, cell, done, upTo, work, first);
         if (first.found || upTo >= 1.0) {

@@ -25,7 +25,7 @@ GatheringPlan planFor(const HapticLayer& layer) noexcept
             .many = 48,
             .narrowest_mm = 0.2 * layer.facetSize_mm,
             .widest_mm = 16.0 * layer.facetSize_mm,
-            .around_mm = kNearby * layer.skin_mm};
+            .around_mm = kMaxQueryRadius * layer.skin_mm};
 }
 
 bool isAmong(std::span<const FacetNumber> facets, std::uint32_t structure, std::uint32_t triangle) noexcept
@@ -40,7 +40,7 @@ bool isAmong(std::span<const FacetNumber> facets, std::uint32_t structure, std::
 /// @param end  distance in front of the plane at the end of the move, times that length
 bool endsInFront(const Vec3& n, double end, double skin_mm) noexcept
 {
-    return end > 0.0 && end * end >= kOnPlane * kOnPlane * skin_mm * skin_mm * n.squaredNorm();
+    return end > 0.0 && end * end >= kPlaneTolerance * kPlaneTolerance * skin_mm * skin_mm * n.squaredNorm();
 }
 
 /// Returns the facets below a path that cannot block its move i.
@@ -151,7 +151,7 @@ void NearPoint::lookAround(const HapticLayer& layer, std::uint32_t structure, co
     around.box = core::Box(p.array() - around.half_mm, p.array() + around.half_mm);
     around.structure = structure;
     around.isAlone = true;
-    const double reach = around.half_mm + kNearby * layer.skin_mm;
+    const double reach = around.half_mm + kMaxQueryRadius * layer.skin_mm;
     const core::Box query(p.array() - reach, p.array() + reach);
     layer.hierarchy.visitBox(query, [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t s = first; s < first + count && around.isAlone; ++s) {
@@ -201,7 +201,7 @@ std::size_t NearPoint::freeMoves(const HapticLayer& layer, std::span<const Vec3>
         return moves;
     }
     const GatheredFacets& held = m_cache.held();
-    float points[kMostPoints][3];
+    float points[kMaxPoints][3];
     float coordinate = 0.0f;
     for (std::size_t i = 0; i < path.size(); ++i) {
         coordinate = std::max(coordinate, asFloats(path[i], held.origin(), points[i]));
@@ -286,7 +286,7 @@ Sweep NearPoint::ask(const HapticLayer& layer, const Vec3& x, const Vec3& y, Cro
     // first part of the move.
     for (int attempt = 0; attempt < 3; ++attempt) {
         if (holds(x)) {
-            const double share = insideShare(m_cache.held().region(), x, y);
+            const double share = insideFraction(m_cache.held().region(), x, y);
             First nearest{x, y, layer.skin_mm, first, walked, share};
             offerHeld(layer, nearest);
             if (nearest.found || share >= 1.0) {

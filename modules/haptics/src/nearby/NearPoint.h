@@ -25,7 +25,7 @@ struct FacetNumber
 class NearPoint
 {
   public:
-    static constexpr std::size_t kMostPoints = 9; ///< of a path
+    static constexpr std::size_t kMaxPoints = 9; ///< of a path
 
     /// Fixed price of a sweep answered from the cache, in units of TickWork: gathering up to 64 facets, ruling them out
     /// and testing the remaining ones. A traversal that visits at most twice as many facets has the same price, so that
@@ -93,7 +93,7 @@ class NearPoint
     }
 
     /// Tests a chain of straight moves up to the first blocked one.
-    /// @param path    at most kMostPoints points [mm]
+    /// @param path    at most kMaxPoints points [mm]
     /// @param walked  facets below the path: first the facet before the first move, then one per move, and optionally
     /// the facet at the end. A move is known not to be blocked by its own facet nor by the previous and the next one
     /// @return the number of free moves at the start of the path
@@ -101,8 +101,8 @@ class NearPoint
     [[nodiscard]] std::size_t freeMoves(const HapticLayer& layer, std::span<const Vec3> path,
                                         std::span<const FacetNumber> walked) noexcept PALPATE_NONBLOCKING;
 
-    /// Calls `f(facet)` for each facet within `reach_mm` of `g` (at most kNearby skins), and possibly for facets
-    /// slightly farther away. The order does not depend on the cache.
+    /// Calls `f(facet)` for each facet within `reach_mm` of `g` (at most kMaxQueryRadius skins), and possibly for
+    /// facets slightly farther away. The order does not depend on the cache.
     /// @return false, without calling `f`, if there are more facets than can be cached or the tick's work is spent
     template<class F>
     bool forEachNear(const HapticLayer& layer, const Vec3& g, double reach_mm, F&& f) noexcept

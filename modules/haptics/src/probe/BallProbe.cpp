@@ -128,7 +128,7 @@ bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_
                 BallCrossing& crossing, double leastClosing_mm) noexcept
 {
     const double height = facet.n.dot(x - facet.a);
-    const double onPlane = kOnPlane * facet.skin_mm;
+    const double onPlane = kPlaneTolerance * facet.skin_mm;
     if (height < -onPlane && !facet.isTwoSided) {
         return false;
     }

@@ -37,7 +37,7 @@ double roundingOf(const Facet& facet, const Vec3& x) noexcept
 /// @param d2     squared length of the move [mm²]
 bool touches(const Facet& facet, double start, double along, double d2) noexcept
 {
-    const double beside = kTouched * facet.skin_mm;
+    const double beside = kTouchRadius * facet.skin_mm;
     return start <= kTouching * facet.skin_mm && along * along * d2 <= beside * beside;
 }
 
@@ -91,7 +91,7 @@ void clipToEdges(const Facet& facet, const Vec3& x, const Vec3& y, double around
 bool staysBeside(const Facet& facet, const Vec3& x, const Vec3& y) noexcept
 {
     Part part;
-    clipToEdges(facet, x, y, kBesideEdge * facet.skin_mm, part);
+    clipToEdges(facet, x, y, kEdgeTolerance * facet.skin_mm, part);
     return part.isEmpty();
 }
 
@@ -99,10 +99,10 @@ bool staysBeside(const Facet& facet, const Vec3& x, const Vec3& y) noexcept
 /// depth behind the plane exceeds the tolerance for being on the plane.
 double shareBeside(const Facet& facet, const Vec3& x, const Vec3& y, double start, double end) noexcept
 {
-    const double around = kBesideEdge * facet.skin_mm;
+    const double around = kEdgeTolerance * facet.skin_mm;
     Part part = partInBox(facet, x, y, around);
     clipToEdges(facet, x, y, around, part);
-    return std::max(0.0, std::min(part.begin, (start + kOnPlane * facet.skin_mm) / (start - end)));
+    return std::max(0.0, std::min(part.begin, (start + kPlaneTolerance * facet.skin_mm) / (start - end)));
 }
 
 /// A move as seen from the side of a facet where it starts.
@@ -165,7 +165,7 @@ Passing passes(const Facet& facet, const Vec3& x, const Vec3& y, const Approach&
                Crossing& crossing) noexcept
 {
     const auto [side, start, end] = approach;
-    const double onPlane = kOnPlane * facet.skin_mm;
+    const double onPlane = kPlaneTolerance * facet.skin_mm;
     const Vec3 d = y - x;
     const double d2 = d.squaredNorm();
     const double along = start > 0.0 ? start / (start - end) : 0.0;
@@ -212,7 +212,7 @@ bool blocksTwoSided(const Facet& facet, const Vec3& x, const Vec3& y, double lim
 {
     const double half = kPlate * facet.skin_mm;
     const double start = facet.n.dot(x - facet.a), end = facet.n.dot(y - facet.a);
-    const double side = start < -kOnPlane * facet.skin_mm ? -1.0 : 1.0;
+    const double side = start < -kPlaneTolerance * facet.skin_mm ? -1.0 : 1.0;
     return side * end <= half && entersPlate(facet, x, y, {side, side * start, side * end}, half, limit, crossing);
 }
 
@@ -239,7 +239,7 @@ bool blocks(const Facet& facet, const Vec3& x, const Vec3& y, double limit, Cros
         return blocksTwoSided(facet, x, y, limit, crossing);
     }
     const Approach approach{1.0, facet.n.dot(x - facet.a), facet.n.dot(y - facet.a)};
-    const double onPlane = kOnPlane * facet.skin_mm;
+    const double onPlane = kPlaneTolerance * facet.skin_mm;
     if (approach.start < -onPlane) {
         return false;
     }

@@ -10,25 +10,25 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-// Convergence test: the ball has arrived when kPatience moves reduce the distance to the HIP by less than kArrived
+// Convergence test: the ball has arrived when kPatience moves reduce the distance to the HIP by less than kArrivalGain
 // skins or the fraction kSlight of the distance. Without this test, a ball pressed in by its own radius could roll
 // around a vertex forever. kSlight bounds the error of the depth to 1e-8; the lateral error is the square root of twice
 // that, 1.4e-4 of the distance.
 constexpr std::uint32_t kPatience = 16;
-constexpr double kArrived = 4.0;
+constexpr double kArrivalGain = 4.0;
 constexpr double kSlight = 1e-8;
-// Minimum step in skins. kPatience steps of this length cannot gain kArrived skins in total, so shorter steps are not
-// made. Far from the origin such steps are rounding noise, and each could require all facets nearby to be tested.
-constexpr double kShortest = kArrived / kPatience;
+// Minimum step in skins. kPatience steps of this length cannot gain kArrivalGain skins in total, so shorter steps are
+// not made. Far from the origin such steps are rounding noise, and each could require all facets nearby to be tested.
+constexpr double kShortest = kArrivalGain / kPatience;
 // Maximum number of sideways moves per tick that gain less than kSlight and are still followed up.
-constexpr int kMostSlight = 4;
+constexpr int kMaxInsignificantMoves = 4;
 
 // Steps are considered creeping when kCreeping consecutive steps point in the direction of the previous one (cosine
-// above kAlike). The next step is then as long as all remaining ones together (secant estimate), but at most kLongest
-// radii and kGrowth times the previous step or the last accepted long step, and is only used if that lengthens the step
-// by the factor kLonger.
+// above kSameDirection). The next step is then as long as all remaining ones together (secant estimate), but at most
+// kLongest radii and kGrowth times the previous step or the last accepted long step, and is only used if that lengthens
+// the step by the factor kLonger.
 constexpr int kCreeping = 2;
-constexpr double kAlike = 0.9;
+constexpr double kSameDirection = 0.9;
 constexpr double kLongest = 0.5;
 constexpr double kGrowth = 16.0;
 constexpr double kLonger = 1.01;
@@ -38,21 +38,22 @@ constexpr double kLonger = 1.01;
 constexpr int kTrial = 6;
 constexpr double kShorter = 0.25;
 
-constexpr double kParted = 3.0;      // skins; a larger gap, including the regular one, ends a contact
-constexpr int kMostRolled = 8;       // maximum number of facets rolled over per move
-constexpr double kFall = 1.0 / 16.0; // radii; maximum gap to a facet that the ball has rolled onto
-constexpr double kAside = 1e-4;      // radii; length of the sideways move that tests whether a ball at rest would roll
+constexpr double kSeparationGap = 3.0;     // skins; a larger gap, including the regular one, ends a contact
+constexpr int kMaxRolledFacets = 8;        // maximum number of facets rolled over per move
+constexpr double kMaxRollGap = 1.0 / 16.0; // radii; maximum gap to a facet that the ball has rolled onto
+constexpr double kAside = 1e-4; // radii; length of the sideways move that tests whether a ball at rest would roll
 // Radii; maximum distance from an edge at which rounding decides on which side the ball stands.
 constexpr double kBrink = 1e-7;
 
-constexpr double kNowhere = 1e-3; // radii; a tick that moved farther than this but gained less than a skin is undone
+constexpr double kMaxIdleTravel =
+    1e-3; // radii; a tick that moved farther than this but gained less than a skin is undone
 
 // Radii; maximum distance to the next facet that counts as contact when the work budget is spent.
-constexpr double kThere = 0.01;
+constexpr double kAtFacet = 0.01;
 
 // Skins. A ball that penetrates deeper was placed inside the tissue rather than pressed in; the ball may leave, but is
 // not pushed out.
-constexpr double kPressed = 4.0;
+constexpr double kMaxPressedDepth = 4.0;
 
 /// The line along which two contacts leave the ball free to move.
 struct Trough
@@ -81,18 +82,18 @@ struct Trough
 
 } // namespace
 
-void BallContact::lookFrom(const Vec3& g) noexcept
+void BallContact::updateFrom(const Vec3& g) noexcept
 {
     nearest = nearestOn(facet, g);
     if (nearest.isCurved) {
         distance_mm = nearest.away.norm();
         // With the centre on the facet itself, to rounding, the direction is undefined. Use the facet's normal, as in
         // the first contact.
-        n = distance_mm > kOnPlane * facet.skin_mm ? Vec3(nearest.away / distance_mm) : Vec3(side * facet.n);
+        n = distance_mm > kPlaneTolerance * facet.skin_mm ? Vec3(nearest.away / distance_mm) : Vec3(side * facet.n);
     } else {
         n = side * facet.n;
         distance_mm = n.dot(g - facet.a);
-        if (facet.isTwoSided && distance_mm < -kOnPlane * facet.skin_mm) { // the ball has come around the rim
+        if (facet.isTwoSided && distance_mm < -kPlaneTolerance * facet.skin_mm) { // the ball has come around the rim
             side = -side;
             n = -n;
             distance_mm = -distance_mm;
@@ -105,7 +106,7 @@ void BallTick::touch(const Facet& facet, int side) noexcept
     BallContact& contact = m_active.add();
     contact.facet = facet;
     contact.side = side;
-    contact.lookFrom(m_god);
+    contact.updateFrom(m_god);
     keepThinnest(facet.skin_mm);
 }
 
@@ -118,11 +119,11 @@ void BallTick::keepThinnest(double skin_mm) noexcept
 
 /// Updates the contacts to the current position of the ball and drops those that the ball has left.
 /// @return true if the contacts are unchanged
-bool BallTick::lookAgain() noexcept
+bool BallTick::updateContacts() noexcept
 {
     bool isSame = true;
     m_active.release([&](BallContact& c) {
-        c.lookFrom(m_god);
+        c.updateFrom(m_god);
         if (isTouched(c)) {
             return false;
         }
@@ -139,7 +140,7 @@ bool BallTick::rollOn(BallContact& contact) const noexcept
 {
     using Index = geometry::SurfaceIndex;
     const Index& surface = m_layer.surface(contact.facet.structure);
-    for (int i = 0; i < kMostRolled && contact.nearest.isCurved; ++i) {
+    for (int i = 0; i < kMaxRolledFacets && contact.nearest.isCurved; ++i) {
         // Around a corner, always traverse the facets in the same direction.
         const int edge = contact.nearest.corner >= 0 ? contact.nearest.corner : contact.nearest.edge;
         const Index::Neighbour next = surface.neighbour(contact.facet.triangle, static_cast<std::uint32_t>(edge));
@@ -147,13 +148,13 @@ bool BallTick::rollOn(BallContact& contact) const noexcept
             return false;
         }
         contact.facet = Facet::of(surface, contact.facet.structure, next.triangle);
-        contact.lookFrom(m_god);
+        contact.updateFrom(m_god);
         if (contact.nearest.edge == static_cast<int>(next.edge)) {
             break; // above the edge itself
         }
     }
     const double radius = m_layer.fingertip_mm;
-    return contact.distance_mm > radius && contact.distance_mm < (1.0 + kFall) * radius;
+    return contact.distance_mm > radius && contact.distance_mm < (1.0 + kMaxRollGap) * radius;
 }
 
 Vec3 BallTick::nextMove() noexcept
@@ -165,7 +166,7 @@ Vec3 BallTick::nextMove() noexcept
     const double radius = m_layer.fingertip_mm;
     const Vec3 u = m_active.constrain(wanted, [radius](const BallContact& c) {
         const double missing = radius + c.facet.skin_mm - c.distance_mm;
-        return HalfSpace{c.n, missing <= kPressed * c.facet.skin_mm ? missing : 0.0};
+        return HalfSpace{c.n, missing <= kMaxPressedDepth * c.facet.skin_mm ? missing : 0.0};
     });
     if (m_active.isEmpty()) {
         return u;
@@ -182,14 +183,14 @@ Vec3 BallTick::slowed(const Vec3& u) noexcept
         m_friction->press(m_active[i].facet, m_active[i].nearest.q, m_active.lambda_mm(i));
     }
     const Vec3 slide = m_active.freePart(u);
-    const double left = m_friction->remainingShare(slide.norm(), kRoundingOfMoves * m_skin_mm);
+    const double left = m_friction->remainingFraction(slide.norm(), kMinMove * m_skin_mm);
     const Vec3 down = u - slide;
     if (isDeep()) {
         return u; // the ball was placed inside the tissue, where friction does not hold
     }
     // A facet that the ball has rolled onto but not reached yet does not hold by friction: move straight down to the
     // facet.
-    m_isHeld = left == 1.0 && down.norm() <= (kParted - 1.0) * m_skin_mm &&
+    m_isHeld = left == 1.0 && down.norm() <= (kSeparationGap - 1.0) * m_skin_mm &&
                std::all_of(m_active.begin(), m_active.end(), [this](const BallContact& c) { return isTouched(c); });
     return m_isHeld ? Vec3::Zero() : Vec3(down + (1.0 - left) * slide);
 }
@@ -201,7 +202,7 @@ Vec3 BallTick::lengthened(const Vec3& u) noexcept
     m_step = {m_god, u, m_active.count(), 0};
     const Vec3 moved = m_god - m_last.god;
     const double step = u.norm(), length = moved.norm();
-    if (m_active.count() != m_last.count || moved.dot(u) <= kAlike * length * step) {
+    if (m_active.count() != m_last.count || moved.dot(u) <= kSameDirection * length * step) {
         return u;
     }
     m_step.alike = m_last.alike + 1;
@@ -229,7 +230,7 @@ bool BallTick::judgeLongStep(bool isOver) noexcept
     if (m_trialMoves == 0) {
         return true;
     }
-    if ((m_hip - m_god).norm() < m_before.spring_mm + kParted * m_skin_mm) {
+    if ((m_hip - m_god).norm() < m_before.spring_mm + kSeparationGap * m_skin_mm) {
         m_trialMoves = 0;
         m_kept_mm = m_tried_mm;
         m_longest_mm = std::max(m_longest_mm, m_tried_mm / kShorter);
@@ -241,7 +242,7 @@ bool BallTick::judgeLongStep(bool isOver) noexcept
     m_trialMoves = 0;
     m_kept_mm = 0.0;
     m_longest_mm = kShorter * m_tried_mm;
-    standAgain(m_before);
+    restoreSnapshot(m_before);
     return false;
 }
 
@@ -265,7 +266,7 @@ Vec3 BallTick::brink(const BallContact& contact) const noexcept
         }
         const Facet beyond = Facet::of(surface, facet.structure, next.triangle);
         for (const Vec3* v : {&beyond.a, &beyond.b, &beyond.c}) {
-            if (contact.n.dot(*v - contact.nearest.q) < -kParted * facet.skin_mm) {
+            if (contact.n.dot(*v - contact.nearest.q) < -kSeparationGap * facet.skin_mm) {
                 return out;
             }
         }
@@ -292,7 +293,7 @@ Vec3 BallTick::slope() const noexcept
 }
 
 /// Restores a snapshot: the moves since then gained nothing.
-void BallTick::standAgain(const Before& stood) noexcept
+void BallTick::restoreSnapshot(const Before& stood) noexcept
 {
     m_god = stood.god;
     m_active = stood.active;
@@ -303,22 +304,23 @@ void BallTick::standAgain(const Before& stood) noexcept
 /// @return true if there is another side to try; otherwise the ball is back at its rest position
 bool BallTick::tryAside() noexcept
 {
-    if (m_friction != nullptr && m_friction->holdsAgainst(kRoundingOfMoves * m_skin_mm)) {
+    if (m_friction != nullptr && m_friction->holdsAgainst(kMinMove * m_skin_mm)) {
         return false; // a ball held by friction does not roll
     }
     const double spring = (m_hip - m_god).norm();
     if (m_nudges == 0 && isNearest(spring)) {
         return false;
     }
-    if (m_nudges == 0 || spring < m_stood.spring_mm - m_skin_mm) {
-        if (m_nudges > 0 && spring >= m_stood.spring_mm - slight(spring) && ++m_slight > kMostSlight) {
+    if (m_nudges == 0 || spring < m_restSnapshot.spring_mm - m_skin_mm) {
+        if (m_nudges > 0 && spring >= m_restSnapshot.spring_mm - slight(spring) &&
+            ++m_insignificantMoves > kMaxInsignificantMoves) {
             return false;
         }
         m_nudges = 0;
         m_aside = slope();
-        m_stood = {m_god, m_active, spring};
+        m_restSnapshot = {m_god, m_active, spring};
     } else {
-        standAgain(m_stood);
+        restoreSnapshot(m_restSnapshot);
     }
     const int sides = m_active[0].nearest.along.isZero(0.0) && m_active.count() == 1
                           ? 4
@@ -332,7 +334,7 @@ bool BallTick::tryAside() noexcept
         BallCrossing crossing;
         if (m_near.sweep(m_layer, m_god, target, m_work, crossing) == Sweep::Free) {
             m_god = target;
-            (void)lookAgain();
+            (void)updateContacts();
             m_since = 0;
             return true;
         }
@@ -347,7 +349,7 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
         m_known = m_active[0];
         m_isKnown = true;
     }
-    (void)lookAgain();
+    (void)updateContacts();
     const Before began{m_god, m_active, (m_hip - m_god).norm()};
     std::uint32_t moves = 0;
     while (moves < limit) {
@@ -356,13 +358,13 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
             break;
         }
     }
-    if (judgeLongStep(true) && m_nudges > 0 && (m_hip - m_god).norm() > m_stood.spring_mm) {
-        standAgain(m_stood);
+    if (judgeLongStep(true) && m_nudges > 0 && (m_hip - m_god).norm() > m_restSnapshot.spring_mm) {
+        restoreSnapshot(m_restSnapshot);
     }
     const double end = (m_hip - m_god).norm();
     if (!began.active.isEmpty() && end > began.spring_mm - m_skin_mm &&
-        (m_god - began.god).norm() > kNowhere * m_layer.fingertip_mm) {
-        standAgain(began); // The moves gained nothing: when the HIP rests, the ball rests.
+        (m_god - began.god).norm() > kMaxIdleTravel * m_layer.fingertip_mm) {
+        restoreSnapshot(began); // The moves gained nothing: when the HIP rests, the ball rests.
     }
     dropUntouched();
     if (m_active.isEmpty() && m_isKnown && m_god != m_hip) {
@@ -376,7 +378,7 @@ std::uint32_t BallTick::converge(std::uint32_t limit) noexcept
 void BallTick::dropUntouched() noexcept
 {
     for (BallContact& contact : m_active) {
-        contact.lookFrom(m_god);
+        contact.updateFrom(m_god);
     }
     // A contact that prevents a last insignificant gain is as near as it will get. Friction needs this contact, so it
     // is kept.
@@ -392,7 +394,7 @@ void BallTick::dropUntouched() noexcept
 bool BallTick::touchesHip(double spring_mm) const noexcept
 {
     const double enough = 0.5 * slight(spring_mm);
-    return !isDeep() && spring_mm <= m_layer.fingertip_mm + kParted * m_skin_mm + enough &&
+    return !isDeep() && spring_mm <= m_layer.fingertip_mm + kSeparationGap * m_skin_mm + enough &&
            std::any_of(m_active.begin(), m_active.end(),
                        [&](const BallContact& c) { return (m_hip - c.nearest.q).norm() <= enough; });
 }
@@ -409,7 +411,7 @@ bool BallTick::isNearest(double spring_mm) const noexcept
 /// Returns the smallest significant gain at this distance from the HIP [mm].
 double BallTick::slight(double spring_mm) const noexcept
 {
-    return std::max(kArrived * m_skin_mm, kSlight * spring_mm);
+    return std::max(kArrivalGain * m_skin_mm, kSlight * spring_mm);
 }
 
 /// Makes one move of the tick.
@@ -452,12 +454,12 @@ bool BallTick::makeMove() noexcept
     // The move is free up to crossing.stop, as far as it was tested. The next known facet becomes the contact if the
     // ball cannot get any farther, or if only the gap left by the bounds of the boxes separates the ball from that
     // facet.
-    const bool isThere = (crossing.key - crossing.stop) * u.norm() <= kThere * m_layer.fingertip_mm;
-    if (crossing.key <= 1.0 && (isThere || crossing.stop * step <= kRoundingOfMoves * m_skin_mm)) {
+    const bool isThere = (crossing.key - crossing.stop) * u.norm() <= kAtFacet * m_layer.fingertip_mm;
+    if (crossing.key <= 1.0 && (isThere || crossing.stop * step <= kMinMove * m_skin_mm)) {
         (void)stopAt(u, step, crossing, isLong);
     } else if (crossing.stop > 0.0) {
         m_god += crossing.stop * u;
-        (void)lookAgain();
+        (void)updateContacts();
     }
     return false;
 }
@@ -471,7 +473,7 @@ bool BallTick::moveTo(const Vec3& target, bool isLong) noexcept
         m_last = m_step;
     }
     m_god = target;
-    return !(lookAgain() && wasFlat && isFlat() && !isLong && judgeLongStep(true) && !tryAside());
+    return !(updateContacts() && wasFlat && isFlat() && !isLong && judgeLongStep(true) && !tryAside());
 }
 
 /// Moves up to the blocking facet and makes that facet a contact.
@@ -480,10 +482,10 @@ bool BallTick::moveTo(const Vec3& target, bool isLong) noexcept
 bool BallTick::stopAt(const Vec3& u, double step, const BallCrossing& crossing, bool isLong) noexcept
 {
     keepThinnest(crossing.facet.skin_mm);
-    const bool hasMoved = crossing.stop * step > kRoundingOfMoves * m_skin_mm;
+    const bool hasMoved = crossing.stop * step > kMinMove * m_skin_mm;
     if (hasMoved) {
         m_god += crossing.stop * u;
-        (void)lookAgain();
+        (void)updateContacts();
     } else if (isLong) {
         m_trialMoves = 0;
         m_longest_mm = kShorter * m_tried_mm;
@@ -511,7 +513,8 @@ bool BallTick::isTouched(const BallContact& contact) const noexcept
 {
     const double skin = contact.facet.skin_mm;
     // A one-sided facet does not hold a ball behind its plane.
-    return contact.distance_mm >= -kOnPlane * skin && contact.distance_mm <= m_layer.fingertip_mm + kParted * skin;
+    return contact.distance_mm >= -kPlaneTolerance * skin &&
+           contact.distance_mm <= m_layer.fingertip_mm + kSeparationGap * skin;
 }
 
 /// Returns true if the ball is nearer to a contact than its radius: the ball was placed there, and each move must
@@ -519,7 +522,7 @@ bool BallTick::isTouched(const BallContact& contact) const noexcept
 bool BallTick::isDeep() const noexcept
 {
     return std::any_of(m_active.begin(), m_active.end(), [&](const BallContact& c) {
-        return m_layer.fingertip_mm + c.facet.skin_mm - c.distance_mm > kPressed * c.facet.skin_mm;
+        return m_layer.fingertip_mm + c.facet.skin_mm - c.distance_mm > kMaxPressedDepth * c.facet.skin_mm;
     });
 }
 

@@ -22,7 +22,7 @@ struct BallContact
     Nearest nearest;          ///< contact point: on an edge or a corner the ball rolls around it
 
     [[nodiscard]] const Vec3& normal() const noexcept { return n; }
-    void lookFrom(const Vec3& g) noexcept;
+    void updateFrom(const Vec3& g) noexcept;
 };
 
 /// One tick of a ball-shaped god-object: moves the centre as near to the HIP as possible by straight moves that no
@@ -65,7 +65,7 @@ class BallTick
     [[nodiscard]] bool makeMove() noexcept;
     [[nodiscard]] bool moveTo(const Vec3& target, bool isLong) noexcept;
     [[nodiscard]] bool stopAt(const Vec3& u, double step, const BallCrossing& crossing, bool isLong) noexcept;
-    [[nodiscard]] bool lookAgain() noexcept;
+    [[nodiscard]] bool updateContacts() noexcept;
     [[nodiscard]] bool rollOn(BallContact& contact) const noexcept;
     [[nodiscard]] Vec3 nextMove() noexcept;
     [[nodiscard]] Vec3 slowed(const Vec3& u) noexcept;
@@ -104,12 +104,12 @@ class BallTick
         ActiveSet<BallContact> active;
         double spring_mm;
     };
-    void standAgain(const Before& stood) noexcept;
+    void restoreSnapshot(const Before& stood) noexcept;
 
     Before m_before;
-    Before m_stood;   ///< rest position before the sideways moves
-    int m_nudges = 0; ///< number of sides tried from the rest position
-    int m_slight = 0; ///< sideways moves that gained less than the significant distance
+    Before m_restSnapshot;        ///< rest position before the sideways moves
+    int m_nudges = 0;             ///< number of sides tried from the rest position
+    int m_insignificantMoves = 0; ///< sideways moves that gained less than the significant distance
     Vec3 m_aside = Vec3::Zero();
     /// A step as given by the constrained point.
     struct Step

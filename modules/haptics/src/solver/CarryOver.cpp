@@ -15,7 +15,7 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr double kFarthest_mm = 1.0; // maximum distance that a god-object is moved off a surface
-constexpr std::uint32_t kMostAsked = 4096;
+constexpr std::uint32_t kMaxTested = 4096;
 constexpr std::uint32_t kSearched = 512; // search range in the index, before and after the previous position
 constexpr int kRounds = 4;               // iterations in a corner of several surfaces
 constexpr double kAbove = 2.0;           // skins: just out of contact
@@ -54,12 +54,12 @@ std::optional<Against> nearestWithin(const geometry::SurfaceIndex& surface, std:
                 use(facet, nearest.q, nearest.away.norm());
             }
             asked += count;
-            return asked <= kMostAsked;
+            return asked <= kMaxTested;
         });
     };
     double least = reach_mm;
     eachNear([&](const Facet&, const Vec3&, double distance) { least = std::min(least, distance); });
-    if (asked > kMostAsked || least >= reach_mm) {
+    if (asked > kMaxTested || least >= reach_mm) {
         return {};
     }
     asked = 0;
@@ -257,7 +257,7 @@ bool touchesSheet(const HapticScene& scene, const GodObjectState& god) noexcept 
     return false;
 }
 
-LeftContact contactLeft(const HapticScene& before, const HapticScene* after, const GodObjectState& god,
+LostContact lostContact(const HapticScene& before, const HapticScene* after, const GodObjectState& god,
                         const Vec3& p_WH) noexcept PALPATE_NONBLOCKING
 {
     for (std::size_t k = 0; k < god.constraints; ++k) {
@@ -269,8 +269,8 @@ LeftContact contactLeft(const HapticScene& before, const HapticScene* after, con
     return {};
 }
 
-Vec3 carriedOver(const HapticScene& before, const HapticScene& after, const HapticLayer& layer,
-                 const GodObjectState& god, const Vec3& p_WH) noexcept PALPATE_NONBLOCKING
+Vec3 carryOverPosition(const HapticScene& before, const HapticScene& after, const HapticLayer& layer,
+                       const GodObjectState& god, const Vec3& p_WH) noexcept PALPATE_NONBLOCKING
 {
     Vec3 p_WG = ridden(before, after, god, p_WH, layer.fingertip_mm);
     bool isMoved = true;

@@ -25,7 +25,7 @@ namespace palpate::haptics::internal {
 /// @param after  new scene, may be null
 /// @param god  state of the god-object
 /// @param p_WH  last HIP [mm]
-[[nodiscard]] LeftContact contactLeft(const HapticScene& before, const HapticScene* after, const GodObjectState& god,
+[[nodiscard]] LostContact lostContact(const HapticScene& before, const HapticScene* after, const GodObjectState& god,
                                       const Vec3& p_WH) noexcept PALPATE_NONBLOCKING;
 
 /// Moves a god-object to its new position when surfaces of its layer are replaced.
@@ -42,9 +42,9 @@ namespace palpate::haptics::internal {
 /// @param god  state of the god-object
 /// @param p_WH  last HIP [mm]
 /// @return the new position [mm]
-/// @par Real-time Wait-free; tests at most kMostAsked triangles of each surface, and beyond this limit leaves the
+/// @par Real-time Wait-free; tests at most kMaxTested triangles of each surface, and beyond this limit leaves the
 /// god-object in place.
-[[nodiscard]] Vec3 carriedOver(const HapticScene& before, const HapticScene& after, const HapticLayer& layer,
-                               const GodObjectState& god, const Vec3& p_WH) noexcept PALPATE_NONBLOCKING;
+[[nodiscard]] Vec3 carryOverPosition(const HapticScene& before, const HapticScene& after, const HapticLayer& layer,
+                                     const GodObjectState& god, const Vec3& p_WH) noexcept PALPATE_NONBLOCKING;
 
 } // namespace palpate::haptics::internal

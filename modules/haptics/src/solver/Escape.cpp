@@ -14,7 +14,7 @@ constexpr double kSameNormal = 1e-12; // rounding of the difference of unit norm
 bool isSamePlane(const PointContact& p, const PointContact& q) noexcept
 {
     return (p.normal() - q.normal()).squaredNorm() <= kSameNormal * kSameNormal &&
-           std::abs(p.gap(q.facet.a)) <= kOnPlane * std::min(p.facet.skin_mm, q.facet.skin_mm);
+           std::abs(p.gap(q.facet.a)) <= kPlaneTolerance * std::min(p.facet.skin_mm, q.facet.skin_mm);
 }
 
 /// Two parallel planes constrain a point no more than one of them.
@@ -48,9 +48,9 @@ bool Escape::gather(const PointContacts& held) noexcept
     for (const PointContact& contact : held) {
         add(contact);
     }
-    return m_near.forEachNear(m_layer, m_god, kNearby * m_layer.skin_mm, [&](const Facet& facet) {
+    return m_near.forEachNear(m_layer, m_god, kMaxQueryRadius * m_layer.skin_mm, [&](const Facet& facet) {
         const PointContact contact{facet, facet.n.dot(m_god - facet.a) < 0.0 && facet.isTwoSided ? -1 : 1};
-        const double reach = kTouched * facet.skin_mm; // maximum distance of a foot outside its facet
+        const double reach = kTouchRadius * facet.skin_mm; // maximum distance of a foot outside its facet
         if (footingOn(facet, contact.side, m_god, {reach, reach, 0.0}) != Footing::Away &&
             std::none_of(held.begin(), held.end(), [&](const PointContact& c) { return c.isSame(contact); })) {
             add(contact);
@@ -67,8 +67,8 @@ bool Escape::find(const PointContacts& held, End& end) noexcept
     const Vec3 wanted = m_hip - m_god;
     const double spring = wanted.norm();
     m_most_mm = spring - kLeastGain * skin;
-    Vec3 from = m_god - wanted * (kTouched * skin / spring);
-    if (isKnown && m_isRoom && m_most_mm > 0.0 && isHeldByRing(touched(), from, m_hip - from, m_most_mm)) {
+    Vec3 from = m_god - wanted * (kTouchRadius * skin / spring);
+    if (isKnown && m_isRoom && m_most_mm > 0.0 && isHeldByVertexRing(touched(), from, m_hip - from, m_most_mm)) {
         return false;
     }
     Crossing above;

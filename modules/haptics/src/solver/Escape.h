@@ -44,7 +44,7 @@ class Escape
     [[nodiscard]] bool find(const PointContacts& held, End& end) noexcept PALPATE_NONBLOCKING;
 
   private:
-    static constexpr std::size_t kMostTouched = 16; // maximum number of touched facets, and of planes
+    static constexpr std::size_t kMaxTouched = 16; // maximum number of touched facets, and of planes
 
     [[nodiscard]] bool gather(const PointContacts& held) noexcept;
     void add(const PointContact& contact) noexcept;
@@ -66,10 +66,10 @@ class Escape
     double m_skin_mm;
     double m_largest_mm = 0.0; ///< maximum skin of the touched facets
     double m_most_mm = 0.0;    ///< maximum distance from the HIP at the end of a useful path
-    std::array<Facet, kMostTouched> m_touched;
+    std::array<Facet, kMaxTouched> m_touched;
     std::size_t m_count = 0;
-    bool m_isRoom = true;                            ///< all touched facets fit
-    std::array<PointContact, kMostTouched> m_planes; ///< distinct planes of the touched facets
+    bool m_isRoom = true;                           ///< all touched facets fit
+    std::array<PointContact, kMaxTouched> m_planes; ///< distinct planes of the touched facets
     std::size_t m_planeCount = 0;
 };
 

@@ -103,7 +103,7 @@ ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer&
             BallContact contact;
             contact.facet = facet;
             contact.side = m_state.side[i];
-            contact.lookFrom(m_state.p_WG);
+            contact.updateFrom(m_state.p_WG);
             planes[i] = {contact.n, layer.fingertip_mm + facet.skin_mm - contact.distance_mm};
         } else {
             planes[i] = PointContact{facet, m_state.side[i]}.planeFrom(m_state.p_WG);
@@ -148,9 +148,10 @@ bool GodObject::tryHold(const ConstrainedPoint& point, const std::array<HalfSpac
         normals[i] = planes[point.active[i]].n;
     }
     const Vec3 slide = freePart(point.u, std::span<const Vec3>(normals).first(static_cast<std::size_t>(point.count)));
-    const double r = slide.norm(), rounding = kRoundingOfMoves * m_facets[0].skin_mm;
+    const double r = slide.norm(), rounding = kMinMove * m_facets[0].skin_mm;
     const bool isOn = (point.u - slide).cwiseAbs().maxCoeff() <= kSupporting * m_facets[0].skin_mm;
-    return point.count > 0 && isOn && friction.remainingShare(r, rounding) == 1.0 && (point.count == 1 || r > rounding);
+    return point.count > 0 && isOn && friction.remainingFraction(r, rounding) == 1.0 &&
+           (point.count == 1 || r > rounding);
 }
 
 /// Reads the facets of a restored state from the surfaces.
@@ -223,7 +224,7 @@ PALPATE_ALWAYS_INLINE void GodObject::stepPoint(const Vec3& p_WH, const HapticLa
         }
         // Where many planes meet at shallow angles, keeping the skin distance to all of them can increase the distance
         // to the HIP. The god-object then keeps its position.
-        const double most = (p_WH - m_state.p_WG).norm() + kTouched * layer.skin_mm;
+        const double most = (p_WH - m_state.p_WG).norm() + kTouchRadius * layer.skin_mm;
         if (m_state.constraints == 0 || (p_WH - tick.god()).norm() <= most) {
             m_state.p_WG = tick.god();
             keep(tick.contacts());
@@ -261,7 +262,7 @@ void GodObject::keepHeld(const Vec3& p_WH, const HapticLayer& layer, const Befor
     }
     std::array<HalfSpace, 3> planes;
     const ConstrainedPoint point = withoutFriction(p_WH, layer, planes);
-    if (point.count != m_state.constraints || !(point.u.cwiseAbs().maxCoeff() <= kOnPlane * skin_mm)) {
+    if (point.count != m_state.constraints || !(point.u.cwiseAbs().maxCoeff() <= kPlaneTolerance * skin_mm)) {
         m_state.p_WG = now.p_WG;
         m_state.side = now.side;
         m_state.constraints = now.constraints;

@@ -26,7 +26,7 @@ struct PointContact
     [[nodiscard]] bool supports(const Vec3& g) const noexcept
     {
         const double skin = facet.skin_mm;
-        return footingOn(facet, side, g, {kSupporting * skin, kTouched * skin, 0.0}) != Footing::Away;
+        return footingOn(facet, side, g, {kSupporting * skin, kTouchRadius * skin, 0.0}) != Footing::Away;
     }
     /// Returns the half-space of displacements from `g` that keep a gap of one skin.
     [[nodiscard]] HalfSpace planeFrom(const Vec3& g) const noexcept { return {normal(), facet.skin_mm - gap(g)}; }

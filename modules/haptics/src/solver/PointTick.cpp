@@ -47,7 +47,7 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
                 return i + 1 + m_walked;
             }
         }
-        if (m_active.count() == 1 && m_mayWalk && walkHome(limit - i - m_walked)) {
+        if (m_active.count() == 1 && m_mayWalk && walkToRest(limit - i - m_walked)) {
             return i + m_walked;
         }
         if (i + m_walked >= limit || m_near.work().isSpent()) {
@@ -66,14 +66,14 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
             break;
         }
         if (swept == Sweep::Blocked) {
-            const bool isOnEdge = m_active.isEmpty() && countRound();
+            const bool isOnEdge = m_active.isEmpty() && detectCycle();
             if ((!stopAt(target, crossing) || isOnEdge) && !takeEscape()) {
                 if (isOnEdge && m_friction != nullptr) {
-                    holdByAllInTurn();
+                    addBlockingContacts();
                 }
                 return i + 1 + m_walked;
             }
-            meetInTurn({crossing.facet, crossing.side});
+            recordBlocking({crossing.facet, crossing.side});
             continue;
         }
         if (m_active.isEmpty()) {
@@ -92,14 +92,14 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
 
 /// Continues from a single contact by walking, as long as walking suffices.
 /// @return true if the tick is complete
-bool PointTick::walkHome(std::uint32_t most) noexcept
+bool PointTick::walkToRest(std::uint32_t most) noexcept
 {
     PointContact& contact = m_active[0];
     Facet beyond;
     Walk walk(m_hip, m_layer, m_near, m_friction, {m_god, contact.facet, beyond, contact.side});
     const Walk::Ended ended = walk.run(Walk::Start::OnFacet, most);
     m_walked += walk.moves();
-    meetInTurn(contact);
+    recordBlocking(contact);
     if (Walk::isHeldByTwo(ended)) {
         touch({beyond, contact.side});
     }
@@ -110,7 +110,7 @@ bool PointTick::walkHome(std::uint32_t most) noexcept
 /// Detects cycling. Where the HIP is nearest to a convex edge, each of the two facets leads just beyond the edge and is
 /// released there, and the straight move then meets the other facet.
 /// @return true if several cycles gained less than a skin
-bool PointTick::countRound() noexcept
+bool PointTick::detectCycle() noexcept
 {
     const double spring = (m_hip - m_god).norm();
     if (spring < m_letGo_mm - m_skin_mm) {
@@ -123,19 +123,21 @@ bool PointTick::countRound() noexcept
 }
 
 /// Records a facet that blocked a move or was reached by a walk.
-void PointTick::meetInTurn(const PointContact& contact) noexcept
+void PointTick::recordBlocking(const PointContact& contact) noexcept
 {
     if (m_friction != nullptr) {
-        m_inTurn[m_turn++ % m_inTurn.size()] = {{contact.facet.structure, contact.facet.triangle}, contact.side};
+        m_recentBlocking[m_turn++ % m_recentBlocking.size()] = {{contact.facet.structure, contact.facet.triangle},
+                                                                contact.side};
     }
 }
 
 /// Makes contacts of all facets that blocked in turn. Together they hold the god-object, each against a part of the
 /// pull, and friction must know all of them.
-void PointTick::holdByAllInTurn() noexcept
+void PointTick::addBlockingContacts() noexcept
 {
-    for (std::size_t i = 0; i < std::min<std::size_t>(m_turn, m_inTurn.size()) && m_active.count() < kMostHeld; ++i) {
-        const auto& [number, side] = m_inTurn[i];
+    for (std::size_t i = 0; i < std::min<std::size_t>(m_turn, m_recentBlocking.size()) && m_active.count() < kMostHeld;
+         ++i) {
+        const auto& [number, side] = m_recentBlocking[i];
         const PointContact other{Facet::of(m_layer.surface(number.structure), number.structure, number.triangle), side};
         if (std::none_of(m_active.begin(), m_active.end(), [&](const PointContact& c) { return c.isSame(other); })) {
             m_active.add() = other;
@@ -168,8 +170,8 @@ Vec3 PointTick::slowed(const Vec3& u) noexcept
         return u;
     }
     const Vec3 slide = m_active.freePart(u);
-    const double r = slide.norm(), rounding = kRoundingOfMoves * m_skin_mm;
-    const double left = m_friction->remainingShare(r, rounding);
+    const double r = slide.norm(), rounding = kMinMove * m_skin_mm;
+    const double left = m_friction->remainingFraction(r, rounding);
     if (left < 1.0) {
         return u - left * slide;
     }
@@ -201,7 +203,7 @@ bool PointTick::stopAt(const Vec3& target, const Crossing& crossing) noexcept
 bool PointTick::moveTo(const Vec3& p) noexcept
 {
     const double most = (p - m_god).cwiseAbs().maxCoeff();
-    if (most <= kRoundingOfMoves * m_skin_mm) {
+    if (most <= kMinMove * m_skin_mm) {
         return false;
     }
     m_god = p;
@@ -223,7 +225,8 @@ void PointTick::keepSupporting() noexcept
     const double slack = m_active.count() > 1 ? m_skin_mm : 0.0;
     m_active.release([&](PointContact& c) {
         const double skin = c.facet.skin_mm, plate = c.facet.isTwoSided ? kPlate * skin : 0.0;
-        c.footing = footingOn(c.facet, c.side, m_god, {kSupporting * skin, std::max(slack, plate), kTouched * skin});
+        c.footing =
+            footingOn(c.facet, c.side, m_god, {kSupporting * skin, std::max(slack, plate), kTouchRadius * skin});
         return c.footing == Footing::Away && !c.isInTheWay;
     });
 }
@@ -259,7 +262,7 @@ bool PointTick::isConcaveEdge() const noexcept
         return false;
     }
     const Vec3 along = *end[1] - *end[0];
-    const double margin = kTouched * m_skin_mm * along.norm();
+    const double margin = kTouchRadius * m_skin_mm * along.norm();
     return along.dot(m_god - *end[0]) > margin && along.dot(*end[1] - m_god) > margin;
 }
 

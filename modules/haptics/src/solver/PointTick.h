@@ -46,10 +46,10 @@ class PointTick
   private:
     void touch(const PointContact& contact) noexcept;
     [[nodiscard]] std::uint32_t moveUntilDone(std::uint32_t limit) noexcept;
-    [[nodiscard]] bool walkHome(std::uint32_t most) noexcept;
-    [[nodiscard]] bool countRound() noexcept;
-    void meetInTurn(const PointContact& contact) noexcept;
-    void holdByAllInTurn() noexcept;
+    [[nodiscard]] bool walkToRest(std::uint32_t most) noexcept;
+    [[nodiscard]] bool detectCycle() noexcept;
+    void recordBlocking(const PointContact& contact) noexcept;
+    void addBlockingContacts() noexcept;
     [[nodiscard]] Vec3 nextTarget() noexcept;
     [[nodiscard]] Vec3 slowed(const Vec3& u) noexcept;
     [[nodiscard]] bool stopAt(const Vec3& target, const Crossing& crossing) noexcept;
@@ -78,7 +78,7 @@ class PointTick
         FacetNumber number;
         int side;
     };
-    std::array<Met, 3> m_inTurn;           ///< most recent facets since the last release
+    std::array<Met, 3> m_recentBlocking;   ///< most recent facets since the last release
     std::size_t m_turn = 0;                ///< number of facets since the last release
     std::optional<PointContact> m_lastMet; ///< last facet that blocked a move
 };

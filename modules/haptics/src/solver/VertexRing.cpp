@@ -62,7 +62,7 @@ const Vec3* closedRing(std::span<const Facet> facets, std::array<Sector, kMostFa
 
 } // namespace
 
-bool isHeldByRing(std::span<const Facet> facets, const Vec3& from, const Vec3& wanted, double enough_mm) noexcept
+bool isHeldByVertexRing(std::span<const Facet> facets, const Vec3& from, const Vec3& wanted, double enough_mm) noexcept
 {
     if (facets.size() < 3 || facets.size() > kMostFacets ||
         std::any_of(facets.begin(), facets.end(), [](const Facet& f) { return f.isTwoSided; })) {

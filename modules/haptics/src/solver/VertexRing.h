@@ -20,7 +20,7 @@ namespace palpate::haptics::internal {
 /// @return false if undecided (the facets do not form one closed ring, or are two-sided) or if some direction leads
 /// nearer
 /// @par Real-time Wait-free.
-[[nodiscard]] bool isHeldByRing(std::span<const Facet> facets, const Vec3& from, const Vec3& wanted,
-                                double enough_mm) noexcept PALPATE_NONBLOCKING;
+[[nodiscard]] bool isHeldByVertexRing(std::span<const Facet> facets, const Vec3& from, const Vec3& wanted,
+                                      double enough_mm) noexcept PALPATE_NONBLOCKING;
 
 } // namespace palpate::haptics::internal

@@ -13,7 +13,7 @@ constexpr std::uint32_t kMostFacets = 64;
 constexpr std::uint32_t kMovePrice = 64; // price of a sweep, in units of TickWork
 constexpr double kFarTarget = 16.0;      // facet sizes
 constexpr double kSharpest = 0.5;        // cosine of the largest angle between the normals of two facets
-static_assert(kSharpest <= geometry::SurfaceIndex::kClearTurned, "a walk crosses every edge of a clear facet");
+static_assert(kSharpest <= geometry::SurfaceIndex::kClearMinCosine, "a walk crosses every edge of a clear facet");
 
 /// Classifies the god-object's position on a facet; Away if the position is lower than a previous walk would have left
 /// it.
@@ -21,7 +21,7 @@ static_assert(kSharpest <= geometry::SurfaceIndex::kClearTurned, "a walk crosses
 Footing standsOn(const Facet& facet, int side, const Vec3& g, double edge) noexcept
 {
     const double skin = facet.skin_mm;
-    if (side * facet.n.dot(g - facet.a) <= kStanding * skin) {
+    if (side * facet.n.dot(g - facet.a) <= kMinWalkHeight * skin) {
         return Footing::Away;
     }
     return footingOn(facet, side, g, {geometry::SurfaceIndex::kClearHeight * skin, skin, edge * skin});
@@ -57,7 +57,7 @@ struct Walk::Crease
 Walk::Ended Walk::run(Start start, std::uint32_t most) noexcept
 {
     begin(start);
-    Next next = start == Start::InCrease ? leaveCrease() : Next::Step;
+    Next next = start == Start::InCrease ? startFromCrease() : Next::Step;
     // The budget is charged at the end, by moves made: how far the walk looks ahead before testing depends on the
     // facets held, which must not influence the price.
     const std::uint32_t affordable = m_near.work().left() / kMovePrice + 1;
@@ -68,7 +68,7 @@ Walk::Ended Walk::run(Start start, std::uint32_t most) noexcept
         if (m_isClear) {
             stand();
         } else {
-            (void)makePathMoves();
+            (void)commitPath();
         }
     }
     m_near.spend(kMovePrice * (m_moves + 1));
@@ -80,8 +80,9 @@ PALPATE_ALWAYS_INLINE void Walk::begin(Start start) noexcept
     m_path[0] = m_god;
     m_over[0] = m_over[1] = {m_facet.structure, m_facet.triangle};
     // Where a walk ended early at an edge, the facet that it left may block the path back.
-    const bool isInside = start == Start::WellInside ||
-                          (start == Start::OnFacet && standsOn(m_facet, m_side, m_god, kTouched) == Footing::Inside);
+    const bool isInside =
+        start == Start::WellInside ||
+        (start == Start::OnFacet && standsOn(m_facet, m_side, m_god, kTouchRadius) == Footing::Inside);
     const bool isInCrease = start == Start::InCrease && standsOn(m_facet, m_side, m_god, 0.0) != Footing::Away &&
                             standsOn(m_beyond, m_side, m_god, 0.0) != Footing::Away;
     m_isClear = (isInside || (isInCrease && isClearAt(m_beyond, m_god))) && isClearAt(m_facet, m_god);
@@ -95,7 +96,7 @@ PALPATE_ALWAYS_INLINE bool Walk::isClearAt(const Facet& facet, const Vec3& p) no
 }
 
 /// Starts from a crease: along the crease, or off onto one of its two facets.
-Walk::Next Walk::leaveCrease() noexcept
+Walk::Next Walk::startFromCrease() noexcept
 {
     m_ended = Ended::AtCreaseEnd;
     int edge = 0;
@@ -153,7 +154,7 @@ PALPATE_ALWAYS_INLINE Vec3 Walk::slowed(const Vec3& target, double rise) noexcep
     const Vec3 behind = back - m_here->n.dot(back) * m_here->n;
     m_friction->lift();
     m_friction->press(*m_here, last(), rise);
-    const double left = m_friction->remainingShare(behind.norm(), kRoundingOfMoves * m_here->skin_mm);
+    const double left = m_friction->remainingFraction(behind.norm(), kMinMove * m_here->skin_mm);
     return left < 1.0 ? Vec3(target + left * behind) : last();
 }
 
@@ -204,7 +205,7 @@ PALPATE_ALWAYS_INLINE Walk::Next Walk::arrive(const Vec3& target) noexcept
 {
     m_isClear = m_isClear && isClearAt(*m_here, target);
     // The next gathering may not cover the path so far, so the path is tested first.
-    if ((m_isClear || m_near.holds(target) || makePathMoves()) && makeLastMove(target)) {
+    if ((m_isClear || m_near.holds(target) || commitPath()) && makeLastMove(target)) {
         m_ended = Ended::OnFacet;
     }
     return Next::Over;
@@ -224,11 +225,11 @@ Walk::Next Walk::enterCrease(const Vec3& from) noexcept
         if (m_isClear) {
             stand();
         }
-        m_ended = m_isClear || makePathMoves() ? Ended::AtCreaseEnd : Ended::Unfinished;
+        m_ended = m_isClear || commitPath() ? Ended::AtCreaseEnd : Ended::Unfinished;
         return Next::Over;
     }
     m_isClear = m_isClear && isClearAt(*m_here, crease.target) && isClearAt(m_beyond, crease.target);
-    if ((m_isClear || m_near.holds(crease.target) || makePathMoves()) && makeLastMove(crease.target)) {
+    if ((m_isClear || m_near.holds(crease.target) || commitPath()) && makeLastMove(crease.target)) {
         m_ended = Ended::InCrease;
     }
     return Next::Over;
@@ -256,13 +257,13 @@ Walk::Crease Walk::creaseAt(const Facet& facet, int edge, const Vec3& g) noexcep
         m_friction->lift();
         m_friction->press(facet, g, point.lambda_mm[0]);
         m_friction->press(m_beyond, g, point.lambda_mm[1]);
-        const double left = m_friction->remainingShare(std::abs(ahead), kRoundingOfMoves * facet.skin_mm);
+        const double left = m_friction->remainingFraction(std::abs(ahead), kMinMove * facet.skin_mm);
         crease.target = left < 1.0 ? Vec3(crease.target - left * ahead * along) : g;
     }
     // The intersection line of two nearly parallel planes is determined by rounding and may lie anywhere beside the
     // edge.
     const Vec3 from = crease.target - begin;
-    const bool isAtEdge = from.cross(along).norm() <= kBesideEdge * facet.skin_mm;
+    const bool isAtEdge = from.cross(along).norm() <= kEdgeTolerance * facet.skin_mm;
     crease.isWithin = isAtEdge && along.dot(from) > m_margin_mm && along.dot(end - crease.target) > m_margin_mm;
     return crease;
 }
@@ -272,7 +273,7 @@ Walk::Next Walk::cross(const Exit& exit, const Vec3& target) noexcept
 {
     Vec3 to = last() + exit.share * (target - last());
     m_isClear = m_isClear && isClearAt(*m_here, to);
-    if (!m_isClear && !m_near.holds(to) && !makePathMoves()) {
+    if (!m_isClear && !m_near.holds(to) && !commitPath()) {
         return Next::Over;
     }
     const geometry::SurfaceIndex::Neighbour neighbour =
@@ -312,7 +313,7 @@ Walk::Next Walk::cross(const Exit& exit, const Vec3& target) noexcept
     addToPath(to);
     m_over[m_points] = {next.structure, next.triangle};
     ++m_crossed;
-    return m_points < m_path.size() || makePathMoves() ? Next::Step : Next::Over;
+    return m_points < m_path.size() || commitPath() ? Next::Step : Next::Over;
 }
 
 /// Extends a move over a convex edge. The foot on the facet before the edge may leave that facet too early by its
@@ -326,14 +327,14 @@ Walk::Next Walk::cross(const Exit& exit, const Vec3& target) noexcept
 /// @return false if that position is not at the edge
 bool Walk::liftOver(const Facet& next, const Vec3& target, double share, Vec3& to) const noexcept
 {
-    const double least = kLifted * next.skin_mm;
+    const double least = kLiftHeight * next.skin_mm;
     if (m_side * next.n.dot(to - next.a) >= least) {
         return true;
     }
     const Vec3& from = last();
     const double begin = m_side * next.n.dot(from - next.a), end = m_side * next.n.dot(target - next.a);
     const double lifted = (least - begin) / (end - begin);
-    if (!(end > begin) || lifted > 1.0 || (lifted - share) * (target - from).norm() > kBesideEdge * next.skin_mm) {
+    if (!(end > begin) || lifted > 1.0 || (lifted - share) * (target - from).norm() > kEdgeTolerance * next.skin_mm) {
         return false;
     }
     to = from + lifted * (target - from);
@@ -361,7 +362,7 @@ void Walk::addToPath(const Vec3& p) noexcept
 /// facet that it follows, and where the two facets turn by at most 60 degrees it passes the plane of the other half a
 /// skin or more beyond their edge.
 /// @return true if no move is blocked
-bool Walk::makePathMoves() noexcept
+bool Walk::commitPath() noexcept
 {
     const std::size_t moves = m_near.freeMoves(m_layer, std::span<const Vec3>(m_path).first(m_points),
                                                std::span<const FacetNumber>(m_over).first(m_crossed + 2));
@@ -397,7 +398,7 @@ PALPATE_ALWAYS_INLINE bool Walk::makeLastMove(const Vec3& target) noexcept
         return true;
     }
     addToPath(target);
-    return makePathMoves();
+    return commitPath();
 }
 
 } // namespace palpate::haptics::internal

@@ -57,7 +57,7 @@ class Walk
         , m_facet(place.facet)
         , m_beyond(place.beyond)
         , m_side(place.side)
-        , m_margin_mm(kTouched * place.facet.skin_mm)
+        , m_margin_mm(kTouchRadius * place.facet.skin_mm)
         , m_here(&place.facet)
     {
     }
@@ -84,7 +84,7 @@ class Walk
 
     [[nodiscard]] bool isClearAt(const Facet& facet, const Vec3& p) noexcept;
     void begin(Start start) noexcept;
-    [[nodiscard]] Next leaveCrease() noexcept;
+    [[nodiscard]] Next startFromCrease() noexcept;
     [[nodiscard]] Next step() noexcept;
     [[nodiscard]] Next arrive(const Vec3& target) noexcept;
     [[nodiscard]] Next enterCrease(const Vec3& from) noexcept;
@@ -95,7 +95,7 @@ class Walk
     [[nodiscard]] Vec3 slowed(const Vec3& target, double rise) noexcept;
     [[nodiscard]] bool isFar(const Vec3& target) const noexcept;
     void addToPath(const Vec3& p) noexcept;
-    [[nodiscard]] bool makePathMoves() noexcept;
+    [[nodiscard]] bool commitPath() noexcept;
     [[nodiscard]] bool makeLastMove(const Vec3& target) noexcept;
     void stand() noexcept;
     [[nodiscard]] const Vec3& last() const noexcept { return m_path[m_points - 1]; }
@@ -119,10 +119,10 @@ class Walk
     bool m_isClear = false;
     Ended m_ended = Ended::Unfinished;
 
-    std::array<Vec3, NearPoint::kMostPoints> m_path; ///< moves not yet tested
+    std::array<Vec3, NearPoint::kMaxPoints> m_path; ///< moves not yet tested
     /// Facet below each point of the path; entry 0 is the facet before the first point.
-    std::array<FacetNumber, NearPoint::kMostPoints + 1> m_over;
-    std::array<CoulombFriction::State, NearPoint::kMostPoints>
+    std::array<FacetNumber, NearPoint::kMaxPoints + 1> m_over;
+    std::array<CoulombFriction::State, NearPoint::kMaxPoints>
         m_frictionAt; ///< friction state at each point but the first
     std::size_t m_points = 1;
     std::size_t m_crossed = 0; ///< number of edges that the path crosses

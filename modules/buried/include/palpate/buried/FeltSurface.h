@@ -39,14 +39,14 @@ struct FeltOptions
     std::function<bool(double)> progress;
     unsigned threads = core::coreCount(); ///< maximum number of threads, including the calling thread
 };
-inline constexpr double kMostRadius_mm = 30.0, kMostPress_mm = 30.0, kMostRatio = 1e4;
-inline constexpr std::size_t kMostPresses = 8;
+inline constexpr double kMostRadius_mm = 30.0, kMaxPress_mm = 30.0, kMaxModulusRatio = 1e4;
+inline constexpr std::size_t kMaxPresses = 8;
 /// Maximum triangle count of a surface refined for the contact radius: larger surfaces take minutes and gigabytes.
-inline constexpr double kMostRefined = 2e6;
+inline constexpr double kMaxRefinedTriangles = 2e6;
 
 /// Detectable stiffness changes in percent: half the trained threshold, trained 14 %, untrained 28 %.
 /// @par Source resources/docs/felt.md
-inline constexpr std::array<double, 3> kTold_percent{7.0, 14.0, 28.0};
+inline constexpr std::array<double, 3> kDetectableChange_percent{7.0, 14.0, 28.0};
 
 /// Palpability of a lump at its best place.
 enum class Verdict : std::uint8_t
@@ -65,8 +65,8 @@ inline constexpr std::array<std::string_view, 5> kVerdictNames{"not by hand", "b
 /// Reasons why the model is invalid at a place, as bit flags.
 enum NotJudged : std::uint8_t
 {
-    kCurved = 1,      ///< the radius of curvature is below Ground::kLeastRadii contact radii
-    kThin = 2,        ///< the organ is thinner than Ground::kLeastRadii contact radii
+    kCurved = 1,      ///< the radius of curvature is below Ground::kMinValidRadii contact radii
+    kThin = 2,        ///< the organ is thinner than Ground::kMinValidRadii contact radii
     kOverlapping = 4, ///< overlapping lumps contribute at this place
 };
 
@@ -85,7 +85,7 @@ struct FeltSurface
         std::optional<std::size_t> best;  ///< vertex with the largest effect among the valid places
         double share = 0.0;               ///< energy share S at this vertex, independent of the ratio
         Stiffening felt;                  ///< stiffness ratio at this vertex for the typical modulus ratio
-        std::array<double, 3> area_mm2{}; ///< valid area with a stiffness change of at least kTold_percent
+        std::array<double, 3> area_mm2{}; ///< valid area with a stiffness change of at least kDetectableChange_percent
         Verdict verdict = Verdict::NotByHand;
         /// Verdicts at both ends of the ratio's range; equal to `verdict` for a single ratio.
         Verdict verdictAtLow = Verdict::NotByHand, verdictAtHigh = Verdict::NotByHand;
@@ -95,7 +95,7 @@ struct FeltSurface
         std::string name;
         std::size_t given = 0; ///< index in the list of input lumps
         std::optional<RatioRange> ratio;
-        double leastCover_mm = 0.0; ///< minimum depth of the lump below the organ's vertices; 0 if it protrudes
+        double minCover_mm = 0.0; ///< minimum depth of the lump below the organ's vertices; 0 if it protrudes
         std::vector<LumpPress> press;
     };
 
@@ -103,7 +103,7 @@ struct FeltSurface
     std::size_t organVertices = 0;  ///< the first organVertices vertices are those of the original organ
     /// Maximum difference between `surface` and the maps at the organ's original vertices, interpolated over its
     /// triangles [1]: worst-case error of a display on the original mesh. 0 if the organ is fine enough.
-    double coarseness = 0.0;
+    double interpolationError = 0.0;
     double radius_mm = 0.0;
     std::vector<Press> press;
     std::vector<Lump> lumps;
@@ -123,9 +123,10 @@ struct FeltSurface
 /// with a note.
 /// @param name  name of the organ, for messages
 /// @return OutOfRange for an invalid radius, press or ratio, or if the radius is so small that the surface would need
-/// more than kMostRefined triangles; Unsupported if the organ is not a closed surface; Empty without a lump; Cancelled.
-/// @par Cost About 20 ns for each combination of vertex, lump triangle (at most LumpShape::kUsualTriangles) and press.
-/// Uses all cores, with bit-identical results for any number of threads. Not for the servo thread.
+/// more than kMaxRefinedTriangles triangles; Unsupported if the organ is not a closed surface; Empty without a lump;
+/// Cancelled.
+/// @par Cost About 20 ns for each combination of vertex, lump triangle (at most LumpShape::kDefaultTriangles) and
+/// press. Uses all cores, with bit-identical results for any number of threads. Not for the servo thread.
 [[nodiscard]] core::Result<FeltSurface> feltSurface(const std::string& name, const geometry::RepairedMesh& organ,
                                                     const std::vector<BuriedLump>& lumps,
                                                     const FeltOptions& options = {});

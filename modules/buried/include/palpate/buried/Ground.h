@@ -15,13 +15,13 @@ class Ground
 {
   public:
     /// Validity limit of the half-space model in contact radii: minimum radius of curvature and organ thickness.
-    static constexpr double kLeastRadii = 4.0;
+    static constexpr double kMinValidRadii = 4.0;
 
     struct At
     {
         Vec3 n_W;              ///< mean outward normal of the contact area, unit length
-        bool isCurved = false; ///< the radius of curvature is below kLeastRadii contact radii
-        bool isThin = false;   ///< the opposite surface is nearer than kLeastRadii contact radii
+        bool isCurved = false; ///< the radius of curvature is below kMinValidRadii contact radii
+        bool isThin = false;   ///< the opposite surface is nearer than kMinValidRadii contact radii
     };
 
     /// @param organ  repaired, world frame [mm], edges no longer than the contact radius; stored by reference

@@ -56,7 +56,7 @@ inline constexpr double kBeta = 0.4;
 
 /// Length scale c of the contact pressure [mm]: the pressure `P c / (2 pi (r^2 + c^2)^(3/2))` is a bell with the
 /// stiffness of a flat punch of this radius.
-[[nodiscard]] double bellOf(double radius_mm) noexcept;
+[[nodiscard]] double pressureScale(double radius_mm) noexcept;
 
 /// Density w of a press's elastic energy, normalised to 1 over the half-space [1/mm^3].
 /// @param r_mm  distance from the press axis

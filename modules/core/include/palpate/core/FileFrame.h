@@ -43,7 +43,7 @@ inline constexpr std::array<std::string_view, 4> kFrameNames{"", "LPS", "RAS", "
 
 /// @param chosen  choice of the user; overrides the tag
 /// @param tag     frame stated by the file
-[[nodiscard]] constexpr FileFrame takenFrame(FileFrame chosen, FileFrame tag) noexcept
+[[nodiscard]] constexpr FileFrame resolvedFrame(FileFrame chosen, FileFrame tag) noexcept
 {
     return chosen == FileFrame::Untagged ? tag : chosen;
 }

@@ -15,13 +15,13 @@
 namespace palpate::core {
 
 /// Contribution of one layer where several overlapping layers were in contact.
-struct FeltLayer
+struct FindingLayer
 {
     std::string structure{}; ///< name of the structure
     double force_N = 0.0;    ///< share of the contact force
     double depth_mm = 0.0;   ///< penetration depth
 
-    friend bool operator==(const FeltLayer&, const FeltLayer&) = default;
+    friend bool operator==(const FindingLayer&, const FindingLayer&) = default;
 };
 
 /// Category of a finding, chosen by the user.
@@ -80,9 +80,10 @@ struct Finding
     std::string structure{};          ///< name of the touched structure; may be empty
     std::optional<double> force_N{};  ///< contact force
     std::optional<double> depth_mm{}; ///< penetration depth
-    std::vector<FeltLayer> layers{}; ///< contributions of overlapping layers, outermost first; empty for a single layer
-    std::string extra{};             ///< unknown fields of a scene file as a JSON object, preserved for newer versions
-    std::string id{};                ///< persistent identifier, unchanged by edits; empty in older files
+    std::vector<FindingLayer>
+        layers{};        ///< contributions of overlapping layers, outermost first; empty for a single layer
+    std::string extra{}; ///< unknown fields of a scene file as a JSON object, preserved for newer versions
+    std::string id{};    ///< persistent identifier, unchanged by edits; empty in older files
     FindingType type = FindingType::Other;
     bool hasPlace = true;             ///< false: note only
     std::optional<double> size_mm{};  ///< diameter estimated by the user
@@ -94,12 +95,12 @@ struct Finding
 };
 
 /// Minimum depth for a meaningful quotient of force and depth. [mm]
-inline constexpr double kLeastFeltDepth_mm = 1.0;
+inline constexpr double kMinStiffnessDepth_mm = 1.0;
 /// Computes the secant stiffness (force divided by depth) at the time of marking. [N/mm]
 /// @return std::nullopt if force or depth is unknown, or if the depth is below 1 mm
 [[nodiscard]] inline std::optional<double> felt_N_per_mm(const Finding& finding) noexcept
 {
-    if (!finding.force_N || !finding.depth_mm || *finding.depth_mm < kLeastFeltDepth_mm) {
+    if (!finding.force_N || !finding.depth_mm || *finding.depth_mm < kMinStiffnessDepth_mm) {
         return std::nullopt;
     }
     return *finding.force_N / *finding.depth_mm;

@@ -28,24 +28,25 @@ enum class LawKind : std::uint8_t
 /// (haptics::ForceTable).
 struct ForceLaw
 {
-    static constexpr std::size_t kMostNumbers = 5;
-    static constexpr std::size_t kMostPoints = 64;
-    static constexpr double kMostSlope = 1000.0;    ///< maximum absolute slope of a law [N/mm]
-    static constexpr double kMostDepth_mm = 1000.0; ///< maximum depth of a measured point
-    static constexpr double kLeastStep_mm = 1e-3;   ///< minimum depth difference of consecutive measured points
+    static constexpr std::size_t kMaxParameters = 5;
+    static constexpr std::size_t kMaxPoints = 64;
+    static constexpr double kMaxSlope = 1000.0;         ///< maximum absolute slope of a law [N/mm]
+    static constexpr double kMaxPointDepth_mm = 1000.0; ///< maximum depth of a measured point
+    static constexpr double kMinPointSpacing_mm = 1e-3; ///< minimum depth difference of consecutive measured points
 
     /// Depth [mm] and force [N].
     using Point = std::array<double, 2>;
 
     LawKind kind = LawKind::Linear;
-    std::array<double, kMostNumbers> numbers{}; ///< parameters in the order of `lawTerms(kind)`; unused ones are 0
-    std::vector<Point> points;                  ///< for LawKind::Points only; ascending, starting at (0, 0)
+    std::array<double, kMaxParameters>
+        numbers{};             ///< parameters in the order of `lawParameters(kind)`; unused ones are 0
+    std::vector<Point> points; ///< for LawKind::Points only; ascending, starting at (0, 0)
 
     friend bool operator==(const ForceLaw&, const ForceLaw&) = default;
 };
 
 /// Metadata of a law parameter, for files and panels.
-struct LawTerm
+struct LawParameter
 {
     std::string_view key; ///< key in scene files
     std::string_view name;
@@ -61,12 +62,12 @@ struct LawTerm
 inline constexpr std::array kLawKinds{LawKind::Linear, LawKind::Exponential, LawKind::Hertz,
                                       LawKind::Layer,  LawKind::Click,       LawKind::Points};
 /// Parameters of a law, in the order of ForceLaw::numbers.
-[[nodiscard]] std::span<const LawTerm> lawTerms(LawKind kind) noexcept;
+[[nodiscard]] std::span<const LawParameter> lawParameters(LawKind kind) noexcept;
 /// Law with default parameters.
 [[nodiscard]] ForceLaw usualLaw(LawKind kind);
 /// Validates a law. Linear is always valid.
 /// @return an error with parameter or point and value for: non-finite or out-of-range parameters, contradictory
-/// parameters, points that do not ascend from (0, 0), negative forces, slopes above kMostSlope
+/// parameters, points that do not ascend from (0, 0), negative forces, slopes above kMaxSlope
 [[nodiscard]] Status check(const ForceLaw& law);
 
 /// First invalid point (index from 0) with the reason; the text is empty if all points are valid.

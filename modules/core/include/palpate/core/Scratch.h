@@ -47,7 +47,7 @@ class Scratch
 };
 
 /// Treatment of an existing file at the target name of a rename.
-enum class OldFile
+enum class ExistingFile
 {
     Replace, ///< replace an existing file or link
     Refuse   ///< fail if a file exists
@@ -56,7 +56,8 @@ enum class OldFile
 /// Renames a file atomically within one file system.
 /// @param fromFolder, toFolder  descriptors of the folders
 /// @return 0 or the error number; EEXIST if `old` is Refuse and a file exists
-[[nodiscard]] int giveName(int fromFolder, const char* from, int toFolder, const char* to, OldFile old) noexcept;
+[[nodiscard]] int renameWithoutRace(int fromFolder, const char* from, int toFolder, const char* to,
+                                    ExistingFile old) noexcept;
 
 /// Flushes the names in a folder to the disk. Errors of file systems without this feature are ignored.
 void syncFolder(int folder) noexcept;

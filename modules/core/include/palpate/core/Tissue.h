@@ -35,7 +35,7 @@ struct TissueTerm
     std::string_view name;    ///< display name
     std::string_view meaning; ///< description as part of a sentence
     std::string_view unit;
-    std::string_view spokenUnit;
+    std::string_view accessibleUnit;
     double most;              ///< maximum value in files and panels
     int decimals;             ///< decimals in panels
     double step;              ///< step of the panel's field

@@ -17,12 +17,12 @@ struct PointerState : DeviceState ///< `p_D`: reference point of the depth; `but
         : DeviceState(state)
     {
     }
-    Vec3 d_D = Vec3::Zero();      ///< unit press direction, into the tissue
-    double depth_mm = 0.0;        ///< target depth of a press
-    double hover_mm = 0.0;        ///< distance in front of `p_D` at which a press starts and ends; 0: no lift-off
-    double pressTime_s = 0.0;     ///< duration of a press and of a change between depths
-    double gentle_mm = 0.0;       ///< inward travel beyond this adds time, ...
-    double deeper_mm_per_s = 0.0; ///< ... at this speed; 0: no added time
+    Vec3 d_D = Vec3::Zero();          ///< unit press direction, into the tissue
+    double depth_mm = 0.0;            ///< target depth of a press
+    double hover_mm = 0.0;            ///< distance in front of `p_D` at which a press starts and ends; 0: no lift-off
+    double pressTime_s = 0.0;         ///< duration of a press and of a change between depths
+    double easeThreshold_mm = 0.0;    ///< inward travel beyond this adds time, ...
+    double pressSpeed_mm_per_s = 0.0; ///< ... at this speed; 0: no added time
     double liftTime_s = 0.0;
 };
 

@@ -53,7 +53,7 @@ class SimulatedHand final : public HapticDevice
     void write(const Vec3& f_D) noexcept PALPATE_NONBLOCKING override;
 
   private:
-    static constexpr std::size_t kLongestDelay = 16;
+    static constexpr std::size_t kMaxDelayTicks = 16;
     void advance() noexcept PALPATE_NONBLOCKING;
 
     HandScript m_script;
@@ -61,8 +61,8 @@ class SimulatedHand final : public HapticDevice
     std::int64_t m_tick = 0; // tick of the next read
     Vec3 m_p_W = Vec3::Zero();
     Vec3 m_v_W = Vec3::Zero();
-    Vec3 m_f_W = Vec3::Zero();                   // force acting until the next read
-    std::array<Vec3, kLongestDelay> m_waiting{}; // written forces still delayed
+    Vec3 m_f_W = Vec3::Zero();                    // force acting until the next read
+    std::array<Vec3, kMaxDelayTicks> m_waiting{}; // written forces still delayed
     std::atomic<bool> m_isFinished{false};
 };
 

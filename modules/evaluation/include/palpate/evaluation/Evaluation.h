@@ -38,7 +38,7 @@ struct Tail
     const char* name = "most"; ///< "99.9 %", "99 %" or "most"
 };
 [[nodiscard]] Tail tailOf(const Percentiles& percentiles);
-inline constexpr std::size_t kFewestForP999 = 10000; ///< values
+inline constexpr std::size_t kMinCountForP999 = 10000; ///< values
 
 /// Parameter in which a trial differs from the default product.
 enum class Knob
@@ -73,8 +73,8 @@ struct Trial
     std::string solver;
     std::string setting; ///< "25 % of the triangles", "2000 Hz", or empty
     Knob knob = Knob::Solver;
-    double knobValue = 0.0;    ///< fraction of the triangles, Hz or mm
-    double fingertip_mm = 0.0; ///< fingertip radius; 0: point contact
+    double variationValue = 0.0; ///< fraction of the triangles, Hz or mm
+    double fingertip_mm = 0.0;   ///< fingertip radius; 0: point contact
     std::size_t triangles = 0;
     double rate_Hz = 1000.0;
     std::size_t ticks = 0;       ///< executed
@@ -96,10 +96,10 @@ struct Trial
     Percentiles elsewhereForcePercent;    ///< force error in these ticks
     SameState sameState;                  ///< only for god-object solvers on the full mesh
     std::vector<std::int64_t> iterations; ///< number of ticks by iteration count
-    double spring_mm = 0.0;   ///< mean over the ticks in contact of the exact force divided by the stiffness of the
-                              ///< stiffest tissue in contact; with one layer the spring length
-    bool isReference = false; ///< the exact solver itself, with an error of 0 by definition
-    bool isOnFront = false;   ///< Pareto-optimal: no other trial of the subject is both faster and more accurate
+    double spring_mm = 0.0;       ///< mean over the ticks in contact of the exact force divided by the stiffness of the
+                                  ///< stiffest tissue in contact; with one layer the spring length
+    bool isReference = false;     ///< the exact solver itself, with an error of 0 by definition
+    bool isParetoOptimal = false; ///< Pareto-optimal: no other trial of the subject is both faster and more accurate
     // One value per path.
     Spread pathTime_us;          ///< median over the ticks of the path
     Spread pathPosition_mm;      ///< mean over the ticks of the path
@@ -169,7 +169,7 @@ struct Evaluation
     std::uint64_t seed = 0; ///< seed of the first path
     bool isQuick = false;
     bool isCancelled = false;
-    std::vector<std::string> leftOut; ///< items skipped because of the time limit, one line each
+    std::vector<std::string> skippedItems; ///< items skipped because of the time limit, one line each
     double duration_s = 0.0;
     std::vector<std::string> motions;
     std::vector<SubjectInfo> subjects;
@@ -193,9 +193,10 @@ struct EvaluateOptions
     bool isQuick = false; ///< fewer paths, smaller spheres, no long hard cases
     double seconds = 0.0; ///< time limit; items that would exceed the limit are skipped; 0: ten minutes
     bool withHardCases = true;
-    bool withLaidMotions = true; ///< generated motions in addition to given ones; always generated if none are given
-    std::uint64_t seed = 1;      ///< of the first path; the following paths use consecutive seeds
-    int seeds = 0;               ///< number of generated paths per subject; 0: 16, or 3 in a quick run
+    bool withGeneratedMotions =
+        true;               ///< generated motions in addition to given ones; always generated if none are given
+    std::uint64_t seed = 1; ///< of the first path; the following paths use consecutive seeds
+    int seeds = 0;          ///< number of generated paths per subject; 0: 16, or 3 in a quick run
     /// Progress callback: fraction done (0 to 1) and current activity. Return false to cancel. May be empty.
     std::function<bool(double, const std::string&)> progress;
 };

@@ -25,7 +25,7 @@ struct HardCase
     /// Largest percentage of ticks in which the god-object may rest elsewhere than the exact one; 0: 0.1 %, or 1 % for
     /// a spherical fingertip. Larger values are for paths that jump across the scene in every tick, where the solvers
     /// often reach different local minima.
-    double mostElsewhere_percent = 0.0;
+    double maxElsewhere_percent = 0.0;
     double fingertip_mm = 0.0; ///< fingertip radius, multiplied by `scale`; 0: point contact
     /// Coulomb coefficient, static and dynamic. With friction, a point is compared with the exact solver with friction
     /// and must be within the cone of the constraining facet; a sphere must be within the cone.
@@ -41,13 +41,13 @@ struct HardCase
     /// be empty; not mapped by `twin`.
     std::function<geometry::TriangleMesh()> other;
     std::int64_t otherEvery = 0;
-    /// Structure in the same layer with a stiffness of `besideStiffness_N_per_mm`; the main structure has 0.5 N/mm.
+    /// Structure in the same layer with a stiffness of `neighbourStiffness_N_per_mm`; the main structure has 0.5 N/mm.
     /// May be empty; not mapped by `twin`.
     std::function<geometry::TriangleMesh()> beside;
-    double besideStiffness_N_per_mm = 0.5;
+    double neighbourStiffness_N_per_mm = 0.5;
     /// With `beside`, on a closed path: bounds on the change of the force per HIP displacement in a tick and on the
     /// absolute work on the hand over the whole path.
-    double mostSlope_N_per_mm = 0.0, mostWork_mJ = 0.0;
+    double maxSlope_N_per_mm = 0.0, maxWork_mJ = 0.0;
     /// True if more facets meet at one place than a tick can process: the solver may stop at its iteration limit, and
     /// then only its position is checked.
     bool mayReachBound = false;

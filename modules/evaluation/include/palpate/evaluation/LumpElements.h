@@ -14,7 +14,7 @@ enum class Press
 };
 
 /// Mesh resolution. Ten times finer elements than the defaults change no excess k/k0 - 1 by more than 0.3 %.
-struct LumpFineness
+struct LumpResolution
 {
     double rimEdge = 2e-3; ///< element edge at the rim of the punch, where the pressure is singular [contact radii]
     double farEdge =
@@ -33,7 +33,7 @@ class LumpElements
   public:
     /// @param sphereRadius  radius of the sphere, > 0 [contact radii]; 1e4 approximates a half-space below a layer
     /// @param cover  thickness of the tissue above the sphere, > 0 [contact radii]
-    LumpElements(double sphereRadius, double cover, const LumpFineness& fineness = {});
+    LumpElements(double sphereRadius, double cover, const LumpResolution& fineness = {});
     ~LumpElements();
     LumpElements(LumpElements&&) noexcept;
     LumpElements& operator=(LumpElements&&) noexcept;

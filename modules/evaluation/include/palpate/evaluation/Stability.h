@@ -68,10 +68,10 @@ struct Setup
 /// Largest peak-to-peak motion of the tip along any axis in the half second that starts `settle_s` after the hand has
 /// stopped, over grips, holds, and approach speeds (30 and 200 mm/s). [mm] Holds that slip off a small object and end
 /// in the air are ignored; infinite if all do.
-[[nodiscard]] double restlessness_mm(const Shape& shape, double stiffness_N_per_mm, const Setup& setup);
+[[nodiscard]] double restOscillation_mm(const Shape& shape, double stiffness_N_per_mm, const Setup& setup);
 
 /// Smallest motion at rest that counts as a limit cycle. [mm]
-inline constexpr double kLimitCycle_mm = study::kLeastSwing_mm;
+inline constexpr double kLimitCycle_mm = study::kMinSwing_mm;
 /// Upper limit of the search. [N/mm]
 inline constexpr double kStiffest_N_per_mm = 25.0;
 

@@ -31,15 +31,15 @@ inline FloatBox FloatBox::around(const Box& box, const Vec3& origin) noexcept
 {
     // Two ulp outwards: one for the conversion to float, one for this arithmetic. kTiny handles coordinates of exactly
     // zero.
-    constexpr float kOutwards = 2.4e-7f;
+    constexpr float kRelativeMargin = 2.4e-7f;
     constexpr float kTiny = 1e-30f;
     FloatBox result;
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
         const auto low = static_cast<float>(box.min()[axis] - origin[axis]);
         const auto high = static_cast<float>(box.max()[axis] - origin[axis]);
-        result.low[i] = low - (std::fabs(low) * kOutwards + kTiny);
-        result.high[i] = high + (std::fabs(high) * kOutwards + kTiny);
+        result.low[i] = low - (std::fabs(low) * kRelativeMargin + kTiny);
+        result.high[i] = high + (std::fabs(high) * kRelativeMargin + kTiny);
     }
     return result;
 }
@@ -62,7 +62,7 @@ struct alignas(16) BoxedItem
 };
 
 /// Pruning state of BoxHierarchy::visitSwept, returned by the leaf visitor.
-struct SweptInterest
+struct SweptPruning
 {
     double share = 1.0; ///< fraction of the segment still to be searched (0 to 1); a negative value ends the traversal
     /// Smallest cosine to the segment direction, seen from its start; boxes entirely below are skipped.
@@ -125,7 +125,7 @@ class BoxHierarchy
     /// was complete [mm]
     /// @par Real-time Wait-free; bounded by `nodes`.
     template<class Leaf>
-    [[nodiscard]] double visitSwept(const Vec3& from, const Vec3& to, double reach_mm, SweptInterest interest,
+    [[nodiscard]] double visitSwept(const Vec3& from, const Vec3& to, double reach_mm, SweptPruning interest,
                                     std::uint32_t& nodes, Leaf&& leaf) const noexcept PALPATE_NONBLOCKING;
 
     /// Calls `leaf(first, count)` for each leaf whose box is within `reach_mm` of a point, in a fixed order, until

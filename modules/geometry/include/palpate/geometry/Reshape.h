@@ -13,7 +13,7 @@ namespace palpate::geometry {
 /// @param surface  result of `repair`
 /// @return std::nullopt if no component is inside out
 /// @par Cost As `repair`. Any thread.
-[[nodiscard]] std::optional<RepairedMesh> turnedOutwards(const RepairedMesh& surface);
+[[nodiscard]] std::optional<RepairedMesh> orientedOutwards(const RepairedMesh& surface);
 
 /// Moves the vertices of a repaired surface and repairs the result, because vertices may coincide after the move.
 /// `source` and `turned` still refer to the mesh that `surface` was repaired from, and the report keeps the counts of

@@ -9,7 +9,7 @@
 namespace palpate::geometry {
 
 /// Work limits of `examine`, as counts rather than times, so that results are reproducible on every machine.
-struct ExaminationBounds
+struct ExaminationLimits
 {
     std::size_t pairs = 20'000'000; ///< maximum number of triangle pairs tested for crossing, about 2 s
     std::size_t samples = 4096;     ///< maximum number of wall thickness rays
@@ -23,7 +23,7 @@ struct SurfaceExamination
     std::size_t crossingPairs = 0;
     /// Triangles tested against all others; fewer than the total if the limit was reached.
     std::size_t examinedTriangles = 0;
-    bool isCrossingBounded = false; ///< the pair limit was reached: more crossings are possible
+    bool isPairLimitReached = false; ///< the pair limit was reached: more crossings are possible
 
     /// Smallest wall thickness, measured through the inside to the opposite surface [mm], over `wallSamples` evenly
     /// spread triangles: an upper bound of the true minimum. Empty for an open surface.
@@ -39,6 +39,6 @@ struct SurfaceExamination
 /// inward normal to the first triangle without a shared vertex that faces within 60° of the opposite direction, so that
 /// the edge of a wedge does not count as a wall.
 /// @par Cost O(n) box queries, O(samples) segment queries, within `bounds`. Any thread.
-[[nodiscard]] SurfaceExamination examine(const SurfaceIndex& surface, const ExaminationBounds& bounds = {});
+[[nodiscard]] SurfaceExamination examine(const SurfaceIndex& surface, const ExaminationLimits& bounds = {});
 
 } // namespace palpate::geometry

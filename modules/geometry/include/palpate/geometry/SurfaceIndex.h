@@ -89,9 +89,9 @@ class SurfaceIndex
     static constexpr double kClearHeight = 2.0;
     static constexpr double kClearOfCorners = 65536.0;
     /// Distance from a clear triangle to triangles without a shared corner [skins].
-    static constexpr double kClearApart = 8.0;
+    static constexpr double kClearSeparation = 8.0;
     /// Minimum cosine of the angle between a clear triangle's normal and its neighbours'.
-    static constexpr float kClearTurned = 0.6f;
+    static constexpr float kClearMinCosine = 0.6f;
 
     /// Prefetches a triangle, or the neighbours of a clear triangle, without waiting.
     void prefetchTriangles(std::uint32_t i) const noexcept { core::prefetch(&m_triangles[i]); }

@@ -56,7 +56,7 @@ class ForceTable
     [[nodiscard]] static std::shared_ptr<const ForceTable> build(const Tissue& tissue);
     /// Builds a table from knots.
     /// @return the table, or an error if the list is empty, exceeds kMostKnots or contains non-finite numbers, if
-    /// depths do not ascend, the first knot is not (0, 0), a force falls below 0, a slope exceeds kMostSlope, or the
+    /// depths do not ascend, the first knot is not (0, 0), a force falls below 0, a slope exceeds kMaxSlope, or the
     /// last slope is negative
     [[nodiscard]] static core::Result<std::shared_ptr<const ForceTable>> fromKnots(std::vector<Knot> knots);
     /// Reads a table written by `bytes`. Performs the checks of `fromKnots`, so that the force is finite and not
@@ -77,7 +77,7 @@ class ForceTable
     /// Maximum slope [N/mm] of a table, also when read from a recording; steeper tables are rejected. Three times the
     /// limit of core::ForceLaw, because the cubic between two measured points may be three times as steep as the line
     /// between them.
-    static constexpr double kMostSlope = 3001.0;
+    static constexpr double kMaxSlope = 3001.0;
 
     /// Returns force [N] and energy [mJ] at a depth [mm]; 0 at and above the surface, and for NaN.
     /// @par Real-time Bounded; touches two cache lines.
@@ -125,7 +125,7 @@ class ForceTable
     /// able to render.
     [[nodiscard]] double greatestSlope_N_per_mm() const noexcept PALPATE_NONBLOCKING { return m_greatestSlope; }
     /// Returns true if the slope is at least 0 at every depth.
-    [[nodiscard]] bool neverFalls() const noexcept PALPATE_NONBLOCKING { return m_neverFalls; }
+    [[nodiscard]] bool isMonotonic() const noexcept PALPATE_NONBLOCKING { return m_neverFalls; }
     [[nodiscard]] std::span<const Knot> knots() const noexcept { return m_knots; }
     /// Memory of the table in bytes.
     [[nodiscard]] std::size_t byteSize() const noexcept;
@@ -189,7 +189,7 @@ class ForceTable
 };
 
 /// Returns the maximum slope of force over depth of a tissue [N/mm].
-[[nodiscard]] double greatestStiffness(const Tissue& tissue);
+[[nodiscard]] double maxStiffness(const Tissue& tissue);
 /// Returns the slope of a tissue's law at a depth [N/mm]. Builds a table on each call: for plots, not for the servo
 /// thread.
 [[nodiscard]] double stiffnessAt(const Tissue& tissue, double depth_mm);

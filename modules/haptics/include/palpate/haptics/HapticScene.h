@@ -39,7 +39,7 @@ struct HapticStructure
         return law == nullptr ? ForceTable::Value{force_N, 0.5 * force_N * depth_mm} : law->at(depth_mm);
     }
     /// Returns true if the force never decreases with depth.
-    [[nodiscard]] bool neverFalls() const noexcept { return law == nullptr || law->neverFalls(); }
+    [[nodiscard]] bool isMonotonic() const noexcept { return law == nullptr || law->isMonotonic(); }
     /// Returns the integral of depth times the law's force from the surface to `depth_mm` [N·mm^2], without the maps.
     [[nodiscard]] double momentAt(double depth_mm) const noexcept
     {

@@ -23,7 +23,7 @@ struct GodObjectState
 
 /// A contact with a structure that was removed from the scene. Allows a hand that stays in place to resume the contact
 /// when the structure returns.
-struct LeftContact
+struct LostContact
 {
     Vec3 p_WG = Vec3::Zero();    ///< god-object position at removal [mm]
     Vec3 p_WH = Vec3::Zero();    ///< HIP at removal [mm]
@@ -39,7 +39,7 @@ struct LeftContact
 struct PalpatorState
 {
     std::array<GodObjectState, HapticScene::kMaxLayers> layers{};
-    std::array<LeftContact, HapticScene::kMaxLayers> left{};
+    std::array<LostContact, HapticScene::kMaxLayers> left{};
     Vec3 p_WH = Vec3::Zero();  ///< HIP of the previous tick [mm]
     std::uint32_t started = 0; ///< 0 before the first tick
 };

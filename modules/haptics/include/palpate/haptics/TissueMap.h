@@ -84,8 +84,8 @@ struct TissueMaps
 
     [[nodiscard]] bool hasFelt() const noexcept { return !felt[0].isEmpty(); }
     /// Returns true if a map other than friction is set.
-    [[nodiscard]] bool hasOfForce() const noexcept { return !stiffness.isEmpty() || !damping.isEmpty() || hasFelt(); }
-    [[nodiscard]] bool isEmpty() const noexcept { return friction.isEmpty() && !hasOfForce(); }
+    [[nodiscard]] bool hasForceMaps() const noexcept { return !stiffness.isEmpty() || !damping.isEmpty() || hasFelt(); }
+    [[nodiscard]] bool isEmpty() const noexcept { return friction.isEmpty() && !hasForceMaps(); }
     /// Returns all maps in declaration order.
     [[nodiscard]] std::array<TissueMap*, 7> all() noexcept
     {

@@ -30,9 +30,9 @@ struct LoadedStructure
     std::shared_ptr<const geometry::RepairedMesh> surface;
     std::vector<SurfaceMap> maps{}; ///< at most one per quantity
     /// Stiffness ratio k/k0 at each vertex due to buried lumps [1], one list per haptics::kFeltPress_mm; empty: no
-    /// effect. See study::feelBuried.
+    /// effect. See study::applyBuriedLumps.
     std::vector<std::vector<float>> feltBelow{};
-    bool isFeltThrough =
+    bool isTransmitted =
         false; ///< a buried lump whose effect is transmitted through the organ; no contact with its own surface
     /// Surface before turning and smoothing; equal to `surface` without either. Null: unknown, e.g. from a recording.
     std::shared_ptr<const geometry::RepairedMesh> asRead{};
@@ -67,6 +67,6 @@ struct LoadedScene
                                                   const ReadOptions& options = {});
 
 /// @return the default colour of a structure: by anatomical name, or else by number.
-[[nodiscard]] std::array<double, 3> usualColour(const std::string& name, std::size_t number);
+[[nodiscard]] std::array<double, 3> defaultColour(const std::string& name, std::size_t number);
 
 } // namespace palpate::meshio

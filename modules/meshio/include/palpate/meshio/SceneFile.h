@@ -28,7 +28,7 @@ enum class SurfaceKind : std::uint8_t
 };
 inline constexpr std::array<std::string_view, 3> kSurfaceNames{"facets", "smooth", "smoothed"};
 /// 3D Slicer's own default, 0.5, leaves more ripple on voxels that are three times as high as wide.
-inline constexpr double kUsualSmoothing = 0.7;
+inline constexpr double kDefaultSmoothing = 0.7;
 
 /// Description of a structure in a scene file.
 struct SceneStructure
@@ -47,7 +47,7 @@ struct SceneStructure
     bool flipped = false;  ///< turn the surface inside out on import
     bool outwards = false; ///< turn inverted closed parts on import, after `flipped`
     SurfaceKind surface = SurfaceKind::Facets;
-    double smoothing = kUsualSmoothing; ///< strength of SurfaceKind::Smoothed, 0 (nearly none) … 1
+    double smoothing = kDefaultSmoothing; ///< strength of SurfaceKind::Smoothed, 0 (nearly none) … 1
     core::Tissue tissue;
     std::uint32_t layer = 0;           ///< 0 is the outermost
     std::string inside;                ///< organ that contains this lump; empty: unspecified, and then `layer` is 0

@@ -56,7 +56,7 @@ struct PassivityState
 class PassivityController
 {
   public:
-    static constexpr int kLongestDelay = 16;
+    static constexpr int kMaxDelayTicks = 16;
     /// @param dt_s  nominal period, > 0 [s]
     PassivityController(const PassivityLimits& limits, double dt_s) noexcept;
 
@@ -68,7 +68,7 @@ class PassivityController
     /// @param fAsked_W  force without added damping: the model's force after easing and limits [N]
     /// @return force to add to `fAsked_W`, opposed to the motion [N]
     [[nodiscard]] Vec3 damping(const Vec3& fAsked_W, bool isInContact) noexcept PALPATE_NONBLOCKING;
-    /// Sets the delay from a position measurement to the resulting force, in ticks. Clamped to 0 to kLongestDelay.
+    /// Sets the delay from a position measurement to the resulting force, in ticks. Clamped to 0 to kMaxDelayTicks.
     void setDelay(int ticks) noexcept PALPATE_NONBLOCKING;
     /// Records the force sent in this tick, after all limits [N].
     void noteSent(const Vec3& fSent_W) noexcept PALPATE_NONBLOCKING;
@@ -85,7 +85,7 @@ class PassivityController
     PassivityState m_state;
     MotionTrack m_motion;
     Vec3 m_fAsked_W = Vec3::Zero();
-    std::array<Vec3, kLongestDelay + 1> m_sent_W; // newest first
+    std::array<Vec3, kMaxDelayTicks + 1> m_sent_W; // newest first
 };
 
 /// Largest stiffness for which a sampled spring with a damper is passive for any motion: K = 2 (b - |B|) / T.

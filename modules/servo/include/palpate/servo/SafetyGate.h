@@ -89,7 +89,7 @@ class SafetyGate
     /// Clears the fault. The force is eased in, and the next HIP is accepted at any position.
     void rearm() noexcept PALPATE_NONBLOCKING;
     /// Eases the force in as at the start, after a clutch was released.
-    void easeInAnew() noexcept PALPATE_NONBLOCKING;
+    void restartEaseIn() noexcept PALPATE_NONBLOCKING;
     /// Ramps the force to zero permanently.
     void beginStop() noexcept PALPATE_NONBLOCKING;
 

@@ -46,8 +46,8 @@ struct SurfaceMeasures
 struct LumpSearch
 {
     std::string lump, organ;
-    double told_mm2 = 0.0;    ///< organ surface from which a trained hand detects the lump when pressing
-    double pressed_mm2 = 0.0; ///< part of told_mm2 where the hand pressed deep enough
+    double detectable_mm2 = 0.0; ///< organ surface from which a trained hand detects the lump when pressing
+    double pressed_mm2 = 0.0;    ///< part of detectable_mm2 where the hand pressed deep enough
     /// Greatest relative change of force over the lump, compared with the organ alone at the same depth, from the
     /// recorded ticks [%]. Empty if no tick was deep enough.
     std::optional<double> recorded_percent;
@@ -58,7 +58,7 @@ struct LumpSearch
     /// Searched fraction of the detectable area. Empty if the lump cannot be detected from anywhere.
     [[nodiscard]] std::optional<double> share() const
     {
-        return told_mm2 > 0.0 ? std::optional(pressed_mm2 / told_mm2) : std::nullopt;
+        return detectable_mm2 > 0.0 ? std::optional(pressed_mm2 / detectable_mm2) : std::nullopt;
     }
 };
 
@@ -80,11 +80,11 @@ struct SessionMeasures
 
 /// Returns the smallest measuring distance for these surfaces [mm]. Triangles are split to edges of half the distance;
 /// the limit keeps their number below about ten million (3 GB).
-[[nodiscard]] double leastDistance_mm(const MeshesByHash& meshes);
+[[nodiscard]] double minDistance_mm(const MeshesByHash& meshes);
 
 /// Measures a recording in a single pass. Ticks with a failed checksum are skipped.
 /// @param meshes  available surfaces of the palpable structures
-/// @return OutOfRange for a distance below `leastDistance_mm`, Cancelled, or the read error
+/// @return OutOfRange for a distance below `minDistance_mm`, Cancelled, or the read error
 /// @par Thread Any. Do not use the reader from other threads at the same time.
 [[nodiscard]] core::Result<SessionMeasures> measureSession(const RecordingReader& reader, const MeshesByHash& meshes,
                                                            const MeasureOptions& options = {});

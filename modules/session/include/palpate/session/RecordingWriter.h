@@ -49,7 +49,7 @@ class RecordingWriter
     /// @return a one-line error with the file name if the file cannot be written
     [[nodiscard]] static core::Result<std::unique_ptr<RecordingWriter>>
     create(const std::filesystem::path& path, const RecordingInfo& info, Sync sync = Sync::EachCommit,
-           Events events = Events::Derived, core::OldFile old = core::OldFile::Refuse);
+           Events events = Events::Derived, core::ExistingFile old = core::ExistingFile::Refuse);
     ~RecordingWriter(); ///< commits the remaining data
     RecordingWriter(const RecordingWriter&) = delete;
     RecordingWriter& operator=(const RecordingWriter&) = delete;

@@ -43,8 +43,8 @@ using SurfacesByHash = std::map<std::string, std::shared_ptr<const geometry::Sur
 /// Comparison of a re-simulation with the recording.
 ///
 /// Other compilers or later versions may round sums differently. The effect is bounded by multiples of the surface
-/// skin, the margin that the solver keeps for rounding and for distinguishing positions; see kSkinsOfRounding. A larger
-/// difference means that the god-object took a different path.
+/// skin, the margin that the solver keeps for rounding and for distinguishing positions; see kRoundingTolerance_skins.
+/// A larger difference means that the god-object took a different path.
 struct Resimulation
 {
     std::int64_t compared = 0;                   ///< recomputed ticks
@@ -67,7 +67,7 @@ struct Resimulation
 /// god-object leaves a corner only if this brings it closer by at least this distance (resources/docs/god-object.md).
 /// The rounding error of a plane distance is at most one eighth of a skin, so the tolerance also holds in a crease of 2
 /// degrees. The force tolerance is this distance times the stiffness.
-inline constexpr double kSkinsOfRounding = 16.0;
+inline constexpr double kRoundingTolerance_skins = 16.0;
 
 /// Recomputes a recording from its start state, HIPs, resets and scene changes. Compares every god-object and force and
 /// their triangle and number of constraints bit for bit.

@@ -16,28 +16,28 @@
 namespace palpate::study {
 
 /// Lump in a scene.
-struct LumpOf
+struct SceneLump
 {
     std::size_t structure;               ///< index in the scene
     std::optional<StiffnessRatio> ratio; ///< ratio of Young's moduli, lump to organ; empty: unknown
-    friend bool operator==(const LumpOf&, const LumpOf&) = default;
+    friend bool operator==(const SceneLump&, const SceneLump&) = default;
 };
 
 /// Organ of a scene and the lumps inside.
 struct OrganWithLumps
 {
     std::size_t organ; ///< index in the scene
-    double radius_mm;  ///< radius of the finger's contact [mm]: from the scene, else kUsualRadius_mm
-    std::vector<LumpOf> lumps;
+    double radius_mm;  ///< radius of the finger's contact [mm]: from the scene, else kDefaultContactRadius_mm
+    std::vector<SceneLump> lumps;
 
     /// @param scene  scene that contains the organ
     [[nodiscard]] std::vector<buried::BuriedLump> shapes(const meshio::LoadedScene& scene) const;
     friend bool operator==(const OrganWithLumps&, const OrganWithLumps&) = default;
 };
-inline constexpr double kUsualRadius_mm = 5.0;
+inline constexpr double kDefaultContactRadius_mm = 5.0;
 
 /// Result of the lump computation for one organ.
-struct FeltOrgan
+struct OrganPalpability
 {
     OrganWithLumps organ;
     buried::FeltSurface felt;
@@ -45,10 +45,10 @@ struct FeltOrgan
 
 /// Returns true if a structure inside an organ is treated as a lump without an explicit entry in the scene: the name
 /// refers to a lump or to unknown anatomy, or the scene gives a stiffness ratio.
-[[nodiscard]] bool mayBeLump(const meshio::SceneStructure& structure);
+[[nodiscard]] bool isLumpCandidate(const meshio::SceneStructure& structure);
 
 /// Finds the lumps of a scene. These are the structures that the scene places inside an organ, and palpable candidates
-/// (see mayBeLump) that lie geometrically in a palpable closed surface (see Layers.h). A lump inside another lump
+/// (see isLumpCandidate) that lie geometrically in a palpable closed surface (see Layers.h). A lump inside another lump
 /// belongs to the organ around both.
 /// @param ratios  stiffness ratios by structure name; override the ratios in the scene
 /// @return NotFound if a name in `ratios` is not a lump; Empty if the scene has no lumps
@@ -63,14 +63,13 @@ feltSurface(const meshio::LoadedScene& scene, const OrganWithLumps& organ, const
 /// @param known  earlier results; reused if still valid
 /// @param notes  receives a sentence for each organ that cannot be evaluated and for each omitted lump
 /// @return empty for a scene without lumps; Cancelled
-[[nodiscard]] core::Result<std::vector<FeltOrgan>> feltOrgans(const meshio::LoadedScene& scene,
-                                                              std::vector<FeltOrgan> known = {},
-                                                              std::vector<std::string>* notes = nullptr,
-                                                              const std::function<bool(double)>& progress = {});
+[[nodiscard]] core::Result<std::vector<OrganPalpability>>
+computePalpability(const meshio::LoadedScene& scene, std::vector<OrganPalpability> known = {},
+                   std::vector<std::string>* notes = nullptr, const std::function<bool(double)>& progress = {});
 
 /// Filters lumps by a predicate. @return organs with at least one accepted lump
-[[nodiscard]] std::vector<OrganWithLumps> lumpsThat(std::vector<OrganWithLumps> organs,
-                                                    const std::function<bool(std::size_t structure)>& isTaken);
+[[nodiscard]] std::vector<OrganWithLumps> filterLumps(std::vector<OrganWithLumps> organs,
+                                                      const std::function<bool(std::size_t structure)>& isTaken);
 
 /// Computes the effect of buried lumps on their organs, for scenes with lumps transmitted through the organ. The
 /// surface of such a lump is removed from contact in any layer. Scenes with lumps in separate layers stay unchanged;
@@ -79,7 +78,8 @@ feltSurface(const meshio::LoadedScene& scene, const OrganWithLumps& organ, const
 /// @param progress  progress callback (0 to 1). Return false to cancel. May be empty
 /// @param felt  receives the computed results; may be null
 /// @return Cancelled; Ok for a scene without lumps
-[[nodiscard]] core::Status feelBuried(meshio::LoadedScene& scene, const std::function<bool(double)>& progress = {},
-                                      std::vector<FeltOrgan>* felt = nullptr);
+[[nodiscard]] core::Status applyBuriedLumps(meshio::LoadedScene& scene,
+                                            const std::function<bool(double)>& progress = {},
+                                            std::vector<OrganPalpability>* felt = nullptr);
 
 } // namespace palpate::study

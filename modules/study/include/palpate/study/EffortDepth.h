@@ -25,14 +25,14 @@ struct PressedSurface
 
 /// Returns the total reaction force after a travel [N]. Each surface is approximated by a plane; the force magnitudes
 /// are added.
-[[nodiscard]] double forceOfPress_N(std::span<const PressedSurface> surfaces, double way_mm) noexcept;
+[[nodiscard]] double pressForce_N(std::span<const PressedSurface> surfaces, double way_mm) noexcept;
 
 /// Returns the shortest travel of a press at which the surfaces balance a force [mm], by bisection. Monotonic in the
 /// force. For a force law with a falling part, a rise and fall within 1/256 of the travel may be missed.
 /// @param force_N  0 and below: travel to the first contact
 /// @param deepest_mm  maximum travel; also the result if the force is not reached or there is no surface
 /// @par Cost A few hundred evaluations of force laws, microseconds. Not for the servo thread.
-[[nodiscard]] double wayOfPress_mm(std::span<const PressedSurface> surfaces, double force_N,
-                                   double deepest_mm) noexcept;
+[[nodiscard]] double pressTravel_mm(std::span<const PressedSurface> surfaces, double force_N,
+                                    double deepest_mm) noexcept;
 
 } // namespace palpate::study

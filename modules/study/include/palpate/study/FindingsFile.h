@@ -40,7 +40,7 @@ struct Markups
 };
 
 /// Maximum number of points read from a file; the rest is skipped.
-inline constexpr std::size_t kMostMarkups = 10000;
+inline constexpr std::size_t kMaxMarkups = 10000;
 
 /// Reads the point lists of a markups file. Converts RAS to LPS and µm to mm. A list with the name of a finding type
 /// assigns that type.

@@ -33,7 +33,7 @@ struct Layering
         std::optional<std::size_t> in;   ///< smallest enclosing structure
         std::optional<std::size_t> twin; ///< earlier structure with the same surface
         std::optional<std::size_t>
-            unsureIn; ///< would be inside this structure, which has no reliable interior: not layered
+            unreliableParent; ///< would be inside this structure, which has no reliable interior: not layered
         /// Number of nested structures around this one. Exceeds `layer` if merged into the last layer.
         std::uint32_t depth = 0;
     };
@@ -51,13 +51,14 @@ struct Layering
     [[nodiscard]] std::vector<std::string> sentences(const std::vector<std::string>& names,
                                                      const std::vector<bool>& isFelt) const;
     /// Returns the smallest palpable structure around another one.
-    [[nodiscard]] std::optional<std::size_t> feltAround(std::size_t structure, const std::vector<bool>& isFelt) const;
+    [[nodiscard]] std::optional<std::size_t> palpableParent(std::size_t structure,
+                                                            const std::vector<bool>& isFelt) const;
 };
 
 /// Returns true if the surface has a reliable interior: closed everywhere, normals outwards. Edges with more than two
 /// triangles are allowed, because a surface counts as closed only if such edges are traversed equally often in both
 /// directions.
-[[nodiscard]] bool hasSureInside(const geometry::MeshReport& report) noexcept;
+[[nodiscard]] bool hasReliableInterior(const geometry::MeshReport& report) noexcept;
 
 /// Returns true if all sampled vertices of `inner` (up to kSamples, evenly distributed) are not outside of `outer`.
 /// @par Cost about 2 µs per sample

@@ -48,7 +48,7 @@ struct HeldDevice
                                                    double scale = 1.0);
 
 /// Smallest peak-to-peak oscillation of the tip that is reported [mm of the device].
-inline constexpr double kLeastSwing_mm = 0.05;
+inline constexpr double kMinSwing_mm = 0.05;
 
 /// Mesh edge where the slope of a structure's map changes most for a device: from flat to rising or from rising to
 /// steeper.
@@ -64,7 +64,7 @@ struct MapEdge
 
 /// Finds the map edges that can make a device oscillate. The gradient of a map pushes the tip sideways until the tip
 /// rests at the edge where the gradient begins. There the force is switched with a delay, like a relay in the loop, and
-/// sustains an oscillation even on soft tissue. Below kLeastSwing_mm the tip rests. The force is `W grad s` for a
+/// sustains an oscillation even on soft tissue. Below kMinSwing_mm the tip rests. The force is `W grad s` for a
 /// stiffness map, `s sum_j W_j grad s_j` for buried lumps (haptics/FeltPress.h), and their sum for both. A map with
 /// values per triangle has steps but no gradient, so there is no such force. Tissue friction removes the force and thus
 /// the oscillation.

@@ -18,7 +18,7 @@ struct RecordedLook
     double opacity = 1.0;           ///< 0 … 1
     bool outwards = false;          ///< see meshio::SceneStructure
     meshio::SurfaceKind surface = meshio::SurfaceKind::Facets;
-    double smoothing = meshio::kUsualSmoothing;
+    double smoothing = meshio::kDefaultSmoothing;
 };
 
 /// Serializes looks for RecordingInfo::looks, in the order of the recording's structures. See

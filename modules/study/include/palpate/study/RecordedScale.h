@@ -16,6 +16,6 @@ namespace palpate::study {
 /// @param scene  scene of that tick
 /// @param v_WH  velocity of the HIP in that tick [mm/s]
 /// @par Cost One table per nonlinear law.
-void findScales(servo::TickRecord& tick, const session::SceneRecord& scene, const core::Vec3& v_WH);
+void reconstructScales(servo::TickRecord& tick, const session::SceneRecord& scene, const core::Vec3& v_WH);
 
 } // namespace palpate::study

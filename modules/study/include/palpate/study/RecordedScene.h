@@ -17,13 +17,13 @@ namespace palpate::study {
 /// @param felt  receives the results for buried lumps; may be null
 [[nodiscard]] core::Result<meshio::LoadedScene> openScene(const std::filesystem::path& path,
                                                           const meshio::ReadOptions& options = {},
-                                                          std::vector<FeltOrgan>* felt = nullptr);
+                                                          std::vector<OrganPalpability>* felt = nullptr);
 
 /// Stores the scene of a recording in `info`: absolute path, path relative to the recording's folder if the scene is in
 /// that folder or below, and hash of a scene file.
 /// @param scene,  recording  no effect if either is empty
-void nameScene(session::RecordingInfo& info, const std::filesystem::path& scene,
-               const std::filesystem::path& recording);
+void setSceneSource(session::RecordingInfo& info, const std::filesystem::path& scene,
+                    const std::filesystem::path& recording);
 
 /// Finds the scene or mesh of a recording: at the original path, else relative to the recording.
 [[nodiscard]] std::optional<std::filesystem::path> recordedSceneFile(const session::RecordingReader& reader);
@@ -46,6 +46,6 @@ void nameScene(session::RecordingInfo& info, const std::filesystem::path& scene,
 
 /// Returns the default distance that counts as touched [mm]: the radius of the recorded fingertip, at least 1 mm; 5 mm
 /// for point contact; more for surfaces too large to be measured at that resolution.
-[[nodiscard]] double usualDistance_mm(const session::RecordingReader& reader, const session::MeshesByHash& surfaces);
+[[nodiscard]] double defaultDistance_mm(const session::RecordingReader& reader, const session::MeshesByHash& surfaces);
 
 } // namespace palpate::study

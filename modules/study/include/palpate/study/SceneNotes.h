@@ -23,7 +23,7 @@ inline constexpr double kNarrowGap_mm = 0.2;
 inline constexpr double kTouching_mm = 1e-4;
 
 /// A seam between touching neighbours of one layer is palpable above this stiffness ratio.
-inline constexpr double kFeltSeam = 2.0;
+inline constexpr double kPalpableSeamRatio = 2.0;
 
 /// Structure properties for the neighbour tests.
 struct NeighbourSurface
@@ -45,15 +45,15 @@ struct NeighbourSurface
                                                        const haptics::HapticScene& felt);
 
 /// Returns a sentence for each pair of structures in one layer that are closer than kNarrowGap_mm without touching or
-/// nesting, and for each pair that touch or intersect and whose stiffness differs by more than kFeltSeam: the force
-/// steps where the hand crosses the seam (resources/docs/god-object.md, "Several structures in one contact").
+/// nesting, and for each pair that touch or intersect and whose stiffness differs by more than kPalpableSeamRatio: the
+/// force steps where the hand crosses the seam (resources/docs/god-object.md, "Several structures in one contact").
 /// @par Cost See geometry::nearestWithin, on all cores. Not for the servo thread.
 [[nodiscard]] std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces, const Layering& found);
 /// Computes the layering and calls the function above.
 [[nodiscard]] std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces);
 
 /// Returns a sentence for each structure inside another one of the same layer, which cannot be felt through that one.
-[[nodiscard]] std::vector<std::string> unfeltLumpNotes(std::span<const NeighbourSurface> surfaces,
+[[nodiscard]] std::vector<std::string> maskedLumpNotes(std::span<const NeighbourSurface> surfaces,
                                                        const Layering& found);
 
 /// Returns both kinds of notes for a scene.

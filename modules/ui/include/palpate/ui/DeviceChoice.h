@@ -65,22 +65,22 @@ class DeviceChoice : public QObject
     core::Result<std::unique_ptr<device::HapticDevice>> makeSimulated();
     core::Result<std::unique_ptr<device::HapticDevice>> makePlayback();
     /// Role of a 6-axis mouse that is not the haptic device.
-    enum class PuckUse
+    enum class SixAxisMouseUse
     {
         Nothing,
         MovesView,
         Presses
     };
     void addPuck(QMenu& menu);
-    void usePuck(PuckUse use);
+    void usePuck(SixAxisMouseUse use);
     void takePuck(const device::DeviceState& from, const device::DeviceState& to, double passed_s);
-    void tellWhatIsOnTheBus();
+    void reportBusDevices();
 
     LiveTouch& m_live;
     VtkViewport& m_viewport;
     Playback& m_playback;
     PuckReader m_puck;
-    PuckUse m_puckUse = PuckUse::Nothing;
+    SixAxisMouseUse m_puckUse = SixAxisMouseUse::Nothing;
     std::array<QAction*, 2> m_puckActions{}; ///< view and press; null without the plugin
     std::unique_ptr<device::PluginHost> m_plugins;
     std::string m_chosen = "mouse";

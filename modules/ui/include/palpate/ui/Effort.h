@@ -54,7 +54,7 @@ class Effort
 /// @param press  starts at the hand's position; distances are measured from there
 /// @return surfaces with pointers into `scene`
 /// @par Cost O(log triangles) per structure.
-[[nodiscard]] std::vector<study::PressedSurface> surfacesInTheWay(const haptics::HapticScene& scene,
-                                                                  const view::Ray& press);
+[[nodiscard]] std::vector<study::PressedSurface> surfacesAlongPress(const haptics::HapticScene& scene,
+                                                                    const view::Ray& press);
 
 } // namespace palpate::ui

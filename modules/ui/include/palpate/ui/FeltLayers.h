@@ -17,7 +17,7 @@
 namespace palpate::ui {
 
 /// Contact with one structure, for panel and chart. In most ticks a layer contains a single structure.
-struct FeltLayer
+struct LayerShare
 {
     QString name;
     QColor colour;
@@ -30,37 +30,38 @@ struct FeltLayer
 };
 
 /// Stiffness at the contact of a tick.
-struct FeltStiffness
+struct ContactStiffness
 {
     double whole_N_per_mm = 0.0; ///< all layers together, including maps and buried lumps
     double ratio = 1.0;          ///< relative to the tissue of the outermost layer alone
 };
 /// Looks up a structure's tissue; null for an unknown structure.
 using TissueOf = std::function<const core::Tissue*(std::uint32_t structure)>;
-[[nodiscard]] FeltStiffness feltStiffness(const servo::TickRecord& tick, const TissueOf& tissueOf);
+[[nodiscard]] ContactStiffness contactStiffness(const servo::TickRecord& tick, const TissueOf& tissueOf);
 
 /// Name and display colour of a structure.
-struct LayerLook
+struct LayerStyle
 {
     QString name;
     QColor colour;
 };
 /// Looks up a structure's name and colour. @param structure  number in the scene of the tick
-using LayerLooks = std::function<LayerLook(std::uint32_t structure)>;
+using LayerStyleLookup = std::function<LayerStyle(std::uint32_t structure)>;
 
 /// Friction state of a layer: "holds 0.4 N" or "slides 0.4 N"; empty without friction.
-[[nodiscard]] QString frictionText(const FeltLayer& layer);
+[[nodiscard]] QString frictionText(const LayerShare& layer);
 
 /// Lists the structures in contact, outermost layer first, within a layer by decreasing force.
 /// @param shown_N  magnitude of the force on the hand [N]; the model's forces are scaled in proportion
-[[nodiscard]] std::vector<FeltLayer> feltLayers(const servo::TickRecord& tick, double shown_N, const LayerLooks& looks);
+[[nodiscard]] std::vector<LayerShare> layerShares(const servo::TickRecord& tick, double shown_N,
+                                                  const LayerStyleLookup& looks);
 /// One-line description: "liver 2.53 N · lump 20 mm 3.48 N, pressed in 5.8 mm". A single layer gives only the name. The
 /// forces are components along the total force and add up to the total.
-[[nodiscard]] QString layersText(const std::vector<FeltLayer>& layers);
+[[nodiscard]] QString layersText(const std::vector<LayerShare>& layers);
 /// Rich-text version of `layersText` with one line per layer and a mark in the structure's colour.
-[[nodiscard]] QString layersMarkup(const std::vector<FeltLayer>& layers);
+[[nodiscard]] QString layersMarkup(const std::vector<LayerShare>& layers);
 /// Converts layers to chart samples.
-[[nodiscard]] std::vector<LayerForce> layerForces(const std::vector<FeltLayer>& layers);
+[[nodiscard]] std::vector<LayerForce> layerForces(const std::vector<LayerShare>& layers);
 /// Adds the friction disc to the cursor: the region in which friction holds the god-object. Only for the outermost
 /// layer in contact with a face.
 /// @param tissue  tissue of the reported structure
@@ -69,8 +70,8 @@ void showFriction(const servo::TickRecord& tick, const core::Tissue& tissue, vie
 /// @param f_W  force on the hand, world frame [N]
 /// @param tissue  tissue of the reported structure; null omits friction
 [[nodiscard]] view::TouchState touchState(const servo::TickRecord& tick, const core::Vec3& f_W, double fingertip_mm,
-                                          const std::vector<FeltLayer>& layers, const core::Tissue* tissue);
+                                          const std::vector<LayerShare>& layers, const core::Tissue* tissue);
 /// Adds the god-objects of the inner layers to the cursor.
-void showInner(const servo::TickRecord& tick, const std::vector<FeltLayer>& layers, view::TouchState& state);
+void showInner(const servo::TickRecord& tick, const std::vector<LayerShare>& layers, view::TouchState& state);
 
 } // namespace palpate::ui

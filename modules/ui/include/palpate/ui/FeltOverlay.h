@@ -32,7 +32,7 @@ class FeltOverlay : public QObject
     /// Selects the penetration depth for drawing and texts. @param press  index into kPress_mm
     void setPress(std::size_t press);
     [[nodiscard]] std::size_t press() const noexcept { return m_press; }
-    [[nodiscard]] const FeltOrgans& organs() const noexcept { return m_lumps.organs(); }
+    [[nodiscard]] const DisplayedOrgans& organs() const noexcept { return m_lumps.organs(); }
     [[nodiscard]] bool isUpToDate() const noexcept { return m_lumps.isUpToDate(); }
     [[nodiscard]] bool isBusy() const noexcept { return m_lumps.isBusy(); }
     [[nodiscard]] const QStringList& notes() const noexcept { return m_lumps.notes(); }

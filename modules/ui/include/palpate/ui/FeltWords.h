@@ -11,14 +11,14 @@
 namespace palpate::ui {
 
 /// Change of response as text: "+8 %". @param ratio  k/k0 [1]
-[[nodiscard]] QString feltChangeText(double ratio);
+[[nodiscard]] QString responseChangeText(double ratio);
 /// Translated verdict as printed by `palpate felt`: "not by hand".
 [[nodiscard]] QString verdictText(buried::Verdict verdict);
 /// Translated verdict with the underlying ratios, as in buried::verdictText.
 [[nodiscard]] QString verdictRangeText(const buried::FeltSurface::LumpPress& press,
                                        const std::optional<buried::RatioRange>& ratio);
 /// Translated verdict for the user's hand: "plainly felt", "a trained hand tells it".
-[[nodiscard]] QString saysOf(buried::Verdict verdict);
+[[nodiscard]] QString verdictPhrase(buried::Verdict verdict);
 /// Stiffness ratio with range: "4.4 (1 … 5.2)", or "not known".
 [[nodiscard]] QString ratioRangeText(const std::optional<study::StiffnessRatio>& ratio);
 /// Translated name of a published ratio: "malignant tumour of the liver".
@@ -32,6 +32,6 @@ namespace palpate::ui {
 /// pressed 4 mm". The part after the last semicolon is on a separate line.
 /// @param vertex  vertex of `felt.surface`
 /// @param press  index into `felt.press`
-[[nodiscard]] QString feltPlaceText(const buried::FeltSurface& felt, std::size_t vertex, std::size_t press);
+[[nodiscard]] QString palpabilityText(const buried::FeltSurface& felt, std::size_t vertex, std::size_t press);
 
 } // namespace palpate::ui

@@ -49,7 +49,7 @@ class LawEditor : public QWidget
     bool m_isShowing = false;
     QFormLayout* m_form = nullptr;
     QComboBox* m_kind = nullptr;
-    std::array<QDoubleSpinBox*, core::ForceLaw::kMostNumbers> m_numbers{};
+    std::array<QDoubleSpinBox*, core::ForceLaw::kMaxParameters> m_numbers{};
     QCheckBox* m_switch = nullptr;
     QPushButton* m_load = nullptr;
     LawPlot* m_plot = nullptr;

@@ -41,12 +41,12 @@ class LiveTouch : public QObject
     [[nodiscard]] device::PointerDevice& pointer() noexcept { return m_pointer; }
     [[nodiscard]] const device::DeviceInfo& deviceInfo() const noexcept { return m_info; }
     /// Upper bound of the tissue parameters that the device renders stably at the servo rate, in scene units.
-    [[nodiscard]] haptics::Tissue greatestTissue() const;
+    [[nodiscard]] haptics::Tissue maxTissue() const;
     /// Stiffness of that bound; infinite for a device without motors. [N/mm]
     [[nodiscard]] double heldStiffness_N_per_mm() const;
     /// Delay of the device's force in ticks: the slowest since the device was started.
     [[nodiscard]] int delayTicks() const noexcept { return m_delayTicks; }
-    /// Explanation of `greatestTissue` for the user: device, limit, cause of the limit and remedy.
+    /// Explanation of `maxTissue` for the user: device, limit, cause of the limit and remedy.
     [[nodiscard]] QString limitText() const;
     /// Sets the map from the device's workspace to the scene.
     void setMap(const servo::MapSettings& map);
@@ -93,7 +93,7 @@ class LiveTouch : public QObject
     /// Emitted when the servo loop cut the force. @param line  cause and remedy, for the user
     void faulted(const QString& line);
     void deviceChanged();
-    /// Emitted when `greatestTissue` changed.
+    /// Emitted when `maxTissue` changed.
     void greatestChanged();
     /// Emitted when a structure is stiffer than the device can render and is therefore softened. @param line  structure
     /// and applied limit
@@ -101,7 +101,7 @@ class LiveTouch : public QObject
 
   private:
     void handOverScene();
-    void tellRefused();
+    void reportSoftenedStructure();
     void measure();
     void setDelay(int ticks);
 

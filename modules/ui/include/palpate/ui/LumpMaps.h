@@ -21,13 +21,13 @@
 namespace palpate::ui {
 
 /// Computed palpability of an organ's lumps and the data needed for display.
-struct FeltOrganShown
+struct DisplayedOrgan
 {
-    study::FeltOrgan organ;                          ///< structure numbers are the rows of StructureModel
+    study::OrganPalpability organ;                   ///< structure numbers are the rows of StructureModel
     vtkSmartPointer<vtkPolyData> picture;            ///< of the evaluated surface, uncoloured
     vtkSmartPointer<vtkStaticPointLocator> vertices; ///< of the evaluated surface
 };
-using FeltOrgans = std::vector<std::shared_ptr<const FeltOrganShown>>;
+using DisplayedOrgans = std::vector<std::shared_ptr<const DisplayedOrgan>>;
 
 /// Computes how buried lumps change the response of their organs' surfaces. One computation on a worker thread serves
 /// the overlay and the haptic scene; the latter uses only lumps in transmitted mode. Changes of tissue, stiffness
@@ -49,10 +49,10 @@ class LumpMaps : public QObject
     void cancel();
 
     /// Latest results. After a scene change they are outdated until `changed`.
-    [[nodiscard]] const FeltOrgans& organs() const noexcept { return m_organs; }
+    [[nodiscard]] const DisplayedOrgans& organs() const noexcept { return m_organs; }
     [[nodiscard]] bool isUpToDate() const noexcept { return m_isUpToDate; }
     /// True when the haptic scene's transmitted lumps match the scene, or when no lump is in transmitted mode.
-    [[nodiscard]] bool isHandUpToDate() const noexcept { return m_isHandUpToDate || !isForHand(); }
+    [[nodiscard]] bool isHandUpToDate() const noexcept { return m_isHandUpToDate || !hasTransmittedLumps(); }
     [[nodiscard]] bool isBusy() const noexcept { return m_job != nullptr; }
     /// Reasons for missing or partial results, one line each.
     [[nodiscard]] const QStringList& notes() const noexcept { return m_notes; }
@@ -86,8 +86,8 @@ class LumpMaps : public QObject
         friend bool operator==(const Cause&, const Cause&) = default;
     };
     [[nodiscard]] std::vector<Cause> causes() const;
-    [[nodiscard]] std::vector<bool> lumpsForHand() const;
-    [[nodiscard]] bool isForHand() const;
+    [[nodiscard]] std::vector<bool> transmittedLumps() const;
+    [[nodiscard]] bool hasTransmittedLumps() const;
     [[nodiscard]] meshio::LoadedScene sceneNow() const;
     void reset();
     void follow();
@@ -102,7 +102,7 @@ class LumpMaps : public QObject
     std::shared_ptr<Job> m_job; ///< null: idle
     std::vector<Cause> m_causes;
     std::vector<bool> m_forHand; ///< rows in transmitted mode
-    FeltOrgans m_organs;
+    DisplayedOrgans m_organs;
     QStringList m_notes;
     bool m_isWanted = false, m_isUpToDate = false, m_isHandUpToDate = false;
     bool m_isGivenUp = false; ///< cancelled: the maps for the haptic scene are not retried until the next change

@@ -15,7 +15,7 @@ namespace palpate::ui {
 class VtkViewport;
 
 /// Scalar field over a structure, for colouring.
-struct SurfaceNumbers
+struct SurfaceField
 {
     QString what;  ///< internal id: "felt:stiffness", "array:StiffnessScale"
     QString title; ///< display title with unit: "felt, N/mm"
@@ -25,10 +25,10 @@ struct SurfaceNumbers
 
 /// Lists the available scalar fields: the resulting quantity of each map, then each array of the mesh. Values are not
 /// filled in.
-[[nodiscard]] std::vector<SurfaceNumbers> numbersOf(const meshio::LoadedStructure& structure);
+[[nodiscard]] std::vector<SurfaceField> surfaceFields(const meshio::LoadedStructure& structure);
 /// Scalar field with values. @param felt  the structure in the haptic scene; values are clamped to the device's limit
-[[nodiscard]] SurfaceNumbers numbersOf(const meshio::LoadedStructure& structure, const QString& what,
-                                       const haptics::HapticStructure& felt);
+[[nodiscard]] SurfaceField surfaceFields(const meshio::LoadedStructure& structure, const QString& what,
+                                         const haptics::HapticStructure& felt);
 
 /// Colours one structure of the view by a scalar field with a legend and follows changes of the data.
 ///
@@ -40,7 +40,7 @@ class MapDisplay : public QObject
     /// Both references must outlive this object.
     MapDisplay(VtkViewport& viewport, StructureModel& model, QObject* parent = nullptr);
 
-    /// Shows a scalar field. @param what  id from `SurfaceNumbers::what`; empty: the structure's own colour
+    /// Shows a scalar field. @param what  id from `SurfaceField::what`; empty: the structure's own colour
     void show(int row, const QString& what);
     /// Current selection in the form stored in scene files; empty while no structure is coloured by a field.
     [[nodiscard]] std::optional<meshio::ShownMap> shown() const;
@@ -63,7 +63,7 @@ class MapDisplay : public QObject
     int m_row = -1;
     bool m_isCovered = false;
     QString m_what;
-    SurfaceNumbers m_shown; ///< empty values: nothing shown
+    SurfaceField m_shown; ///< empty values: nothing shown
 };
 
 } // namespace palpate::ui

@@ -82,9 +82,9 @@ class PalpationController : public QObject
     [[nodiscard]] bool takeByKeys();
     [[nodiscard]] bool isPressing() const;
     void turnEffort(double notches);
-    void sinkByEffort(double now_s);
-    void tellDepth(bool isWithin, bool isDeeper);
-    void judgePress(const servo::TickRecord& tick, TouchReading& reading);
+    void updateEffortDepth(double now_s);
+    void emitDepth(bool isWithin, bool isDeeper);
+    void updatePressState(const servo::TickRecord& tick, TouchReading& reading);
     void refreshText();
     void point(const view::Ray& ray);
     void press();

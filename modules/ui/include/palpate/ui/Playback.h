@@ -50,8 +50,8 @@ class Playback : public QObject
     void showMoment(double time_s);
     void addLump(TouchReading& reading, const servo::TickRecord& tick) const;
     void feed(const servo::TickRecord& tick, double time_s);
-    [[nodiscard]] LayerLook lookOf(const servo::TickRecord& tick, std::uint32_t number) const;
-    [[nodiscard]] std::vector<FeltLayer> layersOf(const servo::TickRecord& tick) const;
+    [[nodiscard]] LayerStyle lookOf(const servo::TickRecord& tick, std::uint32_t number) const;
+    [[nodiscard]] std::vector<LayerShare> layersOf(const servo::TickRecord& tick) const;
 
     VtkViewport& m_viewport;
     const StructureModel& m_model;

@@ -18,8 +18,8 @@ struct PointerHandSettings
     double step_mm = 0.5;      ///< one wheel notch; more from 20 steps on, see `turnDepth`
     double deepest_mm = 200.0; ///< upper bound of the depth
     double pressTime_s = 0.15; ///< duration of a shallow press, long enough to feel like pressing instead of a knock
-    double gentle_mm = 6.0;    ///< longest travel that takes pressTime_s
-    double deeper_mm_per_s = 20.0; ///< speed of the remaining travel while the press is held
+    double easeThreshold_mm = 6.0;     ///< longest travel that takes pressTime_s
+    double pressSpeed_mm_per_s = 20.0; ///< speed of the remaining travel while the press is held
     double liftTime_s = 0.10;
     double stride_mm = 2.0; ///< one step along the screen by keys
 };

@@ -40,7 +40,7 @@ class RecordedTouch : public QObject
     /// Tissue of the structure reported by a tick; null in free space or when the tick's scene is unknown.
     [[nodiscard]] const core::Tissue* tissue(const servo::TickRecord& tick) const;
     /// Stiffness at the recorded contact of a tick.
-    [[nodiscard]] FeltStiffness stiffness(const servo::TickRecord& tick) const;
+    [[nodiscard]] ContactStiffness stiffness(const servo::TickRecord& tick) const;
     [[nodiscard]] double forceLimit_N() const { return m_reader->info().device.maxForce_N; }
     /// Times [s] and kinds of the recorded events.
     [[nodiscard]] std::vector<std::pair<double, QString>> marks() const;

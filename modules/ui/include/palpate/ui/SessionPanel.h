@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/ui/Spoken.h"
+#include "palpate/ui/AccessibleReadout.h"
 #include "palpate/ui/Transport.h"
 
 #include <QWidget>
@@ -19,7 +19,7 @@ namespace palpate::ui {
 
 /// Force waveform of the whole recording with a draggable playhead. Screen readers hear the position and the greatest
 /// force there.
-class ForceTimeline : public QWidget, public Spoken
+class ForceTimeline : public QWidget, public AccessibleReadout
 {
     Q_OBJECT
   public:
@@ -33,10 +33,10 @@ class ForceTimeline : public QWidget, public Spoken
     void clear();
     [[nodiscard]] double duration_s() const noexcept { return m_duration_s; }
     [[nodiscard]] QSize sizeHint() const override { return {500, 64}; }
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
-    [[nodiscard]] QString spokenText() const override;
-    [[nodiscard]] std::optional<Scale> spokenScale() const override;
-    void setSpoken(double value) override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Slider; }
+    [[nodiscard]] QString accessibleText() const override;
+    [[nodiscard]] std::optional<Scale> accessibleScale() const override;
+    void setAccessibleValue(double value) override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
   Q_SIGNALS:

@@ -95,9 +95,9 @@ class StructureModel : public QAbstractTableModel
     void setLayers(const std::vector<std::uint32_t>& layers, const QString& text);
     /// Touch mode of structures inside organs.
     [[nodiscard]] meshio::BuriedTouch buried() const noexcept { return m_buried; }
-    /// True for a lump in transmitted mode, felt through its organ (see study::feelBuried). Until the map is computed,
-    /// `loaded.isFeltThrough` is false and the lump is a separate layer.
-    [[nodiscard]] bool isToBeFeltThrough(int row) const;
+    /// True for a lump in transmitted mode, felt through its organ (see study::applyBuriedLumps). Until the map is
+    /// computed, `loaded.isTransmitted` is false and the lump is a separate layer.
+    [[nodiscard]] bool isTransmitted(int row) const;
     /// Organ through which a lump is or would be felt: the organ named by the lump, else the smallest surrounding
     /// structure that is palpable and closed. In transmitted mode without any named organ, the search continues
     /// outwards to the first structure that cannot be a lump, else to the outermost. Empty without a palpable and
@@ -107,19 +107,19 @@ class StructureModel : public QAbstractTableModel
     /// is computed.
     [[nodiscard]] std::uint32_t layerWithin(int row) const;
     /// Effect of an organ's lumps on the organ's surface: for each haptics::kFeltPress_mm one number per vertex.
-    struct FeltThrough
+    struct TransmittedMap
     {
         int organ = 0;
         std::vector<int> lumps;
         std::vector<std::vector<float>> below; ///< k/k0 [1]
     };
     /// Replaces the maps of all organs and emits `edited` for changed rows. Not an edit.
-    void setFeltThrough(const std::vector<FeltThrough>& maps);
+    void setTransmittedMaps(const std::vector<TransmittedMap>& maps);
     /// Position in the order of touch for a layer: "outermost", "below liver" when the structure is directly below the
     /// liver (structures that are not palpable are skipped), else "2 below".
-    [[nodiscard]] QString feltText(int row, std::uint32_t layer) const;
+    [[nodiscard]] QString touchOrderText(int row, std::uint32_t layer) const;
     /// Position of a structure with its current layer, or "through liver" in transmitted mode.
-    [[nodiscard]] QString feltText(int row) const;
+    [[nodiscard]] QString touchOrderText(int row) const;
     [[nodiscard]] QUndoStack& undoStack() noexcept { return m_undo; }
     /// Sets a structure's haptic copy; null removes the copy.
     void setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256);
@@ -158,7 +158,7 @@ class StructureModel : public QAbstractTableModel
     [[nodiscard]] std::shared_ptr<const haptics::HapticScene> hapticScene(const haptics::Tissue& greatest,
                                                                           double fingertip_mm = 0.0) const;
     /// Structures with parameters limited by the device's total stiffness; numbers equal rows.
-    [[nodiscard]] std::vector<haptics::HapticStructure> feltStructures(const haptics::Tissue& greatest) const;
+    [[nodiscard]] std::vector<haptics::HapticStructure> hapticStructures(const haptics::Tissue& greatest) const;
     /// Sources of the surfaces for a recording, including the geometry of palpable structures.
     [[nodiscard]] std::vector<session::StructureSource> sources() const;
 
@@ -186,13 +186,13 @@ class StructureModel : public QAbstractTableModel
     class Edit;
     class Presence;
     void apply(const std::vector<Edited>& edits, std::optional<meshio::BuriedTouch> buried);
-    [[nodiscard]] std::vector<int> dropFeltThrough();
+    [[nodiscard]] std::vector<int> clearTransmittedMaps();
     [[nodiscard]] static QStringList surfaceTexts(const meshio::LoadedStructure& one);
     [[nodiscard]] bool areLumpsNamed() const;
     void setRemoved(const std::vector<int>& rows, bool isRemoved);
     void tell(int row, const meshio::SceneStructure& before, bool hasOtherMaps);
     void resolveMaps(int row);
-    void refreshFelt(StructureRow& row);
+    void refreshTouchMaps(StructureRow& row);
 
     std::vector<StructureRow> m_rows;
     meshio::BuriedTouch m_buried = meshio::BuriedTouch::Layers;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/ui/FeltWay.h"
 #include "palpate/ui/StructureModel.h"
 #include "palpate/ui/TissuePresets.h"
+#include "palpate/ui/TouchMode.h"
 
 #include <QWidget>
 
@@ -59,7 +59,7 @@ class StructurePanel : public QWidget
     void colourBy(const meshio::ShownMap& shown);
 
   Q_SIGNALS:
-    /// Emitted when one structure is to be coloured by a scalar field. @param what  id from `SurfaceNumbers::what`;
+    /// Emitted when one structure is to be coloured by a scalar field. @param what  id from `SurfaceField::what`;
     /// empty: uncoloured
     void colourChosen(int row, const QString& what);
     /// Emitted when the user selects structures in the list or the view, to highlight them.
@@ -84,11 +84,11 @@ class StructurePanel : public QWidget
     void refuse(const QString& line);
     [[nodiscard]] QString refusal(int row, const haptics::Tissue& asked, const haptics::Tissue& now) const;
     void setLayer(const QVariant& chosen);
-    void changeWays(const std::vector<FeltWay>& ways);
+    void changeWays(const std::vector<TouchMode>& ways);
     void showLayer(int row);
     void showBound(int row);
     void showMapWarning();
-    [[nodiscard]] QString whoTakes(const std::vector<haptics::HapticStructure>& felt, int row) const;
+    [[nodiscard]] QString otherLayersText(const std::vector<haptics::HapticStructure>& felt, int row) const;
     void editOpacity(int percent);
     void chooseColour();
     void openMenu(const QPoint& place);
@@ -131,7 +131,7 @@ class StructurePanel : public QWidget
     QLabel* m_bound = nullptr;    ///< effective values when limited by the device
     QLabel* m_refusal = nullptr;
     haptics::Tissue m_greatest = core::unbounded(); ///< unbounded until a device is known
-    QString m_why;
+    QString m_limitReason;
     QWidget* m_tissue = nullptr;
     bool m_isShowing = false;
     bool m_isChosen = false; ///< selection made by the user

@@ -8,7 +8,7 @@
 
 namespace palpate::ui {
 
-/// Translates a text of `core::TissueTerm` or `core::LawTerm`.
+/// Translates a text of `core::TissueTerm` or `core::LawParameter`.
 [[nodiscard]] QString termText(std::string_view text);
 
 /// All texts of these terms, for the translation catalogues; the core module has no translations.

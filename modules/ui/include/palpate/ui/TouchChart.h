@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/ui/Spoken.h"
+#include "palpate/ui/AccessibleReadout.h"
 #include "palpate/ui/TouchHistory.h"
 
 #include <QPainterPath>
@@ -13,14 +13,14 @@ namespace palpate::ui {
 /// the area below the force is divided into the layers' components in the structures' colours, outermost at the bottom,
 /// inner layers hatched. A dotted line shows the tangential (friction) component. Screen readers hear the newest
 /// values.
-class TouchChart : public QWidget, public Spoken
+class TouchChart : public QWidget, public AccessibleReadout
 {
     Q_OBJECT
   public:
     explicit TouchChart(const TouchHistory& history, QWidget* parent = nullptr);
     [[nodiscard]] QSize sizeHint() const override { return {260, 230}; }
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
-    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Chart; }
+    [[nodiscard]] QString accessibleText() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
   protected:
@@ -35,7 +35,7 @@ class TouchChart : public QWidget, public Spoken
 };
 
 /// Bar from 0 to the device's force limit in the colours of the cursor sphere in the view.
-class ForceBar : public QWidget, public Spoken
+class ForceBar : public QWidget, public AccessibleReadout
 {
     Q_OBJECT
   public:
@@ -45,9 +45,9 @@ class ForceBar : public QWidget, public Spoken
     [[nodiscard]] double limit_N() const noexcept { return m_limit_N; }
     /// Filled fraction of the bar, 0 to 1.
     [[nodiscard]] double share() const noexcept;
-    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Indicator; }
-    [[nodiscard]] QString spokenText() const override;
-    [[nodiscard]] std::optional<Scale> spokenScale() const override { return Scale{m_force_N, 0.0, m_limit_N}; }
+    [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Indicator; }
+    [[nodiscard]] QString accessibleText() const override;
+    [[nodiscard]] std::optional<Scale> accessibleScale() const override { return Scale{m_force_N, 0.0, m_limit_N}; }
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return {40, sizeHint().height()}; }
 

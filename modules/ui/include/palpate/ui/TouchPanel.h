@@ -23,28 +23,28 @@ struct TouchReading
     double time_s = 0.0;
     double force_N = 0.0; ///< force on the hand; model force for devices without motors
     double depth_mm = 0.0;
-    QString structure;               ///< structure of the outermost layer; empty in free space
-    double stiffness_N_per_mm = 0.0; ///< all layers in contact together; a healthy liver: about 0.1
-    double stiffnessRatio = 1.0;     ///< relative to the tissue of the outermost layer alone [1]
-    int constraints = 0;             ///< active constraints of the outermost layer, for the engineering panel
-    bool isSlidOff = false;          ///< pressing, but the surface has slid aside
-    bool isAtBound = false;          ///< the solver stopped at the iteration limit; the force lags
-    std::vector<FeltLayer> layers{}; ///< outermost first
-    QString lump{};                  ///< lump felt through `structure` here; empty: no lump
-    double lumpRatio = 1.0;          ///< local stiffness relative to the organ without the lump [1]
+    QString structure;                ///< structure of the outermost layer; empty in free space
+    double stiffness_N_per_mm = 0.0;  ///< all layers in contact together; a healthy liver: about 0.1
+    double stiffnessRatio = 1.0;      ///< relative to the tissue of the outermost layer alone [1]
+    int constraints = 0;              ///< active constraints of the outermost layer, for the engineering panel
+    bool isSlidOff = false;           ///< pressing, but the surface has slid aside
+    bool isAtIterationLimit = false;  ///< the solver stopped at the iteration limit; the force lags
+    std::vector<LayerShare> layers{}; ///< outermost first
+    QString lump{};                   ///< lump felt through `structure` here; empty: no lump
+    double lumpRatio = 1.0;           ///< local stiffness relative to the organ without the lump [1]
 };
 
 /// Innermost structure under the hand: the innermost layer, with a transmitted lump before the organ.
-struct FeltStructure
+struct PalpatedStructure
 {
     QString name, inside; ///< `inside` is the surrounding organ; empty: unknown
     double force_N = 0.0; ///< component along the force on the hand
     double depth_mm = 0.0;
     std::optional<double> stiffnessRatio{}; ///< of a transmitted lump
 };
-[[nodiscard]] FeltStructure feltStructure(const TouchReading& reading);
+[[nodiscard]] PalpatedStructure palpatedStructure(const TouchReading& reading);
 /// Location: "lump 20 mm in liver".
-[[nodiscard]] QString whereText(const FeltStructure& felt);
+[[nodiscard]] QString whereText(const PalpatedStructure& felt);
 
 /// Current touch in digits that are readable at arm's length, with the chart of the last ten seconds.
 class TouchPanel : public QWidget
@@ -74,7 +74,7 @@ class TouchPanel : public QWidget
   private:
     void fitFont();
     void setLine(const QString& structure, const QString& detail);
-    void setLayers(std::vector<FeltLayer> layers);
+    void setLayers(std::vector<LayerShare> layers);
     void showLump(const TouchReading& reading);
 
     TouchReading m_reading;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/ui/Pace.h"
+#include "palpate/ui/RateLimiter.h"
 
 #include <QObject>
 #include <QWidget>
@@ -26,7 +26,7 @@ class ViewVoice : public QObject
 
     QWidget& m_view;
     const TouchPanel& m_touch;
-    Pace m_pace;
+    RateLimiter m_pace;
 };
 
 } // namespace palpate::ui

@@ -86,7 +86,7 @@ class VtkViewport : public QOpenGLWidget
     bool event(QEvent* event) override;
 
   private:
-    void takeLook();
+    void applyStyle();
     void letGoOfContext();
     void fitSize();
     void moveCamera(const QPointF& place, unsigned long event, Qt::KeyboardModifiers modifiers);

@@ -28,7 +28,7 @@ class ColourLegend
         double value = 0.0;
         std::string text;
     };
-    static constexpr std::size_t kMostMarks = 5;
+    static constexpr std::size_t kMaxMarks = 5;
     /// Contents of the legend; all texts are UTF-8.
     struct Content
     {
@@ -36,7 +36,7 @@ class ColourLegend
         std::string unknown; ///< label of the grey box (values not known)
         ColourRange range;
         std::string decimalPoint = "."; ///< decimal separator of the numbers
-        /// At most kMostMarks, ascending. Marks replace the numbers beside the bar, and the box for unknown values is
+        /// At most kMaxMarks, ascending. Marks replace the numbers beside the bar, and the box for unknown values is
         /// hatched.
         std::vector<Mark> marks{};
     };
@@ -78,7 +78,7 @@ class ColourLegend
     {
         double left, right, low, high, greyLow, greyHigh, pixelRatio, letter;
     };
-    [[nodiscard]] double markedHeight(double letter) const;
+    [[nodiscard]] double heightWithMarks(double letter) const;
     [[nodiscard]] TextStyle fitting(vtkRenderer& renderer, const ViewFrame& frame, double below_px);
     [[nodiscard]] double reach(vtkRenderer& renderer, const TextStyle& style, double pixelRatio);
     void placeMarks(const Place& at);
@@ -94,7 +94,7 @@ class ColourLegend
     bool m_hasUnknown = false;
     ColourRange m_range;
     std::vector<Mark> m_marks;
-    std::array<vtkSmartPointer<vtkTextActor>, kMostMarks> m_markTexts;
+    std::array<vtkSmartPointer<vtkTextActor>, kMaxMarks> m_markTexts;
     vtkSmartPointer<vtkActor2D> m_lines; ///< leader lines of the marks, and the hatching
 };
 

@@ -21,15 +21,15 @@ struct FeltColours
 };
 
 /// Colours a picture by palpability. The actor must draw the lines at 7, 14 and 28 % and the hatching: see
-/// `drawFeltLines`.
+/// `drawPalpabilityContours`.
 /// @param picture  made from `mesh` by `makeSurface`; points and triangles are shared, not copied
 /// @param colours  one entry per vertex of the mesh
 /// @par Cost O(triangles). @par Thread Any.
-[[nodiscard]] vtkSmartPointer<vtkPolyData> feltColoured(vtkPolyData& picture, const geometry::TriangleMesh& mesh,
-                                                        const FeltColours& colours);
+[[nodiscard]] vtkSmartPointer<vtkPolyData> palpabilityColoured(vtkPolyData& picture, const geometry::TriangleMesh& mesh,
+                                                               const FeltColours& colours);
 
-/// Makes an actor draw the contour lines and hatching of a picture from `feltColoured`. With any other picture,
+/// Makes an actor draw the contour lines and hatching of a picture from `palpabilityColoured`. With any other picture,
 /// removes them. Lines have constant width on screen. @par Thread The view's.
-void drawFeltLines(vtkActor& actor, vtkPolyData& picture);
+void drawPalpabilityContours(vtkActor& actor, vtkPolyData& picture);
 
 } // namespace palpate::view

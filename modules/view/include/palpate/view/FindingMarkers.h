@@ -37,7 +37,7 @@ class FindingMarkers
     /// Opacity of markers hidden behind tissue.
     static constexpr double kHiddenOpacity = 0.35;
     /// Above this number of markers, only the selected marker shows a number and no marker is treated as hidden.
-    static constexpr std::size_t kMostNumbered = 1000;
+    static constexpr std::size_t kMaxNumbered = 1000;
 
     FindingMarkers();
     ~FindingMarkers();
@@ -55,8 +55,8 @@ class FindingMarkers
     /// Returns whether tissue is between the eye and a point.
     using IsBehind = std::function<bool(const Vec3& p_W)>;
     /// Recomputes which markers are hidden. Call when the view, the tissue or the findings changed.
-    void findHidden(const IsBehind& isBehind);
-    /// Number of changes of the marks so far, for the code that calls `findHidden`.
+    void updateHidden(const IsBehind& isBehind);
+    /// Number of changes of the marks so far, for the code that calls `updateHidden`.
     [[nodiscard]] std::size_t revision() const noexcept { return m_revision; }
 
     /// Fits all markers to the view. Call before each frame.
@@ -77,7 +77,7 @@ class FindingMarkers
   private:
     class Picture;
     void writeTexts(const ViewFrame& frame);
-    [[nodiscard]] bool isCovering(const std::vector<Eigen::AlignedBox2d>& taken) const;
+    [[nodiscard]] bool overlapsAny(const std::vector<Eigen::AlignedBox2d>& taken) const;
 
     std::vector<FindingMark> m_marks;
     std::vector<bool> m_isHidden;    ///< per mark

@@ -117,7 +117,7 @@ class SceneView
     void bendTissue(const ViewFrame& frame);
     void findHiddenFindings(const ViewFrame& frame);
     void placeLegend(const ViewFrame& frame);
-    [[nodiscard]] std::size_t tissueIn(const Eigen::AlignedBox2d& box_px, const ViewFrame& frame) const;
+    [[nodiscard]] std::size_t countTissueVertices(const Eigen::AlignedBox2d& box_px, const ViewFrame& frame) const;
 
     vtkSmartPointer<vtkRenderer> m_solid;
     vtkSmartPointer<vtkRenderer> m_overlay;
@@ -135,16 +135,16 @@ class SceneView
         std::size_t tissue = 0;
         friend bool operator==(const Seen&, const Seen&) = default;
     };
-    std::optional<Seen> m_seen;
+    std::optional<Seen> m_findingInputs;
     /// Inputs of the last choice of the legend's corner, which does not change while the view is turned.
-    struct LegendSeen
+    struct LegendInputs
     {
         std::size_t legend = 0, looks = 0;
         double width_px = 0.0, height_px = 0.0;
-        friend bool operator==(const LegendSeen&, const LegendSeen&) = default;
+        friend bool operator==(const LegendInputs&, const LegendInputs&) = default;
     };
-    LegendSeen m_legendSeen;
-    std::size_t m_looks = 0;          ///< number of times that the whole scene was fitted into the view
+    LegendInputs m_legendInputs;
+    std::size_t m_fitCount = 0;       ///< number of times that the whole scene was fitted into the view
     std::size_t m_tissueRevision = 0; ///< number of changes that may hide or reveal a finding
     std::vector<ViewStructure> m_structures;
     vtkSmartPointer<vtkRenderWindow> m_window;

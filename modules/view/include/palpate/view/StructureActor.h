@@ -31,7 +31,7 @@ class StructureActor
     explicit StructureActor(vtkPolyData* surface, const Appearance& appearance = {}, bool isClosed = false);
 
     void setAppearance(const Appearance& appearance);
-    /// Replaces the picture of the same surface. Colours from `coloured` or `feltColoured`, if any, replace the
+    /// Replaces the picture of the same surface. Colours from `coloured` or `palpabilityColoured`, if any, replace the
     /// structure's own.
     void setPicture(vtkPolyData* surface);
     /// Draws the surface with a dent from the next frame on, if the dent reaches the structure.

@@ -21,11 +21,11 @@ struct TextStyle
 
 /// Background colour behind texts on tissue, and text colour for texts that belong to no structure.
 inline constexpr Colour kTextGround{0.08, 0.09, 0.11};
-inline constexpr Colour kTextInk{1.0, 1.0, 1.0};
+inline constexpr Colour kTextColour{1.0, 1.0, 1.0};
 
 /// Lightens a structure's colour for use as text colour, readable on the dark background even where tissue shines
 /// through.
-[[nodiscard]] Colour inkOf(const Colour& colour);
+[[nodiscard]] Colour textColourOf(const Colour& colour);
 
 /// Purpose of a text.
 enum class TextUse

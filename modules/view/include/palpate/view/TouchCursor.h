@@ -67,7 +67,7 @@ class TouchCursor
     void setState(const TouchState& state) { m_state = state; }
     [[nodiscard]] const TouchState& state() const noexcept { return m_state; }
     /// Draws ball and contact disc at the bottom of the dent where tissue bends; otherwise on the surface at rest.
-    void setInDent(bool isOn) { m_isInDent = isOn; }
+    void setInDent(bool isOn) { m_drawsInDent = isOn; }
     /// Sets the force that maps to the brightest colour: the device's maximum. [N] > 0
     void setForceLimit(double force_N);
 
@@ -96,7 +96,7 @@ class TouchCursor
   private:
     void placeContact(const ViewFrame& frame, bool isTouching);
     void placeCrosshair(const ViewFrame& frame, bool isThere);
-    [[nodiscard]] Vec3 sunk_W() const;
+    [[nodiscard]] Vec3 dentOffset_W() const;
     void placeLabels(const ViewFrame& frame, bool isTouching, const Eigen::AlignedBox2d& legend);
     [[nodiscard]] double patchRadius_mm(const ViewFrame& frame) const;
     void placeFriction(bool isTouching);
@@ -125,7 +125,7 @@ class TouchCursor
     std::array<InnerMark, TouchState::kMostInner> m_inner;
     TouchState m_state;
     double m_limit_N = 10.0;
-    bool m_isInDent = false;
+    bool m_drawsInDent = false;
 };
 
 } // namespace palpate::view

@@ -114,8 +114,8 @@ class SweptBall
 
     /// @param u  unit vector along the segment
     /// @return mask of the boxes with a point whose direction from the start may have at least this cosine to u
-    [[nodiscard]] core::Mask4 standsAgainst(const core::Float4* c, const core::Float4* e, const Vec3& u,
-                                            double cosine) const noexcept
+    [[nodiscard]] core::Mask4 mayBeWithinCone(const core::Float4* c, const core::Float4* e, const Vec3& u,
+                                              double cosine) const noexcept
     {
         core::Float4 most{}, size{}, distance2{};
         for (int axis = 0; axis < 3; ++axis) {
@@ -252,7 +252,7 @@ std::uint32_t BoxHierarchy::visitAround(const Vec3& p, double reach_mm, Leaf&& l
 }
 
 template<class Leaf>
-double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm, SweptInterest interest,
+double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_mm, SweptPruning interest,
                                 std::uint32_t& nodes, Leaf&& leaf) const noexcept
 {
     constexpr double kAll = std::numeric_limits<double>::infinity();
@@ -272,7 +272,7 @@ double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_m
     int top = 0;
     std::uint32_t current = 0;
     // Lower bound of the free distance before contact with the current node and the nodes on the stack.
-    const auto freeOfTheRest = [&] {
+    const auto remainingFreeDistance = [&] {
         double least = kAll;
         for (;; current = stack[--top]) {
             core::Float4 c[3], e[3];
@@ -285,7 +285,7 @@ double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_m
     };
     for (;;) {
         if (nodes == 0) {
-            return freeOfTheRest();
+            return remainingFreeDistance();
         }
         --nodes;
         const Node& node = m_nodes[current];
@@ -293,7 +293,7 @@ double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_m
         const core::Mask4 isUsed = internal::boxesOf(node, c, e);
         std::uint32_t lanes = core::laneBits(isUsed & ball.isAhead(c, e) & ball.touches(c, e));
         if (interest.cosine > 0.0) {
-            lanes &= core::laneBits(ball.standsAgainst(c, e, u, interest.cosine));
+            lanes &= core::laneBits(ball.mayBeWithinCone(c, e, u, interest.cosine));
         }
         for (std::uint32_t leaves = lanes & node.leafMask; leaves != 0; leaves &= leaves - 1) {
             const std::uint32_t child = node.child[std::countr_zero(leaves)];
@@ -301,7 +301,7 @@ double BoxHierarchy::visitSwept(const Vec3& from, const Vec3& to, double reach_m
             interest = leaf(child >> 3, child & 7u);
             if (interest.share < share) {
                 if (interest.share < 0.0) {
-                    return freeOfTheRest();
+                    return remainingFreeDistance();
                 }
                 if (interest.share < first) {
                     return kAll;

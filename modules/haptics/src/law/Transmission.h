@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "law/MapValue.h"
+#include "law/MapSample.h"
 #include "palpate/haptics/FeltPress.h"
 
 #include <palpate/core/Realtime.h>
@@ -14,7 +14,7 @@ namespace palpate::haptics::law {
 /// and W_j as in FeltPress. The force is `F(d)` times the maps interpolated between two penetration depths, and derives
 /// from a single energy.
 /// @par Source resources/docs/felt.md
-struct FeltBelow
+struct Transmission
 {
     double scale = 0.0;           ///< sum of s_j B_j(d) [1]
     double energy_mJ = 0.0;       ///< sum of s_j W_j(d)
@@ -33,12 +33,12 @@ struct FeltBelow
     /// @param depth_mm  d > 0
     /// @param law  value of the structure's law at `depth_mm`
     /// @par Real-time Wait-free.
-    [[nodiscard]] PALPATE_ALWAYS_INLINE static FeltBelow at(const MapPlace& place, const HapticStructure& on,
-                                                            double depth_mm, const ForceTable::Value& law) noexcept
+    [[nodiscard]] PALPATE_ALWAYS_INLINE static Transmission at(const MapPlace& place, const HapticStructure& on,
+                                                               double depth_mm, const ForceTable::Value& law) noexcept
     {
         constexpr std::size_t kCount = FeltPress::kCount;
         const FeltPress press = FeltPress::at(on, depth_mm, law);
-        FeltBelow felt;
+        Transmission felt;
         double toSecond = 0.0, toThird = 0.0;
         for (std::size_t j = 0; j < kCount && (j == 0 || depth_mm > kFeltPress_mm[j - 1]); ++j) {
             const MapPlace::Rises s = place.risesOf(on.maps.felt[j]);

@@ -10,7 +10,7 @@
 namespace palpate::ui {
 
 /// Touch mode of a structure: own surface in a layer, or transmitted through the surrounding organ.
-struct FeltWay
+struct TouchMode
 {
     int row = 0;
     /// Layer of the structure's own surface; empty: transmitted through the surrounding organ.
@@ -20,10 +20,10 @@ struct FeltWay
 /// Applies touch modes as one undo step, or does nothing when they already apply. Other transmitted lumps keep their
 /// mode. A structure without a surrounding organ keeps its layer.
 /// @param text  label of the undo step, "Feel below"
-void feel(StructureModel& model, const std::vector<FeltWay>& ways, const QString& text);
+void feel(StructureModel& model, const std::vector<TouchMode>& ways, const QString& text);
 
 /// Organ through which a structure can be felt, or empty. Both meshes must be closed, and the organ's name must be
 /// unique because a scene file refers to organs by name.
-[[nodiscard]] std::optional<int> organToFeelThrough(const StructureModel& model, int row);
+[[nodiscard]] std::optional<int> transmittingOrgan(const StructureModel& model, int row);
 
 } // namespace palpate::ui

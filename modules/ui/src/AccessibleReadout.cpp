@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/ui/Spoken.h"
+#include "palpate/ui/AccessibleReadout.h"
 
 #include <QAccessibleWidget>
 #include <QWidget>
@@ -9,10 +9,10 @@ namespace palpate::ui {
 namespace {
 
 /// Looks up the widget at each call, because a widget under destruction is no longer a Spoken.
-class SpokenInterface final : public QAccessibleWidget, public QAccessibleValueInterface
+class AccessibleReadoutInterface final : public QAccessibleWidget, public QAccessibleValueInterface
 {
   public:
-    SpokenInterface(QWidget* widget, QAccessible::Role role)
+    AccessibleReadoutInterface(QWidget* widget, QAccessible::Role role)
         : QAccessibleWidget(widget, role)
     {
     }
@@ -22,10 +22,10 @@ class SpokenInterface final : public QAccessibleWidget, public QAccessibleValueI
         if (what == QAccessible::Help) {
             return widget()->toolTip();
         }
-        const Spoken* one = spoken();
+        const AccessibleReadout* one = spoken();
         // Also as description: on Linux the text of a value is not passed on.
         return one != nullptr && (what == QAccessible::Value || what == QAccessible::Description)
-                   ? one->spokenText()
+                   ? one->accessibleText()
                    : QAccessibleWidget::text(what);
     }
     void* interface_cast(QAccessible::InterfaceType type) override
@@ -33,38 +33,39 @@ class SpokenInterface final : public QAccessibleWidget, public QAccessibleValueI
         return type == QAccessible::ValueInterface && scale() ? static_cast<QAccessibleValueInterface*>(this)
                                                               : QAccessibleWidget::interface_cast(type);
     }
-    QVariant currentValue() const override { return scale().value_or(Spoken::Scale()).value; }
+    QVariant currentValue() const override { return scale().value_or(AccessibleReadout::Scale()).value; }
     void setCurrentValue(const QVariant& value) override
     {
-        if (Spoken* one = spoken(); one != nullptr) {
-            one->setSpoken(value.toDouble());
+        if (AccessibleReadout* one = spoken(); one != nullptr) {
+            one->setAccessibleValue(value.toDouble());
         }
     }
-    QVariant maximumValue() const override { return scale().value_or(Spoken::Scale()).most; }
-    QVariant minimumValue() const override { return scale().value_or(Spoken::Scale()).least; }
-    QVariant minimumStepSize() const override { return scale().value_or(Spoken::Scale()).step; }
+    QVariant maximumValue() const override { return scale().value_or(AccessibleReadout::Scale()).most; }
+    QVariant minimumValue() const override { return scale().value_or(AccessibleReadout::Scale()).least; }
+    QVariant minimumStepSize() const override { return scale().value_or(AccessibleReadout::Scale()).step; }
 
   private:
-    Spoken* spoken() const { return dynamic_cast<Spoken*>(object()); }
-    std::optional<Spoken::Scale> scale() const
+    AccessibleReadout* spoken() const { return dynamic_cast<AccessibleReadout*>(object()); }
+    std::optional<AccessibleReadout::Scale> scale() const
     {
-        const Spoken* one = spoken();
-        return one != nullptr ? one->spokenScale() : std::nullopt;
+        const AccessibleReadout* one = spoken();
+        return one != nullptr ? one->accessibleScale() : std::nullopt;
     }
 };
 
 QAccessibleInterface* makeSpokenInterface(const QString& /*className*/, QObject* object)
 {
-    const auto* one = dynamic_cast<const Spoken*>(object);
-    return one != nullptr ? new SpokenInterface(qobject_cast<QWidget*>(object), one->spokenRole()) : nullptr;
+    const auto* one = dynamic_cast<const AccessibleReadout*>(object);
+    return one != nullptr ? new AccessibleReadoutInterface(qobject_cast<QWidget*>(object), one->accessibleRole())
+                          : nullptr;
 }
 
 } // namespace
 
-Spoken::Spoken(QWidget* self)
+AccessibleReadout::AccessibleReadout(QWidget* self)
     : m_self(self)
     , m_pace([this] {
-        if (const auto scale = spokenScale(); scale && QAccessible::isActive()) {
+        if (const auto scale = accessibleScale(); scale && QAccessible::isActive()) {
             QAccessibleValueChangeEvent event(m_self, scale->value);
             QAccessible::updateAccessibility(&event);
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/ui/Pace.h"
+#include "palpate/ui/RateLimiter.h"
 
 #include <QAccessible>
 #include <QString>
@@ -16,10 +16,10 @@ namespace palpate::ui {
 /// accessible value. To be inherited in addition to QWidget.
 ///
 /// @par Thread GUI thread only.
-class Spoken
+class AccessibleReadout
 {
   public:
-    /// Number on a scale, in the unit of `spokenText`.
+    /// Number on a scale, in the unit of `accessibleText`.
     struct Scale
     {
         double value = 0.0;
@@ -28,26 +28,26 @@ class Spoken
         double step = 0.0; ///< smallest step; 0: continuous
     };
 
-    Spoken(const Spoken&) = delete;
-    Spoken& operator=(const Spoken&) = delete;
+    AccessibleReadout(const AccessibleReadout&) = delete;
+    AccessibleReadout& operator=(const AccessibleReadout&) = delete;
 
-    [[nodiscard]] virtual QAccessible::Role spokenRole() const = 0;
+    [[nodiscard]] virtual QAccessible::Role accessibleRole() const = 0;
     /// Displayed numbers with units: "8.9 of 20.0 s, 4.81 N".
-    [[nodiscard]] virtual QString spokenText() const = 0;
+    [[nodiscard]] virtual QString accessibleText() const = 0;
     /// Empty: no accessible value.
-    [[nodiscard]] virtual std::optional<Scale> spokenScale() const { return std::nullopt; }
+    [[nodiscard]] virtual std::optional<Scale> accessibleScale() const { return std::nullopt; }
     /// Sets the value on behalf of a screen reader. The default for read-only widgets does nothing.
-    virtual void setSpoken(double /*value*/) {}
+    virtual void setAccessibleValue(double /*value*/) {}
 
   protected:
-    explicit Spoken(QWidget* self);
-    ~Spoken() = default;
+    explicit AccessibleReadout(QWidget* self);
+    ~AccessibleReadout() = default;
     /// Announces a changed value, at most twice a second.
-    void tellValue() { m_pace.want(); }
+    void announceValue() { m_pace.want(); }
 
   private:
     QWidget* m_self = nullptr;
-    Pace m_pace;
+    RateLimiter m_pace;
 };
 
 } // namespace palpate::ui

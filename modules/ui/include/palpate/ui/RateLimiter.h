@@ -12,12 +12,12 @@ namespace palpate::ui {
 /// announcements.
 ///
 /// @par Thread GUI thread only.
-class Pace
+class RateLimiter
 {
   public:
     static constexpr int kPause_ms = 500;
 
-    explicit Pace(std::function<void()> act);
+    explicit RateLimiter(std::function<void()> act);
     /// Requests the action. Runs immediately when the last run is at least `kPause_ms` ago, else once at the end of the
     /// pause.
     void want();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/ui/Pace.h"
+#include "palpate/ui/RateLimiter.h"
 
 #include <utility>
 
 namespace palpate::ui {
 
-Pace::Pace(std::function<void()> act)
+RateLimiter::RateLimiter(std::function<void()> act)
     : m_act(std::move(act))
 {
     m_later.setSingleShot(true);
@@ -13,7 +13,7 @@ Pace::Pace(std::function<void()> act)
     QObject::connect(&m_later, &QTimer::timeout, &m_later, [this] { actNow(); });
 }
 
-void Pace::want()
+void RateLimiter::want()
 {
     if (m_later.isActive()) {
         return;
@@ -25,7 +25,7 @@ void Pace::want()
     }
 }
 
-void Pace::actNow()
+void RateLimiter::actNow()
 {
     m_since.start();
     m_act();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/ui/FeltWay.h"
+#include "palpate/ui/TouchMode.h"
 
 #include <palpate/study/Layers.h>
 
@@ -9,18 +9,18 @@ namespace palpate::ui {
 
 namespace {
 
-bool hasSureInside(const StructureModel& model, int row)
+bool hasReliableInterior(const StructureModel& model, int row)
 {
     const auto& surface = model.rows()[static_cast<std::size_t>(row)].loaded.surface;
-    return surface != nullptr && study::hasSureInside(surface->report);
+    return surface != nullptr && study::hasReliableInterior(surface->report);
 }
 
 } // namespace
 
-std::optional<int> organToFeelThrough(const StructureModel& model, int row)
+std::optional<int> transmittingOrgan(const StructureModel& model, int row)
 {
     const std::optional<int> organ = model.organAround(row);
-    if (!organ || !hasSureInside(model, row) || !hasSureInside(model, *organ)) {
+    if (!organ || !hasReliableInterior(model, row) || !hasReliableInterior(model, *organ)) {
         return std::nullopt;
     }
     // A scene file identifies the organ by name, which must be unique.
@@ -33,20 +33,20 @@ std::optional<int> organToFeelThrough(const StructureModel& model, int row)
     return organ;
 }
 
-void feel(StructureModel& model, const std::vector<FeltWay>& ways, const QString& text)
+void feel(StructureModel& model, const std::vector<TouchMode>& ways, const QString& text)
 {
     std::vector<StructureModel::Edited> edits;
-    bool isAnyThrough = false;
+    bool hasTransmittedLump = false;
     for (int row = 0; row < model.rowCount(); ++row) {
-        const auto way = std::find_if(ways.begin(), ways.end(), [row](const FeltWay& one) { return one.row == row; });
+        const auto way = std::find_if(ways.begin(), ways.end(), [row](const TouchMode& one) { return one.row == row; });
         const meshio::SceneStructure& now = model.structure(row);
         meshio::SceneStructure changed = now;
-        const bool isThrough = way == ways.end() ? model.isToBeFeltThrough(row) : !way->layer;
+        const bool isThrough = way == ways.end() ? model.isTransmitted(row) : !way->layer;
         const std::optional<int> organ = isThrough ? model.organAround(row) : std::nullopt;
         if (organ) { // names the organ explicitly, so that no other structure is chosen as an organ by its shape
             changed.inside = model.structure(*organ).name;
             changed.layer = 0;
-            isAnyThrough = true;
+            hasTransmittedLump = true;
         } else if (way != ways.end() && way->layer) {
             changed.layer = *way->layer;
             if (changed.layer > 0 || model.buried() == meshio::BuriedTouch::Felt) {
@@ -57,7 +57,7 @@ void feel(StructureModel& model, const std::vector<FeltWay>& ways, const QString
             edits.push_back({row, std::move(changed)});
         }
     }
-    model.editAll(std::move(edits), text, isAnyThrough ? meshio::BuriedTouch::Felt : meshio::BuriedTouch::Layers);
+    model.editAll(std::move(edits), text, hasTransmittedLump ? meshio::BuriedTouch::Felt : meshio::BuriedTouch::Layers);
 }
 
 } // namespace palpate::ui

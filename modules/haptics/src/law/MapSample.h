@@ -12,7 +12,7 @@
 namespace palpate::haptics::law {
 
 /// Value and gradient of a map at a point of a triangle.
-struct MapValue
+struct MapSample
 {
     double value = 1.0;
     Vec3 gradient = Vec3::Zero(); ///< in the triangle's plane [unit of the value / mm]
@@ -81,7 +81,7 @@ class MapPlace
         return map.bends == nullptr ? linear : bent(linear, map);
     }
     [[nodiscard]] const FacetSlopes& slopes() const noexcept { return m_slopes; }
-    [[nodiscard]] MapValue valueOf(const TissueMap& map) const noexcept
+    [[nodiscard]] MapSample valueOf(const TissueMap& map) const noexcept
     {
         const Rises rises = risesOf(map);
         return {rises.value, m_slopes.gradientOf(rises.toSecond, rises.toThird)};

@@ -8,7 +8,7 @@
 namespace palpate::ui {
 
 /// Buried lump under the place of contact on an organ.
-struct LumpUnder
+struct LumpAtContact
 {
     int row = 0;
     double ratio = 1.0; ///< local stiffness relative to the organ without lumps, k/k0 [1]
@@ -22,7 +22,7 @@ struct LumpUnder
 /// @return the lump; empty without a transmitted lump in the organ, or when the change is below 7 %, half of the
 /// detection threshold of a trained hand
 /// @par Cost O(vertices of the organ). Thread: GUI
-[[nodiscard]] std::optional<LumpUnder> lumpUnder(const StructureModel& model, int organRow, const core::Vec3& p_WG,
-                                                 double depth_mm);
+[[nodiscard]] std::optional<LumpAtContact> lumpAtContact(const StructureModel& model, int organRow,
+                                                         const core::Vec3& p_WG, double depth_mm);
 
 } // namespace palpate::ui

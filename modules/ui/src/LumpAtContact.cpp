@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/ui/LumpUnder.h"
+#include "palpate/ui/LumpAtContact.h"
 
 #include <palpate/buried/FeltSurface.h>
 
@@ -34,23 +34,24 @@ double shareOf(const meshio::LoadedStructure& lump, const core::Vec3& p_W)
 
 } // namespace
 
-std::optional<LumpUnder> lumpUnder(const StructureModel& model, int organRow, const core::Vec3& p_WG, double depth_mm)
+std::optional<LumpAtContact> lumpAtContact(const StructureModel& model, int organRow, const core::Vec3& p_WG,
+                                           double depth_mm)
 {
     const meshio::LoadedStructure& organ = model.rows()[static_cast<std::size_t>(organRow)].loaded;
     if (organ.feltBelow.size() != haptics::kFeltPress_mm.size() || organ.surface == nullptr) {
         return std::nullopt;
     }
-    std::optional<LumpUnder> under;
+    std::optional<LumpAtContact> under;
     double most = 0.0;
     for (int row = 0; row < model.rowCount(); ++row) {
         const StructureRow& lump = model.rows()[static_cast<std::size_t>(row)];
-        if (lump.isRemoved || !lump.loaded.isFeltThrough || lump.loaded.surface == nullptr ||
+        if (lump.isRemoved || !lump.loaded.isTransmitted || lump.loaded.surface == nullptr ||
             model.organAround(row) != organRow) {
             continue;
         }
         if (const double share = shareOf(lump.loaded, p_WG); share > most) {
             most = share;
-            under = LumpUnder{row, 1.0};
+            under = LumpAtContact{row, 1.0};
         }
     }
     const std::vector<core::Vec3>& vertices = organ.surface->mesh.vertices;
@@ -61,7 +62,7 @@ std::optional<LumpUnder> lumpUnder(const StructureModel& model, int organRow, co
         return (a - p_WG).squaredNorm() < (b - p_WG).squaredNorm();
     });
     under->ratio = ratioAt(organ.feltBelow, static_cast<std::size_t>(nearest - vertices.begin()), depth_mm);
-    const double least = std::log1p(buried::kTold_percent[0] / 100.0);
+    const double least = std::log1p(buried::kDetectableChange_percent[0] / 100.0);
     return std::abs(std::log(under->ratio)) >= least ? under : std::nullopt;
 }
 
