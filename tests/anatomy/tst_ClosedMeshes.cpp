@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Real closed surfaces, pressed 3 % of their size deep and slid over for 10 s: never inside by VTK's own signed
-// distance, and no legal move that would come closer.
+// Presses real closed surfaces 3 % of their size deep and slides over them for 10 s: the god-object is never inside by
+// VTK's signed distance, and no legal move comes closer.
 #include "TestRunner.h"
 
 #include <palpate/haptics/Palpator.h>
@@ -46,8 +46,8 @@ vtkNew<vtkPolyData> toVtk(const RepairedMesh& surface)
     return data;
 }
 
-/// Blocked by any of `triangles`, as resources/docs/god-object.md defines it, in long double. The surface is closed:
-/// fronts only.
+/// Returns whether any of `triangles` blocks the move, as defined in resources/docs/god-object.md, in long double. The
+/// surface is closed: front sides only.
 bool isBlocked(const geometry::TriangleMesh& mesh, const std::vector<std::uint32_t>& triangles, const Vec3& from,
                const Vec3& to)
 {
@@ -129,8 +129,8 @@ class ClosedMeshes : public QObject
         std::normal_distribution<double> normal;
         int contacts = 0;
         for (int i = 0; i < kTicks; ++i) {
-            // Round the organ every three seconds, rising and sinking, pressing on the nearest place. The nearest place
-            // jumps at times: fast motion is part of the path.
+            // Around the organ every three seconds, rising and sinking, pressing on the nearest point. This point jumps
+            // at times: fast motion is part of the path.
             const double a = 2 * std::numbers::pi * i / 3000.0, e = 1.2 * std::sin(2 * std::numbers::pi * i / 7100.0);
             const Vec3 far =
                 centre + 0.6 * size * Vec3(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e));

@@ -249,7 +249,7 @@ class CommandLine : public QObject
         QCOMPARE(outcome.exitCode, 0);
         QCOMPARE(outcome.error, QByteArray());
         QVERIFY(outcome.out.toLower().contains("palpate") || outcome.out.contains("--"));
-        if (arguments == QStringList{"--help"}) { // includes the options of the companion program
+        if (arguments == QStringList{"--help"}) { // also lists the subcommands of the companion program
             QVERIFY(outcome.out.contains("  evaluate ") && outcome.out.contains("  stability "));
         }
     }

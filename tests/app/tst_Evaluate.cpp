@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `palpate evaluate` as run by a user: exit codes, output files, interruption by Ctrl-C.
+// Tests `palpate evaluate` from the command line: exit codes, output files, and the reaction to Ctrl-C.
 #include "../support/Shapes.h"
 #include "TestRunner.h"
 
@@ -139,7 +139,7 @@ class Evaluate : public QObject
         process.setWorkingDirectory(m_folder->path());
         process.start(PALPATE_EXECUTABLE, arguments);
         QVERIFY(process.waitForFinished(60000));
-        QCOMPARE(process.exitCode(), 2); // a non-mesh file; the folder was created before inspection
+        QCOMPARE(process.exitCode(), 2); // no mesh; the output folder is created before the input is read
         QVERIFY(QDir(file(folder)).exists());
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
                  (QStringList{"m.csv", "organs", "out"}));
@@ -185,7 +185,7 @@ class Evaluate : public QObject
         QVERIFY2(progress.contains("phantom"), progress);
         ::kill(static_cast<pid_t>(process->processId()), SIGINT);
         QVERIFY(process->waitForFinished(10000));
-        QVERIFY(process->exitStatus() == QProcess::CrashExit); // by the signal, as a shell expects
+        QVERIFY(process->exitStatus() == QProcess::CrashExit); // killed by the signal, as shells expect
         QVERIFY(QDir(file("out")).entryList(QDir::Files | QDir::Hidden).isEmpty());
     }
 };

@@ -14,7 +14,7 @@
 using namespace palpate;
 using core::Vec3;
 
-/// `palpate felt`: which lumps a hand finds.
+/// Tests `palpate felt`: which lumps are palpable.
 class FeltCommand : public QObject
 {
     Q_OBJECT

@@ -18,7 +18,8 @@ using namespace palpate;
 using core::Finding;
 using core::FindingType;
 
-/// `palpate findings`: export of marked places as tables and point lists, import of point lists.
+/// Tests `palpate findings`: export of the findings in a scene or recording as tables and point lists, and import of
+/// point lists.
 class FindingsCommand : public QObject
 {
     Q_OBJECT
@@ -74,7 +75,8 @@ class FindingsCommand : public QObject
         return findings;
     }
 
-    /// The head as DESK names its columns, and a row a finding. @param moment  of the first, in the recording
+    /// Returns the header with the column names of DESK, and a row per finding.
+    /// @param moment  time of the first finding, in a recording
     static QByteArray table(const QByteArray& moment, const QByteArray& others)
     {
         return "id,name,type,structure,x_mm,y_mm,z_mm,frame,size_mm,force_N,depth_mm,felt_N_per_mm,marked_s,recording,"
@@ -144,7 +146,8 @@ class FindingsCommand : public QObject
         QCOMPARE(csv.out, table(",", ","));
         const Outcome markups = run({"s.palpate.json", "--markups", "-"});
         QCOMPARE(markups.exitCode, 0);
-        QCOMPARE(QJsonDocument::fromJson(markups.out)["markups"].toArray().size(), 3); // lump, keep away, the note
+        // lump, keep away, and the list for notes
+        QCOMPARE(QJsonDocument::fromJson(markups.out)["markups"].toArray().size(), 3);
     }
 
     void markupsGoOutAndComeBackEqual_data()
@@ -176,7 +179,7 @@ class FindingsCommand : public QObject
         }
     }
 
-    /// Existing findings stay, and an imported finding with the same id gets a new id.
+    /// Existing findings stay, and an imported finding with a used id gets another id.
     void whatIsTakenComesBesideWhatIsThere()
     {
         QCOMPARE(run({"s.palpate.json", "--markups", "m.mrk.json"}).exitCode, 0);

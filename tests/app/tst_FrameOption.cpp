@@ -14,7 +14,7 @@ using namespace palpate;
 using core::FileFrame;
 using core::Vec3;
 
-/// `--frame`: the axes of mesh files, on the command line and in recordings.
+/// Tests `--frame`: the axes of mesh files, on the command line and in recordings.
 class FrameOption : public QObject
 {
     Q_OBJECT
@@ -55,7 +55,7 @@ class FrameOption : public QObject
   private Q_SLOTS:
     void initTestCase()
     {
-        // Not the same after any turn; its top is at z = 10.
+        // A shape without rotational symmetry; its top is at z = 10.
         const geometry::TriangleMesh box = test::box(Vec3(-10, -5, -10), Vec3(12, 15, 10), 3);
         std::string obj;
         for (const Vec3& p : box.vertices) {
@@ -128,7 +128,7 @@ class FrameOption : public QObject
         }
     }
 
-    /// A recording stores the chosen axes: the mesh is read the same way again.
+    /// A recording stores the chosen frame: the mesh is read the same way again.
     void recordingsKeepIt_data()
     {
         QTest::addColumn<QStringList>("arguments");
@@ -153,7 +153,7 @@ class FrameOption : public QObject
         QVERIFY2(verified.out.contains("the same bit for bit"), verified.out);
         const Outcome again = run(QStringList{"replay"} + arguments + QStringList{"--motion", "r.palpate"});
         QVERIFY2(again.exitCode == 0 && again.out.contains("the same bit for bit"), again.error);
-        if (frame == FileFrame::Ras && arguments.contains("plain.obj")) { // read differently, the surface differs
+        if (frame == FileFrame::Ras && arguments.contains("plain.obj")) { // in another frame the surface differs
             QCOMPARE(run({"replay", "plain.obj", "--motion", "r.palpate"}).exitCode, 2);
         }
     }

@@ -30,13 +30,13 @@ struct Ending
     int exitCode = -1;
     std::string out, error;
     double time_s = 0.0;
-    long memory_KiB = 0; ///< peak memory of the program and of child processes
+    long memory_KiB = 0; ///< peak memory of the program and its child processes
 };
 
-/// Runs the real executable in `folder`, and waits for it and for all that it leaves behind.
+/// Runs the real executable in `folder` and waits for the process and its descendants.
 Ending run(const test::Folder& folder, std::vector<std::string> words, std::vector<std::string> environment = {})
 {
-    ::prctl(PR_SET_CHILD_SUBREAPER, 1); // processes that outlive the program become children of this one
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1); // orphaned descendants are reparented to this process
     words.insert(words.begin(), PALPATE_EXECUTABLE);
     environment.emplace_back("LANG=C.UTF-8");
     std::vector<char*> argv, envp;
@@ -80,7 +80,8 @@ QJsonObject firstOf(const Ending& outcome)
     return QJsonDocument::fromJson(QByteArray::fromStdString(outcome.out)).array().at(0).toObject();
 }
 
-/// @return what is wrong with a decision: valid or refused in one line, with at most 1 GiB and 10 s; else nothing
+/// @return description of a wrong decision; empty if the file is accepted, or rejected with one line, within 1 GiB and
+/// 10 s
 std::string mistakeOf(const Ending& outcome, const std::string& name, bool isValid, const std::string& complaint)
 {
     constexpr long kMostMemory_KiB = 1 << 20;
@@ -100,7 +101,7 @@ std::string mistakeOf(const Ending& outcome, const std::string& name, bool isVal
 
 } // namespace
 
-/// The real executable on files that somebody else made.
+/// Tests the real executable on foreign files.
 class ImportedFiles : public QObject
 {
     Q_OBJECT
@@ -211,7 +212,7 @@ void ImportedFiles::missingMeshOfASceneIsALoss()
 void ImportedFiles::infoTellsTheWholeReport()
 {
     const test::Folder folder;
-    // Two cubes of 24 mm, one moved by 8 mm along each axis: written as one structure, they cross.
+    // Two cubes of 24 mm, one moved by 8 mm along each axis: written as one structure, they intersect.
     const std::vector<meshio::MeshStructure> cubes{
         {"a", test::box(core::Vec3(0, 0, 0), core::Vec3(24, 24, 24), 4), std::nullopt},
         {"b", test::box(core::Vec3(8, 8, 8), core::Vec3(32, 32, 32), 4), std::nullopt}};
@@ -233,7 +234,7 @@ void ImportedFiles::infoTellsTheWholeReport()
     QCOMPARE(s["crossing_examined_triangles"].toInt(), 384);
     QCOMPARE(s["crossing_bound_hit"].toBool(true), false);
     QVERIFY(s["wall_samples"].toInt() > 100);
-    QVERIFY2(std::abs(s["thinnest_wall_mm"].toDouble() - 16.0) < 1e-9, outcome.out.c_str()); // where they overlap
+    QVERIFY2(std::abs(s["thinnest_wall_mm"].toDouble() - 16.0) < 1e-9, outcome.out.c_str()); // in the overlap
     QVERIFY(std::abs(s["volume_mm3"].toDouble() - 2 * 24.0 * 24.0 * 24.0) < 1e-6);
     QVERIFY(std::abs(s["area_mm2"].toDouble() - 2 * 6 * 24.0 * 24.0) < 1e-6);
     QCOMPARE(s["extent_mm"].toArray()[0].toDouble(), 32.0);
@@ -319,7 +320,7 @@ void ImportedFiles::anyPathWorks()
     for (const std::string& name : names) {
         (void)folder.write(name, test::asciiStl());
         const Ending outcome = run(folder, {"info", "./" + name});
-        fs::remove(folder.path(name)); // Qt cannot remove every name
+        fs::remove(folder.path(name)); // Qt cannot remove every file name
         QVERIFY2(outcome.exitCode == 0, outcome.error.c_str());
     }
 }

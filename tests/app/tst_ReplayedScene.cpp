@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `palpate replay` of a recording on a different scene: messages about the difference.
+// Tests `palpate replay` of a recording on a different scene: the message about the difference.
 #include "../meshio/Samples.h"
 #include "../support/Shapes.h"
 #include "TestRunner.h"
@@ -50,7 +50,8 @@ class ReplayedScene : public QObject
         }
         write(name, text);
     }
-    /// @param scene  fields of the scene  @param lump  fields of the lump
+    /// @param scene  fields of the scene
+    /// @param lump  fields of the lump
     void writeScene(const char* name, const QByteArray& scene, const QByteArray& lump) const
     {
         write(name, R"({"version": 1, )" + scene + R"("structures": [)" +

@@ -14,7 +14,8 @@
 using namespace palpate;
 using core::Vec3;
 
-/// `--smooth` and `--outwards`, and the hints of `info`, `replay` and `felt` for surfaces that need these options.
+/// Tests `--smooth` and `--outwards`, and the messages of `info`, `replay` and `felt` for surfaces that need these
+/// options.
 class SurfaceOptions : public QObject
 {
     Q_OBJECT
@@ -47,7 +48,7 @@ class SurfaceOptions : public QObject
     {
         return QJsonDocument::fromJson(run(arguments).out).array().at(file).toObject();
     }
-    /// Force of the last tick.
+    /// Returns the force of the last tick.
     double felt_N(const QStringList& arguments) const
     {
         const Outcome outcome = run(QStringList{"replay"} + arguments + QStringList{"--out", "t.csv"});
@@ -151,7 +152,7 @@ class SurfaceOptions : public QObject
         QVERIFY2(felt.out.contains(says), felt.out.constData());
     }
 
-    /// A recording of smoothed and turned surfaces is felt again without their options.
+    /// A recording of smoothed and reoriented surfaces is resimulated without their options.
     void recordingsKeepTheOptions()
     {
         write("steps-inverted.stl", test::maskSurface(test::ballMask(15.0, Vec3(1, 1, 3))), true);

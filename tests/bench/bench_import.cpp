@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures the overhead of reading in a child process.
+// Times the overhead of reading in a child process compared to reading in this process.
 //
-//   bench_import [FILE …] [--rounds N]
+// bench_import [FILE …] [--rounds N]
 //
-// Both ways take turns in one run. In each row: the medians of N rounds (15 unless told) in this process and in a
-// child, the difference, and its share. Without files: the largest and a small one of shared/anatomy, or two generated
-// ones.
+// Both methods alternate in one run. Each row: the medians of N rounds (default 15) in this process and in a child, the
+// difference, and its fraction. Without files: the largest and a small file of shared/anatomy, or two generated files.
 #include "ReadMesh.h"
 #include "Shapes.h"
 
@@ -81,7 +80,7 @@ int main(int argc, char** argv)
     std::printf("%-28s %14s %12s %10s %8s\n", "file", "in-process ms", "child ms", "extra ms", "extra");
     for (const std::filesystem::path& file : files) {
         std::vector<double> inside, outside, extra;
-        (void)read_ms(file, false); // warms up shared state
+        (void)read_ms(file, false); // the first run pays for shared initialisation
         for (std::size_t i = 0; i < rounds; ++i) {
             inside.push_back(read_ms(file, false));
             outside.push_back(read_ms(file, true));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures the preparation of a surface for touch, compared with VTK's own tree in the same run.
+// Times the preparation of a surface for contact, compared to VTK's tree in the same run.
 //
-//   bench_index [--benchmark_filter=REGEX] [--benchmark_repetitions=5]
+// bench_index [--benchmark_filter=REGEX] [--benchmark_repetitions=5]
 //
-// repair/T   welding, duplicates, orientation of T triangles
-// index/T    the spatial index with neighbours and clear triangles on all cores; bytes: held for each triangle by its
-//            containers; resident: the same by the growth of the process
-// obbtree/T  vtkOBBTree on the same triangles, where VTK is built in: compare the medians of one run
+// repair/T: welding, duplicates, orientation of T triangles.
+// index/T: the spatial index with neighbours and clear triangles on all cores. bytes: container memory per triangle;
+// resident: the same from the growth of the process.
+// obbtree/T: vtkOBBTree on the same triangles, if VTK is built in; compare the medians of one run.
 #include "ResidentMemory.h"
 #include "Shapes.h"
 
@@ -36,7 +36,7 @@ void repair(benchmark::State& state)
 void index(benchmark::State& state)
 {
     const geometry::RepairedMesh mesh = geometry::repair(test::sphere(static_cast<int>(state.range(0)), 50.0));
-    (void)geometry::SurfaceIndex::build(mesh); // excludes one-time costs of the first build
+    (void)geometry::SurfaceIndex::build(mesh); // memory kept after a first build does not belong to the index
     const double before = test::residentBytes();
     double grown = 0.0;
     {

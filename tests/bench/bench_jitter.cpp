@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How regular the servo loop is on an idle and on a loaded machine, with and without real-time priority.
+// Measures the regularity of the servo loop on an idle and on a loaded machine, with and without real-time priority.
 //
-//   bench_jitter [SECONDS]      a case lasts SECONDS, 3 without it
+// bench_jitter [SECONDS]
 //
-// Cases: nothing else runs; a busy loop on each core; meshes being indexed, one after the other; a recording being
-// written; all of these at once. Each at 1, 2 and 4 kHz, touching a sphere. A row says the 50th, 99th and 99.9th
-// percentile and the greatest of |period - nominal| in microseconds, overruns and left-out periods of all ticks. Rows
-// with priority are left out where it is not permitted, after the command that permits it.
+// Each case lasts SECONDS, by default 3. Cases: no load; a busy loop on each core; indexing meshes one after the other;
+// writing a recording; all of these together. Each at 1, 2 and 4 kHz, in contact with a sphere. A row has the 50th,
+// 99th and 99.9th percentile and the maximum of |period - nominal| in microseconds, overruns and skipped periods over
+// all ticks. Without permission for real-time priority, the rows with priority are skipped, and the command that grants
+// the permission is printed.
 #include "Shapes.h"
 
 #include <palpate/core/Clock.h>
@@ -66,7 +67,7 @@ std::vector<std::thread> loadMachine(unsigned load, const geometry::RepairedMesh
     return threads;
 }
 
-/// @return false when priority was asked for and refused
+/// @return false if priority was requested and denied
 bool run(const char* name, unsigned load, double rate_Hz, bool askRealtime, double seconds,
          const geometry::RepairedMesh& mesh, const std::shared_ptr<const haptics::HapticScene>& scene)
 {
@@ -160,7 +161,7 @@ int main(int argc, char** argv)
         for (const double rate : {1000.0, 2000.0, 4000.0}) {
             for (const auto& load : loads) {
                 if (!run(load.name, load.load, rate, askRealtime, seconds, mesh, scene)) {
-                    return 0; // without permission there is no more to measure
+                    return 0; // no permission: measurement ends
                 }
             }
         }

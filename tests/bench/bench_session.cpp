@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a recording costs: bench_session [SECONDS [FOLDER]], 600 s of ticks at 1 kHz by default, in contact all the time
-// on a sphere of 327,680 triangles. Printed, to be read against resources/docs/recording.md:
-//   file      bytes of the whole recording                          (10 min: at most 100 MB)
-//   writer    processor time of packing, hashing and SQLite a tick  (below 3 % of one core at 1 kHz)
-//   open      from the path to a reader that can seek               (at most 500 ms)
-//   seek      any tick, in random order                             (at most 50 ms)
-//   verify    every checksum, then the database's own check
-//   again     computed again and compared bit for bit               (at least 200 x real time)
-//   4 kHz     10 s of the servo loop recorded live                  (no drop)
+// Measures the cost of a recording: bench_session [SECONDS [FOLDER]], by default 600 s of ticks at 1 kHz, in permanent
+// contact with a sphere of 327,680 triangles. Compare the output with resources/docs/recording.md:
+//
+// file: bytes of the whole recording (10 min: at most 100 MB).
+// writer: processor time of packing, hashing and SQLite per tick (below 3 % of one core at 1 kHz).
+// open: from the path to a reader that can seek (at most 500 ms).
+// seek: any tick, in random order (at most 50 ms).
+// verify: every checksum, then the database's own check.
+// again: computed again and compared bit for bit (at least 200 x real time).
+// 4 kHz: 10 s of the servo loop recorded live (no drop).
 #include "Shapes.h"
 
 #include <palpate/core/Clock.h>
@@ -48,7 +49,7 @@ double wallSeconds()
     return static_cast<double>(core::monotonicNow_ns()) * 1e-9;
 }
 
-/// Presses to and fro over the sphere, at up to 150 mm/s, 0 to 3 mm deep.
+/// Moves back and forth over the sphere, at up to 150 mm/s, 0 to 3 mm deep.
 Vec3 handAt(double t_s)
 {
     const Vec3 direction(std::sin(1.1 * t_s) + 0.3 * std::sin(7.3 * t_s), std::cos(0.7 * t_s), std::sin(0.43 * t_s));
@@ -158,7 +159,7 @@ bool recordLive(const std::filesystem::path& file, const std::shared_ptr<const h
     servo::ServoOptions options;
     options.rate_Hz = kRate_Hz;
     std::error_code none;
-    std::filesystem::remove(file, none); // a recording is never written over another file
+    std::filesystem::remove(file, none); // a recording never replaces another file
     const auto generation = loop.setScene(scene);
     session::Recorder recorder(loop);
     if (said(loop.start(device, options)) ||

@@ -19,7 +19,7 @@ class PressShare : public QObject
 
     static constexpr double kRadius_mm = 5.0;
 
-    /// The integral of w over all that is deeper than `top`: r = t h with h = z + c, and z = s / (1 - s), by
+    /// Returns the integral of w over the volume deeper than `top`: r = t h with h = z + c, and z = s / (1 - s), by
     /// Simpson's rule in both.
     static double integral(double top_mm)
     {

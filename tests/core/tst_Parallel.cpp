@@ -38,7 +38,7 @@ class Parallel : public QObject
 
     void asManyRunAtOnceAsThereAreThreads()
     {
-        // Each waits for all others: with a thread fewer this would never end.
+        // Each thread waits for all others: with fewer threads this would never end.
         constexpr unsigned kThreads = 5;
         std::mutex mutex;
         std::condition_variable arrived;
@@ -71,7 +71,7 @@ class Parallel : public QObject
             },
             3);
         QVERIFY(isRight);
-        // No more threads than work items: a single call stays on this thread.
+        // At most one thread per item: a single call stays in this thread for any limit.
         core::parallelFor(
             1, [&](std::size_t, unsigned) { isRight = isRight && std::this_thread::get_id() == caller; }, 8);
         QVERIFY(isRight);

@@ -55,7 +55,7 @@ class Text : public QObject
                  std::string("\\x9b2J"));                                        // C1 as a single byte
         QCOMPARE(core::visible("\xc0\xaf"), std::string("\\xc0\\xaf"));          // overlong "/"
         QCOMPARE(core::visible("\xed\xa0\x80"), std::string("\\xed\\xa0\\x80")); // a surrogate
-        QCOMPARE(core::visible("\xe2\x82"), std::string("\\xe2\\x82"));          // cut off
+        QCOMPARE(core::visible("\xe2\x82"), std::string("\\xe2\\x82"));          // truncated
     }
 
     void keepsJsonTheSame()
@@ -67,9 +67,9 @@ class Text : public QObject
     void noCharacterIsCutInTwo()
     {
         std::string text(39, 'x');
-        text += "äb"; // two bytes, the 40th and the 41st
+        text += "äb"; // the two bytes are the 40th and the 41st
         QCOMPARE(core::inQuotes(text), '"' + std::string(39, 'x') + "…\"");
-        QCOMPARE(core::inQuotes(std::string(60, '\x80')), std::string("\"…\"")); // no character begins
+        QCOMPARE(core::inQuotes(std::string(60, '\x80')), std::string("\"…\"")); // no start of a character
     }
 };
 

@@ -114,8 +114,8 @@ class PointerDevice : public QObject
                 QCOMPARE(ease.at(now_ns), at);
             }
             const double next = ease.at(now_ns + 1'000'000);
-            QVERIFY((next - at) * (ease.target() - next) >= -1e-12);   // towards the target, and not beyond
-            QVERIFY(std::abs(next - at) <= 3.0 * 40.0 * 0.001 / 0.15); // mm a tick
+            QVERIFY((next - at) * (ease.target() - next) >= -1e-12);   // towards the target without overshoot
+            QVERIFY(std::abs(next - at) <= 3.0 * 40.0 * 0.001 / 0.15); // mm per tick
             at = next;
         }
         ease.aim(7.0, 0.15, 20'000'000'000);

@@ -91,7 +91,7 @@ class SimulatedHand : public QObject
 
     void firstTicksObeyNewton()
     {
-        // From rest, a constant force moves it by f t^2 / 2 m while spring and damper have hardly stretched.
+        // From rest, a constant force moves the hand by f t^2 / 2 m while spring and damper have hardly stretched.
         SimulatedHandOptions options;
         options.gripStiffness_N_per_mm = 0.0;
         options.gripDamping_Ns_per_mm = 0.0;
@@ -104,7 +104,7 @@ class SimulatedHand : public QObject
             p = hand.read(tick).p_D;
             hand.write(Vec3(2.0, 0.0, 0.0));
         }
-        // 2 N on 0.1 kg for 10 ms: 20 m/s^2, 1 mm; semi-implicit Euler is ahead by a share of 1 / steps.
+        // 2 N on 0.1 kg for 10 ms: 20 m/s^2, 1 mm; semi-implicit Euler is ahead by a fraction of 1 / steps.
         QVERIFY(std::abs(p[0] - 1.0 - 1.0) < 1.1e-4);
     }
 

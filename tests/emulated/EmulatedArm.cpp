@@ -9,7 +9,7 @@ EmulatedBench::EmulatedBench()
     : m_file(m_folder.filePath(QStringLiteral("bench")).toStdString())
 {
     setenv("PALPATE_STANDIN", m_file.c_str(), 1);
-    setenv("XDG_CONFIG_HOME", m_folder.path().toUtf8().constData(), 1); // nobody's own settings
+    setenv("XDG_CONFIG_HOME", m_folder.path().toUtf8().constData(), 1); // independent of the user's settings
     setenv("HOME", m_folder.path().toUtf8().constData(), 1);
     m_bench = standin::openBench(m_file.c_str());
 }

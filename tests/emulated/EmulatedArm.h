@@ -19,14 +19,15 @@ extern "C" void standin_makeTimeVirtual();
 
 namespace palpate::test {
 
-/// The bench of this process's emulated hardware, in a file of its own. The first in a process decides.
+/// The bench of this process's emulated hardware, in a separate file. The first object in a process determines the
+/// file.
 class EmulatedBench
 {
   public:
     EmulatedBench();
-    /// Does something with the bench while it is held still, up to now.
+    /// Calls a function with the bench locked and advanced to the current time.
     void with(const std::function<void(standin::Bench&)>& act);
-    /// The hand goes through these targets [s from now, mm in frame D].
+    /// Moves the hand through these targets [s from now, mm in frame D].
     void moveHand(const std::vector<standin::Knot>& path);
     [[nodiscard]] std::string file() const { return m_file; }
     /// Time since the arm was plugged in [s].
@@ -38,13 +39,13 @@ class EmulatedBench
     standin::Bench* m_bench = nullptr;
 };
 
-/// The shipping plugins.
+/// Returns a host with the released plugins.
 std::unique_ptr<device::PluginHost> shippingPlugins();
 
-/// A block with the top in the plane z = 0 and this stiffness.
+/// Returns a block with its top in the plane z = 0 and this stiffness.
 std::shared_ptr<const haptics::HapticScene> blockScene(double stiffness_N_per_mm);
 
-/// Sleeps, in virtual time when that is on.
+/// Sleeps, in virtual time if enabled.
 void pass(double seconds);
 
 } // namespace palpate::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A process that is killed cannot take the force away: the arm's own watchdog must, and the next process starts afresh.
-// In real time, with the device on a bench that outlives its driver.
+// A killed process cannot remove the force: the arm's own watchdog must, and the next process starts cleanly. In real
+// time, with the device on a bench that outlives its driver.
 #include "EmulatedArm.h"
 #include "TestRunner.h"
 
@@ -17,7 +17,7 @@ using namespace palpate::test;
 
 namespace {
 
-constexpr const char* kChild = "PALPATE_KILLED_CHILD"; // names the bench that the child presses on
+constexpr const char* kChild = "PALPATE_KILLED_CHILD"; // names the bench of the child process
 
 } // namespace
 
@@ -26,7 +26,7 @@ class Killed : public QObject
     Q_OBJECT
 
   private Q_SLOTS:
-    /// The child: presses until it is killed.
+    /// The child process: presses until killed.
     void pressForever()
     {
         const char* file = std::getenv(kChild);
@@ -44,7 +44,7 @@ class Killed : public QObject
         QVERIFY2(started.isOk(), started.message().c_str());
         for (;;) {
             pass(0.05);
-            if (loop.fault().isFaulted()) { // on a busy machine a late tick may have been one
+            if (loop.fault().isFaulted()) { // on a busy machine a late tick may count as a fault
                 loop.rearm();
             }
         }

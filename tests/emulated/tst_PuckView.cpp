@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shipping SpaceMouse plugin moves the window's view or presses, chosen in the device menu, against an emulated
-// puck. In real time: what is looked at are directions and standstills, never speeds.
+// The released SpaceMouse plugin moves the window's view or presses, as chosen in the device menu, with an emulated
+// puck. In real time, so only directions and standstills are checked, never speeds.
 #include "EmulatedArm.h"
 #include "TestRunner.h"
 
@@ -68,14 +68,14 @@ class PuckView : public QObject
     void letGo()
     {
         hold({});
-        QTest::qWait(200); // the last reports and the timeout have passed
+        QTest::qWait(200); // the last reports and the timeout are over
     }
 
   private Q_SLOTS:
     void initTestCase()
     {
         m_bench = std::make_unique<EmulatedBench>();
-        // A reach that a second of pushing uses up: the view goes on beyond it.
+        // A workspace that a second of pushing exhausts: the view moves beyond.
         QFile settings(QString::fromStdString(
             (std::filesystem::path(m_bench->file()).parent_path() / "spacemouse.json").string()));
         QVERIFY(settings.open(QIODevice::WriteOnly));
@@ -105,7 +105,7 @@ class PuckView : public QObject
         QTRY_VERIFY((m_window->eye() - m_window->focus()).norm() < distance - 10.0);
         letGo();
         const Vec3 before = m_window->eye() - m_window->focus();
-        hold({0, 0, 0, 0, 0, 350}); // turned about the vertical
+        hold({0, 0, 0, 0, 0, 350}); // rotated about the vertical
         QTRY_VERIFY((m_window->eye() - m_window->focus()).normalized().dot(before.normalized()) < 0.99);
         letGo();
         QVERIFY(std::abs((m_window->eye() - m_window->focus()).norm() - before.norm()) < 1e-6 * before.norm());
@@ -114,7 +114,7 @@ class PuckView : public QObject
     void theViewGoesOnWhereTheHandsReachEnds()
     {
         hold({350, 0, 0, 0, 0, 0});
-        QTRY_VERIFY(m_window->focus().x() < -200.0); // 20 mm of the hand are 40 mm here
+        QTRY_VERIFY(m_window->focus().x() < -200.0); // 20 mm of hand motion are 40 mm here
         letGo();
     }
 
@@ -136,13 +136,13 @@ class PuckView : public QObject
         hold({350, 0, 0, 0, 0, 0});
         QTRY_VERIFY(m_window->focus().x() < -1.0);
         m_bench->with([](standin::Bench& b) { standin::plugPuck(b, false); });
-        QTest::qWait(400); // the last push remains valid for 0.1 s
+        QTest::qWait(400); // the last push stays valid for 0.1 s
         const Vec3 there = m_window->focus();
         QTest::qWait(300);
         QVERIFY(m_window->focus() == there);
     }
 
-    /// Pushed down it presses: the harder, the further; let go or pulled out, it rests. The view stands still.
+    /// Pushing down presses, harder means deeper; releasing or unplugging ends the press. The view stays still.
     void thePuckPresses()
     {
         QSignalSpy wanted(&m_window->devices, &ui::DeviceChoice::pressingWanted);
@@ -151,7 +151,8 @@ class PuckView : public QObject
         m_window->presses->trigger();
         QVERIFY(m_window->presses->isChecked() && !m_window->movesView->isChecked());
         QCOMPARE(wanted.count(), 1);
-        // These settings' full way is 200 mm/s, a press's is 60: a fifth of the way, less the dead zone, is 0.37.
+        // Full deflection is 200 mm/s here, and 60 mm/s for a press: a fifth of the deflection minus the dead zone is
+        // 0.37.
         hold({0, 0, 70, 0, 0, 0});
         QTRY_VERIFY2(share > 0.2 && share < 0.6, qPrintable(QString::number(share)));
         hold({0, 0, 350, 0, 0, 0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shipping SpaceMouse plugin against emulated pucks of both kinds, in virtual time.
+// Tests the released SpaceMouse plugin against emulated pucks of both kinds, in virtual time.
 #include "EmulatedArm.h"
 #include "TestRunner.h"
 
@@ -20,7 +20,7 @@ class SpaceMouse : public QObject
         return made.isOk() ? std::move(made).value() : nullptr;
     }
 
-    /// Reads as the servo does.
+    /// Reads like the servo loop.
     static device::DeviceState readFor(device::HapticDevice& mouse, double seconds)
     {
         device::DeviceState state;
@@ -64,7 +64,7 @@ class SpaceMouse : public QObject
         QVERIFY(state.isPresent);
         QCOMPARE(state.p_D.norm(), 0.0);
         m_bench->with([](standin::Bench& b) { QCOMPARE(b.puck.light, 1); });
-        // Pushed fully to the right and towards the user, and turned half about the vertical.
+        // Pushed fully to the right and towards the user, and rotated by half about the vertical.
         m_bench->with([](standin::Bench& b) { b.puck.axes = {350, 350, 0, 0, 0, -185}; });
         state = readFor(*mouse, 1.0);
         QVERIFY2(std::abs(state.p_D.x() - 60.0) < 2.0 && std::abs(state.p_D.y() + 60.0) < 2.0,
@@ -73,12 +73,12 @@ class SpaceMouse : public QObject
         const Eigen::AngleAxisd turn(state.q_D);
         QVERIFY2(std::abs(turn.angle() - 0.5) < 0.03 && turn.axis().z() > 0.99,
                  qPrintable(QString::number(turn.angle())));
-        // Within the dead zone nothing moves; let go, nothing moves.
+        // No motion within the dead zone and after release.
         m_bench->with([](standin::Bench& b) { b.puck.axes = {15, -15, 10, 5, 5, 5}; });
         readFor(*mouse, 0.05);
         const core::Vec3 before = mouse->read(core::monotonicNow_ns()).p_D;
         QCOMPARE(readFor(*mouse, 0.5).p_D, before);
-        // Buttons, and the light goes out at the end.
+        // Buttons, and the light goes off at the end.
         m_bench->with([](standin::Bench& b) { b.puck.buttons = 2; });
         QCOMPARE(readFor(*mouse, 0.1).buttons, 2U);
         mouse->stop();
@@ -94,7 +94,7 @@ class SpaceMouse : public QObject
         const auto mouse = make();
         const device::DeviceInfo info = mouse->info();
         QVERIFY(info.isRateControlled && info.workspaceRadius_mm == 250.0);
-        QVERIFY((info.q_UD * core::Vec3::UnitZ() - core::Vec3::UnitY()).norm() < 1e-12); // up stays up
+        QVERIFY((info.q_UD * core::Vec3::UnitZ() - core::Vec3::UnitY()).norm() < 1e-12); // its up direction is up
         QVERIFY(mouse->start().isOk());
         m_bench->with([](standin::Bench& b) { b.puck.axes = {350, 0, 0, 0, 0, 350}; });
         QVERIFY(readFor(*mouse, 0.5).p_D.x() > 20.0);
@@ -125,7 +125,7 @@ class SpaceMouse : public QObject
         QCOMPARE(readFor(*mouse, 1.0).p_D.x(), pulled_mm);
         QCOMPARE(mouse->report().condition, device::DeviceCondition::Lost);
         m_bench->with([](standin::Bench& b) { standin::plugPuck(b, true); });
-        QVERIFY(readFor(*mouse, 1.0).p_D.x() > pulled_mm + 20.0); // found again, still pushed
+        QVERIFY(readFor(*mouse, 1.0).p_D.x() > pulled_mm + 20.0); // reconnected, still pushed
         QCOMPARE(mouse->report().condition, device::DeviceCondition::Working);
         mouse->stop();
     }

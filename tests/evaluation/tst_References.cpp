@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reference solvers where the answer is known in closed form, and against the product.
+// Tests the reference solvers against closed forms and against the engine.
 #include "TestRunner.h"
 
 #include <palpate/evaluation/CornerForce.h>
@@ -40,7 +40,8 @@ std::unique_ptr<ReferenceSolver> make(const QString& name, const Surface& surfac
     return std::make_unique<ExactSolver>(surface);
 }
 
-/// Straight from the solver's place to `to`, then two more ticks there: the paper's solver needs them at an edge.
+/// Moves straight from the solver's position to `to`, then two more ticks there: the paper's solver needs them at an
+/// edge.
 SolverStep move(ReferenceSolver& solver, const Vec3& from, const Vec3& to, int ticks)
 {
     solver.start(from);
@@ -96,7 +97,7 @@ class References : public QObject
             const Surface surface(geometry::repair(shapes::groove(2.0 * half)));
             const auto solver = make(name, surface);
             const SolverStep s = move(*solver, Vec3(0.01, -3.3, 21), Vec3(0.01, 4.1, -5), 200);
-            // A gap to both walls lifts it by the gap over the sine of the half angle.
+            // A gap to both walls raises the result by the gap over the sine of the half angle.
             QVERIFY2((s.p_WG - Vec3(0, 4.1, 0)).norm() <= bound / std::sin(half),
                      qPrintable(QString("%1 degrees: off by %2").arg(degrees).arg((s.p_WG - Vec3(0, 4.1, 0)).norm())));
             QCOMPARE(s.constraints, 2);
@@ -129,12 +130,12 @@ class References : public QObject
         PaperSolver solver(surface);
         solver.start(Vec3(9, 1.3, 11));
         (void)solver.step(Vec3(9, 1.3, 9));
-        // The HIP leaves below the edge: the top's plane holds for one more tick.
+        // The HIP leaves below the edge: the top plane stays active for one more tick.
         QVERIFY((solver.step(Vec3(11, 1.3, 8)).p_WG - Vec3(11, 1.3, 10)).norm() < 1e-6);
         QVERIFY((solver.step(Vec3(11, 1.3, 8)).p_WG - Vec3(11, 1.3, 8)).norm() < 1e-6);
     }
 
-    /// Errors are taken of a copy that finds its facets through boxes: it must be the same solver.
+    /// Errors are measured with an accelerated copy that finds facets in a box hierarchy: both must give equal results.
     void paperGivesTheSameBitsThroughBoxes()
     {
         for (const TriangleMesh& mesh : {shapes::bumpySphere(10, 20.0, 0.03), paperBody(), shapes::fan(40, -6.0),
@@ -157,8 +158,8 @@ class References : public QObject
         }
     }
 
-    /// Figure 3: summed fields give 1 - cos of the angle between the surfaces times the right force, a god-object the
-    /// right force. Perpendicular is right, obtuse too stiff, parallel twice, acute too soft.
+    /// Figure 3: summed force fields give 1 - cos of the angle between the surfaces times the correct force; a
+    /// god-object gives the correct force. Perpendicular is correct, obtuse too stiff, parallel twice, acute too soft.
     void forceInACornerIsWhatFigure3Says()
     {
         const std::vector<CornerForce> corners = forceInCorners();
@@ -224,7 +225,7 @@ class References : public QObject
     {
         const VectorFieldFigures f = measureVectorField();
         QVERIFY(std::abs(f.popThroughDepth_mm - f.plate_mm / 2.0) <= 0.011);
-        // The nearest faces of the middle of a cube of 20 mm are 10 mm away on opposite sides.
+        // At the middle of a cube of 20 mm, the nearest faces are 10 mm away on opposite sides.
         QVERIFY(std::abs(f.jumpAtTheMiddle_N - 20.0) < 1e-5);
         QVERIFY(std::abs(f.stiffnessAlone - 1.0) < 1e-12);
         QVERIFY(std::abs(f.stiffnessOverlapped - 2.0) < 1e-12);
@@ -269,7 +270,7 @@ class References : public QObject
         QVERIFY2(worst <= 1e-6, qPrintable(QString("%1 mm").arg(worst)));
     }
 
-    /// The effect of friction is known on a plane and along a groove; the reference is independent of the product.
+    /// Friction has closed forms on a plane and along a groove; the reference shares no code with the engine.
     void exactFrictionIsCoulombs()
     {
         constexpr double kMu = 0.4;
@@ -285,7 +286,7 @@ class References : public QObject
         const Surface groove(geometry::repair(shapes::groove(0.5 * std::numbers::pi)));
         ExactSolver along(groove, 1, 0.0, kMu);
         along.start(Vec3(0, 0.3, 5));
-        QVERIFY(along.step(Vec3(0, 0.3, -8)).p_WG.norm() < 0.4); // the bottom
+        QVERIFY(along.step(Vec3(0, 0.3, -8)).p_WG.norm() < 0.4); // its bottom
         const double y_mm = along.step(Vec3(0, 8, -8)).p_WG.y();
         QVERIFY2(std::abs(8.0 - y_mm - kMu * 8.0 * std::sqrt(2.0)) < 1e-9, qPrintable(QString::number(y_mm)));
     }

@@ -386,7 +386,7 @@ class Report : public QObject
         options.seconds = 1e-3;
         const Evaluation e = evaluate({subject}, {}, options);
         QVERIFY(!e.isCancelled);
-        QVERIFY(e.skippedItems.size() > 5); // nearly all trials, with names
+        QVERIFY(e.skippedItems.size() > 5); // nearly all trials, each with its name
         QVERIFY(reportHtml(e).find("Left out: ") != std::string::npos);
         QCOMPARE(e.trials.back().solver, std::string("Palpate")); // the requested trials are measured nevertheless
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Statistics over several paths: compared with known quantiles and simulated samples.
+// Tests the statistics of several paths against known quantiles and simulated samples.
 #include "TestRunner.h"
 
 #include <palpate/evaluation/Spread.h>
@@ -18,7 +18,7 @@ class SpreadOfPaths : public QObject
     {
         std::vector<double> values(count);
         for (double& v : values) {
-            // Two uniform numbers, Box and Muller: std::normal_distribution differs from library to library.
+            // Box-Muller from two uniform numbers: std::normal_distribution differs between libraries.
             const double u = (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
             const double w = (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
             v = std::exp(sigma * std::sqrt(-2.0 * std::log(u)) * std::cos(6.283185307179586 * w));
@@ -44,7 +44,7 @@ class SpreadOfPaths : public QObject
         QCOMPARE(nine.medianLow, 2.0); // 1 - 2 (1 + 9)/2^9 = 96.1 %
         QCOMPARE(nine.medianHigh, 8.0);
         QCOMPARE(nine.confidence, 1.0 - 20.0 / 512.0);
-        QCOMPARE(spreadOf({1, 2, 3, 4, 5, 6, 7, 8}, 1e-12).medianLow, 1.0); // 2 to 7 would be 93 %
+        QCOMPARE(spreadOf({1, 2, 3, 4, 5, 6, 7, 8}, 1e-12).medianLow, 1.0); // 2 to 7 would give 93 %
         const Spread sixteen = spreadOf({1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}, 1e-12);
         QCOMPARE(sixteen.medianLow, 4.0);
         QCOMPARE(sixteen.confidence, 1.0 - 2.0 * (1 + 16 + 120 + 560) * 0x1p-16); // evaluate.md: 98 %
@@ -61,8 +61,8 @@ class SpreadOfPaths : public QObject
         QVERIFY(std::abs(same.low - 2.0) < 1e-12 && std::abs(same.high - 2.0) < 1e-12);
     }
 
-    /// Of log-normal values one more falls into the spread in 95 % of cases, and the median's interval holds the median
-    /// with the stated frequency.
+    /// For log-normal values, 95 % of new values are within the spread, and the median's interval covers the median
+    /// with its stated confidence.
     void coversWhatItSays_data()
     {
         QTest::addColumn<int>("paths");
@@ -87,7 +87,7 @@ class SpreadOfPaths : public QObject
             confidence = spread.confidence;
         }
         const double share = static_cast<double>(within) / kTrials, held = static_cast<double>(medians) / kTrials;
-        QVERIFY2(share > 0.945 && share < 0.97, qPrintable(QString::number(share))); // never narrower than the values
+        QVERIFY2(share > 0.945 && share < 0.97, qPrintable(QString::number(share))); // at least as wide as the values
         QVERIFY2(std::abs(held - confidence) < 0.01, qPrintable(QString::number(held)));
     }
 };

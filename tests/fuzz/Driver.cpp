@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs a target without libFuzzer: the seeds, then reproducible mutations of the seeds.
+// Runs a target without libFuzzer: the seeds, then deterministic mutations.
 //
-//   fuzz_meshio TARGET [--mutations N] [FILE …]     N changes of each seed; with files, those alone
+// fuzz_meshio TARGET [--mutations N] [FILE …]
+//
+// N mutations of each seed; with files, only those files are run.
 #include "Fuzz.h"
 
 #include <algorithm>
@@ -21,7 +23,7 @@ std::size_t g_mutation = 0;
 std::string g_input;
 const palpate::fuzz::Target* g_target = nullptr;
 
-/// Leaves the input that did it, for a row of `seeds`.
+/// Saves the failing input, for a row of `seeds`.
 void found(int signal)
 {
     std::fprintf(stderr, "finding: seed %zu, change %zu, signal %d: the input is in fuzz-finding\n", g_seed, g_mutation,
@@ -36,7 +38,7 @@ void feed(std::string input)
     g_target->tryInput(g_input);
 }
 
-/// Changes `text` in one to six places, as damage and malice do.
+/// Mutates `text` in one to six places, like accidental or deliberate damage.
 std::string changed(std::string text, const std::vector<std::string>& seeds, std::mt19937& random)
 {
     static constexpr std::array<std::string_view, 20> kWords{"0",
@@ -84,7 +86,7 @@ std::string changed(std::string text, const std::vector<std::string>& seeds, std
         case 4:
             text.insert(at, kWords[below(kWords.size())]);
             break;
-        case 5: { // a number or replacement text
+        case 5: { // a number or its replacement
             const std::size_t digit = text.find_first_of("0123456789", at);
             if (digit != std::string::npos) {
                 const std::size_t end = std::min(text.find_first_not_of("0123456789.", digit), text.size());

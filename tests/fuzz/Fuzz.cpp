@@ -59,7 +59,7 @@ InputFile::~InputFile()
 void InputFile::set(std::string_view bytes) const
 {
     std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(m_folder, ignored)) { // journals, too
+    for (const auto& entry : std::filesystem::directory_iterator(m_folder, ignored)) { // including journals
         std::filesystem::remove(entry.path(), ignored);
     }
     std::ofstream(m_path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Joins a target to libFuzzer: `PALPATE_FUZZ=stl fuzz_meshio FOLDER -max_total_time=60` writes the target's seeds to
-// FOLDER, then goes on from there, keeping what reaches new code. A finding is left as crash-… in the working folder;
-// it becomes a row of `seeds`. In the environment, because libFuzzer starts the program anew for some of what it does.
+// Connects a target to libFuzzer: `PALPATE_FUZZ=stl fuzz_meshio FOLDER -max_total_time=60` writes the target's seeds to
+// FOLDER, then fuzzes from there and keeps inputs with new coverage. A failing input is saved as crash-… in the working
+// folder and should become a row of `seeds`. The target is in the environment because libFuzzer restarts the program in
+// some modes.
 #include "Fuzz.h"
 
 #include <cstddef>

@@ -6,8 +6,7 @@
 
 namespace palpate::fuzz {
 
-/// Gives the bytes to a format's guard, and what that lets through to all of the reader; checks the mesh that comes
-/// out.
+/// Passes the bytes to a format's guard and accepted input to the reader; checks the resulting mesh.
 void tryMesh(std::string_view bytes, const meshio::internal::MeshFormat& format, const char* name);
 
 } // namespace palpate::fuzz

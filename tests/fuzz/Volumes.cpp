@@ -29,7 +29,7 @@ void check(const VoxelGrid& grid)
     require(grid.toVoxel.matrix().allFinite(), "each place has a voxel's number");
 }
 
-/// A memory file that is gone when this is.
+/// A memory file with the lifetime of this object.
 class MemoryFile
 {
   public:
@@ -68,7 +68,8 @@ std::vector<std::string> volumeSeeds(std::string_view ending)
 
 void tryVolume(std::string_view bytes, const char* name)
 {
-    static std::map<std::string, std::unique_ptr<InputFile>> files; // read by name: the extension determines the format
+    // selected by name: the extension selects the format
+    static std::map<std::string, std::unique_ptr<InputFile>> files;
     std::unique_ptr<InputFile>& file = files[name];
     if (file == nullptr) {
         file = std::make_unique<InputFile>(name);
@@ -87,7 +88,7 @@ void tryVolume(std::string_view bytes, const char* name)
         require(taken.isOk() == grid.isOk(), "an outcome arrives as it was");
         require(!taken.isOk() || isSame(taken.value(), grid.value()), "a volume arrives as it was");
         require(taken.isOk() || taken.status().message() == grid.status().message(), "an error arrives as it was");
-    } catch (const std::bad_alloc&) { // reported in one line by the caller
+    } catch (const std::bad_alloc&) { // the caller reports the error in one line
     }
 }
 

@@ -69,7 +69,7 @@ std::string headless(std::string recording)
     return recording;
 }
 
-/// Adds a quote to the text of a table with more than one line: SQLite quotes the rest.
+/// Puts a quote into the SQL text of a table: SQLite's error message quotes the rest, which has several lines.
 std::string openQuote(std::string recording)
 {
     recording.at(recording.find("part TEXT") + 3) = '\'';

@@ -18,7 +18,7 @@ std::vector<std::string> seeds()
             "pose": [[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]]}],
             "camera": {"position": [1,2,3], "focus": [0,0,0], "up": [0,0,1], "view_angle_deg": 30},
             "findings": [{"name": "lump", "position": [1,2,3], "note": "hard"}], "later": true})",
-        // Every group of fields that a structure, a finding and the scene may have.
+        // Every group of fields of a structure, a finding and the scene.
         R"({"version": 1, "buried": "felt", "structures": [{"mesh": "a.vtp", "name": "organ", "surface": "smoothed",
             "smoothing": 0.5, "crease_deg": 40, "frame": "RAS", "friction": {"static": 0.5, "dynamic": 0.3,
             "drag_Ns_per_mm": 0.01}, "law": {"kind": "points", "points": [[0, 0], [1, 0.5], [3, 4]]},
@@ -59,7 +59,7 @@ void tryInput(std::string_view bytes)
         require(core::check(structure.tissue.law).isOk(), "a law is a possible one");
         require(structure.X_WM.matrix().allFinite(), "a pose is of numbers");
     }
-    // A scene that was read can be written, and reads back with the same counts.
+    // A scene that was read can be written, and reading the result gives the same counts.
     again.set("");
     require(meshio::writeScene(again.path(), scene.value()).isOk(), "a scene that was read can be written");
     const auto back = meshio::readScene(again.path());

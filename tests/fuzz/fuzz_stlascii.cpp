@@ -15,7 +15,7 @@ std::vector<std::string> seeds()
             test::asciiStl("a", "1e999 -0 nan"),
             std::string("solid a\nfacet ").append(40, '\xf2') +
                 "\nouter loop\nvertex 0 0 0\nvertex 2.5 0 0\nvertex 0 1.5 0\n"
-                "endloop\nendfacet\nendsolid\n",     // VTK read a binary file
+                "endloop\nendfacet\nendsolid\n",     // VTK took this for a binary file
             std::string(6, '\v') + test::asciiStl(), // these, too
             std::string(6, '\v') + "\n" + test::asciiStl()};
 }

@@ -9,7 +9,7 @@ namespace vtp {
 
 std::vector<std::string> seeds()
 {
-    const test::Folder folder; // binary, appended and compressed, as our writer does
+    const test::Folder folder; // binary, appended and compressed, as from the project's writer
     const std::vector<meshio::MeshStructure> structures{test::tetrahedron("a"), test::tetrahedron("b", {1, 2, 3})};
     require(meshio::writeMesh(folder.path("w.vtp"), structures).isOk(), "a mesh can be written");
     const auto named = [](const std::string& characters) {

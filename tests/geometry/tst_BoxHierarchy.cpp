@@ -24,7 +24,7 @@ class BoxHierarchyTest : public QObject
     {
         std::vector<Box> boxes;
         BoxHierarchy hierarchy;
-        std::vector<std::uint32_t> items; ///< numbers, in the order of the leaves
+        std::vector<std::uint32_t> items; ///< item numbers in leaf order
     };
 
     static Scene randomScene(std::size_t n, double offset, double size, unsigned threads, unsigned seed)
@@ -92,7 +92,7 @@ class BoxHierarchyTest : public QObject
             const Vec3 from = point();
             Vec3 to = round % 3 == 0 ? point() : Vec3(from + Vec3(unit(random), unit(random), unit(random)));
             if (round % 5 == 0) {
-                to.y() = from.y(); // parallel to an axis' planes
+                to.y() = from.y(); // parallel to an axis plane
                 to.z() = from.z();
             }
             const Box query(from.cwiseMin(to), from.cwiseMax(to));
@@ -122,7 +122,7 @@ class BoxHierarchyTest : public QObject
         QVERIFY(count < 3000 || size == 0.0 || found > 100);
     }
 
-    /// Facets touched by a ball at the start of a move, at the requested cosine, are not omitted.
+    /// No facet is omitted that a ball touches at the start of a move and that faces the move at the given cosine.
     void aBallFindsWhatStandsAgainstIt()
     {
         for (const double offset : {0.0, -1e4}) {
@@ -151,7 +151,7 @@ class BoxHierarchyTest : public QObject
                 visited += seen.size();
                 all += visit({0.0, 0.0}).size();
                 for (std::uint32_t i = 0; i < scene.boxes.size(); ++i) {
-                    for (int k = 0; k < 8; ++k) { // places in the box
+                    for (int k = 0; k < 8; ++k) { // points in the box
                         const Vec3 at = scene.boxes[i].min() + point().cwiseProduct(scene.boxes[i].sizes());
                         const double distance = (at - from).norm();
                         if (distance <= reach && u.dot(at - from) >= cosine * distance) {
@@ -162,7 +162,8 @@ class BoxHierarchyTest : public QObject
                 }
             }
             QVERIFY(standing > 1000);
-            QVERIFY2(4 * visited < 3 * all, qPrintable(QString("%1 of %2").arg(visited).arg(all))); // some are omitted
+            // the query does omit items
+            QVERIFY2(4 * visited < 3 * all, qPrintable(QString("%1 of %2").arg(visited).arg(all)));
         }
     }
 
@@ -184,7 +185,7 @@ class BoxHierarchyTest : public QObject
         QFETCH(unsigned, threads);
         const double around = 0.5;
         const Scene scene = randomScene(static_cast<std::size_t>(items), 0.0, 4.0, threads, 9);
-        std::vector<std::vector<std::array<std::uint32_t, 2>>> met(threads); // by thread
+        std::vector<std::vector<std::array<std::uint32_t, 2>>> met(threads); // per thread
         scene.hierarchy.visitPairs(
             around, threads, [&](unsigned thread, std::uint32_t f, std::uint32_t n, std::uint32_t g, std::uint32_t m) {
                 for (std::uint32_t i = f; i < f + n; ++i) {

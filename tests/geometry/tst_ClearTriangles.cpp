@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Neighbours and clear triangles of SurfaceIndex, compared with brute force.
+// Tests neighbours and clear triangles by brute force: SurfaceIndex describes the surroundings of each triangle
+// correctly.
 #include "Shapes.h"
 #include "TestRunner.h"
 
@@ -17,7 +18,8 @@ using geometry::Triangle;
 
 namespace {
 
-/// Distance of a point from a closed triangle. Source: Ericson, Real-Time Collision Detection (2005), 5.1.5.
+/// Returns the distance of a point from a closed triangle. Source: Ericson, Real-Time Collision Detection (2005),
+/// 5.1.5.
 double distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const Vec3 n = (b - a).cross(c - a).normalized();
@@ -39,7 +41,7 @@ double distance(const Vec3& p, const Corners& t)
     return distance(p, t[0], t[1], t[2]);
 }
 
-/// Distance of two segments, by alternating projections: from above, near enough for a bound.
+/// Returns an upper bound of the distance of two segments, by alternating projections.
 double distanceOfEdges(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 {
     const Vec3 u = b - a, v = d - c, w = a - c;
@@ -54,7 +56,7 @@ double distanceOfEdges(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
     return (w + s * u - t * v).norm();
 }
 
-/// Distance of two triangles that share no corner; 0 where one pierces the other.
+/// Returns the distance of two triangles without a common corner; 0 if they intersect.
 double distance(const Corners& f, const Corners& g)
 {
     double nearest = std::numeric_limits<double>::infinity();
@@ -96,7 +98,8 @@ std::size_t clearCount(const SurfaceIndex& index)
     return count;
 }
 
-/// A globe of `sides` meridians a turn, `turns` times around its poles; the last strip is as wide as `last` of one.
+/// Returns a globe with `sides` meridians per turn, `turns` times around its poles; the last strip is `last` of a full
+/// strip wide.
 TriangleMesh globe(int sides, int turns, double last = 1.0)
 {
     constexpr int kRows = 16;
@@ -107,7 +110,7 @@ TriangleMesh globe(int sides, int turns, double last = 1.0)
         const double polar = std::numbers::pi * row / kRows;
         for (int i = 0; i < n; ++i) {
             const double angle = 2.0 * std::numbers::pi * (i / sides + i % sides / (sides - 1.0 + last));
-            const double radius = 10.0 + 1e-5 * i / n; // no two vertices are one
+            const double radius = 10.0 + 1e-5 * i / n; // so that no two vertices coincide
             mesh.vertices.push_back(
                 radius * Vec3(std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar)));
         }
@@ -175,7 +178,7 @@ class ClearTriangles : public QObject
         QTest::newRow("globe twice around") << globe(12, 2);
         TriangleMesh spiked = ball;
         for (std::size_t i = 0; i < ball.triangles.size(); i += 20) {
-            // A thin thing on the triangle, with its tip in a corner.
+            // A thin spike on the triangle, with its tip in a corner.
             const Triangle t = ball.triangles[i];
             const Vec3 &a = spiked.vertices[t[0]], &b = spiked.vertices[t[1]], &c = spiked.vertices[t[2]];
             const Vec3 up = 1e-7 * a.normalized();
@@ -245,7 +248,7 @@ class ClearTriangles : public QObject
             Vec3 centre;
             double radius;
         };
-        std::vector<Ball> balls; // around each triangle: most are not worth a closer look
+        std::vector<Ball> balls; // bounding balls around the triangles, which exclude most pairs
         for (std::uint32_t i = 0; i < index->triangleCount(); ++i) {
             const auto [a, b, c] = cornersOf(*index, i);
             const Vec3 centre = (a + b + c) / 3.0;
@@ -271,7 +274,7 @@ class ClearTriangles : public QObject
                 const std::uint32_t beyond = index->neighbour(i, static_cast<std::uint32_t>(e)).triangle;
                 QVERIFY(beyond != SurfaceIndex::kNoNeighbour);
                 QVERIFY(n.dot(normalOf(*index, beyond)) > 0.6 - 1e-6);
-                // As near to a corner as may be, along both edges and between.
+                // As near to a corner as possible, along both edges and in between.
                 const Vec3 &p = corners[e], u = (corners[(e + 1) % 3] - p).normalized(),
                            v = (corners[(e + 2) % 3] - p).normalized();
                 for (const Vec3& along : {u, v, Vec3((u + v).normalized())}) {
@@ -327,14 +330,14 @@ class ClearTriangles : public QObject
 
     void whatIsInTheWayIsNotClear()
     {
-        // All have a corner at the open edge.
+        // All triangles have a corner at the open edge.
         QCOMPARE(clearCount(*indexed(sheet(5.0, 2))), std::size_t{0});
         QCOMPARE(clearCount(*indexed(together(sphere(4, 10.0), sphere(4, 10.0 - 1e-11)))), std::size_t{0});
     }
 
     void whatLiesAllOverEachOtherEndsSoon()
     {
-        // 30,000 triangles as large as the scene: 450 million pairs of boxes that touch.
+        // 30,000 triangles as large as the scene: 450 million pairs of touching boxes.
         std::mt19937 random(11);
         std::uniform_real_distribution<double> unit(-100.0, 100.0);
         TriangleMesh mesh;
@@ -347,7 +350,7 @@ class ClearTriangles : public QObject
         append(mesh, moved(sphere(8, 10.0), Vec3(1000, 0, 0)));
         const RepairedMesh repaired = geometry::repair(mesh);
         for (const unsigned threads : {1u, 2u, 8u}) {
-            // No triangle is clear then, even for a distant sphere.
+            // Then not even the triangles of a distant sphere are classified as clear.
             QCOMPARE(clearCount(SurfaceIndex::build(repaired, threads)), std::size_t{0});
         }
     }

@@ -30,14 +30,14 @@ class Inside : public QObject
         for (int i = 0; i < 2000; ++i) {
             const Vec3 p(anywhere(random), anywhere(random), anywhere(random));
             const double r = p.norm();
-            if (std::abs(r - 30.0) > 0.5 && std::abs(r - 10.0) > 0.5) { // the balls have corners
+            if (std::abs(r - 30.0) > 0.5 && std::abs(r - 10.0) > 0.5) { // the balls are faceted
                 QCOMPARE(isInside(*surface, p), r < 30.0 && r > 10.0);
             }
         }
     }
 
-    /// A ray through an edge or a corner, and one that only grazes them, decides nothing: aimed at every corner and
-    /// every edge's middle of a box, from either side, whatever direction the rays have.
+    /// A ray through or along an edge or corner must be rejected: aimed at every corner and edge midpoint of a box,
+    /// from either side, for any direction of the rays.
     void raysThroughEdgesAndCornersCountRight()
     {
         const geometry::TriangleMesh box = test::box({-10, -10, -10}, {10, 10, 10}, 4);
@@ -67,7 +67,7 @@ class Inside : public QObject
     void oneWrongRayIsOutvoted()
     {
         geometry::TriangleMesh ball = test::sphere(12, 20.0);
-        const Vec3 ray = Vec3(0.31, 0.53, 0.79).normalized(); // the first
+        const Vec3 ray = Vec3(0.31, 0.53, 0.79).normalized(); // the first ray direction
         std::erase_if(ball.triangles, [&](const geometry::Triangle& t) {
             const Vec3 middle = (ball.vertices[t[0]] + ball.vertices[t[1]] + ball.vertices[t[2]]) / 3.0;
             return middle.normalized().dot(ray) > 0.97;
@@ -84,7 +84,7 @@ class Inside : public QObject
             QVERIFY(isInside(*surface, at));
             QVERIFY(isInside(*surface, at + Vec3(0, 9.0 * scale, 0)));
             QVERIFY(!isInside(*surface, at + Vec3(0, 10.5 * scale, 0)));
-            QVERIFY(!isInside(*surface, at + Vec3::Constant(9.0 * scale))); // in the box's corner
+            QVERIFY(!isInside(*surface, at + Vec3::Constant(9.0 * scale))); // in the corner of the box
         }
     }
 

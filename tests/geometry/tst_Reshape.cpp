@@ -20,7 +20,7 @@ TriangleMesh flipped(TriangleMesh mesh)
     return mesh;
 }
 
-/// Each triangle has the corners of the source, reversed where `turned` is set.
+/// Checks that each triangle has the corners of its source, reversed where `turned` is set.
 bool refersToItsSource(const RepairedMesh& surface, const TriangleMesh& input)
 {
     for (std::size_t i = 0; i < surface.mesh.triangles.size(); ++i) {
@@ -55,7 +55,8 @@ class Reshape : public QObject
         QVERIFY(std::abs(after->report.volume_mm3 - 6.0) < 1e-12);
         QCOMPARE(after->report.inputVertices, before.report.inputVertices);
         QCOMPARE(after->report.weldedVertices, before.report.weldedVertices);
-        QCOMPARE(after->report.reorientedTriangles, std::size_t{0}); // no triangle was reversed to match the others
+        // no triangle was reversed for a consistent orientation
+        QCOMPARE(after->report.reorientedTriangles, std::size_t{0});
         QVERIFY(refersToItsSource(*after, input));
     }
 
@@ -65,10 +66,10 @@ class Reshape : public QObject
         TriangleMesh shell = sphere(4, 10.0); // a cavity faces inwards
         append(shell, flipped(sphere(4, 5.0)));
         QVERIFY(!orientedOutwards(repair(shell)));
-        QVERIFY(!orientedOutwards(repair(flipped(sheet(1.0, 3))))); // open: has no inside
+        QVERIFY(!orientedOutwards(repair(flipped(sheet(1.0, 3))))); // open: no inside
     }
 
-    /// A shell written inside out keeps the cavity, and adjacent components are unchanged.
+    /// A shell that was written inside out keeps its cavity; neighbouring parts stay.
     void turnsACavityWithItsShell()
     {
         TriangleMesh mesh = flipped(sphere(6, 10.0));
@@ -88,7 +89,7 @@ class Reshape : public QObject
     void movedVerticesKeepWhatWasRepaired()
     {
         TriangleMesh input = soup(sphere(5, 10.0));
-        std::swap(input.triangles[7][1], input.triangles[7][2]); // turned by `repair`
+        std::swap(input.triangles[7][1], input.triangles[7][2]); // reversed by `repair`
         const RepairedMesh before = repair(input);
         std::vector<Vec3> vertices = before.mesh.vertices;
         for (Vec3& p : vertices) {

@@ -56,7 +56,7 @@ class Staircase : public QObject
                                                 "directions)"));
     }
 
-    /// As oblique acquisitions are written: turned, far from the origin, in floats or with two decimals.
+    /// As in oblique acquisitions: rotated, far from the origin, in floats or with two decimals.
     void findsTurnedAndRoundedMasks()
     {
         const Eigen::Matrix3d turn =

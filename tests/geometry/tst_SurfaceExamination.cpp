@@ -38,7 +38,7 @@ void SurfaceExamination::cleanSurfaceCrossesNowhere()
 
 void SurfaceExamination::crossingSheetsAreCountedByHand()
 {
-    // Two triangles in a cross; a third beside them, and one that only touches the first with a corner.
+    // Two crossing triangles; a separate third, and a fourth that only touches the first with a corner.
     geometry::TriangleMesh mesh;
     mesh.vertices = {{-2, -1, 0}, {2, -1, 0}, {0, 2, 0}, {0, 0, -1},   {0, 0, 1},    {0, 5, 0.5},
                      {9, 9, 9},   {8, 9, 9},  {9, 8, 9}, {0, -0.5, 0}, {1, -0.5, 3}, {-1, -0.5, 3}};
@@ -53,7 +53,7 @@ void SurfaceExamination::overlappingBallsCrossWhereBruteForceSays()
     test::append(mesh, test::moved(test::sphere(4, 8.0), {7.123, 1.37, 0.731}));
     const auto surface = test::indexed(mesh);
     const auto inside = [&](const core::Vec3& p, const core::Vec3& q, const geometry::Triangle& t) {
-        // By solving for the point, another way than the product's volumes.
+        // Solves for the intersection point, a different method from the product's volumes.
         const core::Vec3 a = surface->vertex(t[0]), b = surface->vertex(t[1]), c = surface->vertex(t[2]);
         Eigen::Matrix3d m;
         m << b - a, c - a, p - q;
@@ -83,7 +83,7 @@ void SurfaceExamination::gridsThatMeetEdgeOnEdgeCross()
     test::append(mesh, test::moved(mesh, {10, 10, 10})); // squares of 6 mm
     const auto found = examine(*test::indexed(mesh));
     QVERIFY(found.crossingPairs > 0);
-    QVERIFY(std::abs(*found.thinnestWall_mm - 14.0) < 1e-9); // where they overlap
+    QVERIFY(std::abs(*found.thinnestWall_mm - 14.0) < 1e-9); // in the overlap
 }
 
 void SurfaceExamination::boundIsKeptAndSaid()
@@ -114,7 +114,7 @@ void SurfaceExamination::wallOfAShellIsItsThickness()
     test::append(shell, cavity);
     const auto found = examine(*test::indexed(shell));
     QVERIFY(found.thinnestWall_mm.has_value());
-    // Facets of a ball stand at most r (1 - cos(half an edge)) inside it: 0.02 mm here.
+    // Facets of a ball are at most r (1 - cos(half an edge)) inside the ball: 0.02 mm here.
     QVERIFY2(std::abs(*found.thinnestWall_mm - 1.5) < 0.03, std::to_string(*found.thinnestWall_mm).c_str());
 }
 

@@ -82,7 +82,7 @@ class SurfaceIndexTest : public QObject
         const double extent = index->bounds().diagonal().norm();
         QVERIFY(index->skin_mm() <= 1e-4);
         QVERIFY(index->skin_mm() <= 1e-6 * extent);
-        // Above the spacing of doubles where the surface is, so that a gap of one skin exists at all.
+        // Above the spacing of doubles at the surface, so that a gap of one skin is representable.
         QVERIFY(index->skin_mm() > 4 * 2.2e-16 * (offset + extent));
     }
 

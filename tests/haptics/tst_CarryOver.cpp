@@ -231,7 +231,7 @@ class CarryOver : public QObject
         QFETCH(const bool, isBack);
         const HapticStructure touched = structure(isOpen ? sheet(50.0, 4) : gridBlock(), "touched");
         const HapticStructure other = structure(box(Vec3(100, 0, 0), Vec3(110, 10, 10)), "other");
-        for (const bool isAlone : {true, false}) { // removed with or without the layer
+        for (const bool isAlone : {true, false}) { // removed with or without its layer
             const Scene shown = sceneOf({other, touched});
             const Scene without =
                 isAlone ? sceneOf({hidden(other), hidden(touched)}) : sceneOf({other, hidden(touched)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The god-object where the answer is known in closed form.
+// Tests the god-object against closed forms.
 #include "Known.h"
 #include "Shapes.h"
 #include "TestRunner.h"
@@ -30,7 +30,7 @@ struct Feel
         palpator.setScene(&scene);
     }
     TickResult at(const Vec3& hip) { return palpator.step(hip, kTick_s); }
-    /// Straight from `from` to `to` in `ticks` equal steps.
+    /// Moves straight from `from` to `to` in `ticks` equal steps.
     TickResult move(const Vec3& from, const Vec3& to, int ticks)
     {
         TickResult result = at(from);
@@ -94,7 +94,7 @@ class ClosedForms : public QObject
         QTest::addColumn<double>("thickness");
         QTest::addColumn<double>("step");
         for (const double thickness : {0.5, 0.05, 0.001}) {
-            for (const double step : {0.01, 2.0}) { // mm a tick: slow, and 2 m/s
+            for (const double step : {0.01, 2.0}) { // mm per tick: slow, and 2 m/s
                 QTest::addRow("%g mm plate at %g m/s", thickness, step) << thickness << step;
             }
         }
@@ -148,14 +148,14 @@ class ClosedForms : public QObject
     void pocketHoldsInItsCorner()
     {
         geometry::TriangleMesh cavity = box(Vec3(0, 0, 0), Vec3(30, 30, 30), 3);
-        geometry::flip(cavity); // touched from within
+        geometry::flip(cavity); // contact from inside
         Feel feel(cavity);
         feel.at(Vec3(15, 15, 15));
         TickResult r = feel.move(Vec3(15, 15, 15), Vec3(-5, -3, -4), 200);
         QVERIFY_AT(r, Vec3(0, 0, 0));
         QCOMPARE(int(r.constraints), 3);
         QVERIFY((r.f_W - 0.5 * Vec3(5, 3, 4)).norm() < 1e-6);
-        // Two walls, one wall, free: constraints are released one by one.
+        // Two walls, one wall, no contact: constraints are released one by one.
         r = feel.move(Vec3(-5, -3, -4), Vec3(6, -3, -4), 50);
         QCOMPARE(int(r.constraints), 2);
         QVERIFY_AT(r, Vec3(6, 0, 0));
@@ -171,7 +171,7 @@ class ClosedForms : public QObject
         Feel feel(box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 2));
         feel.at(Vec3(8, 1, 12));
         QVERIFY_AT(feel.at(Vec3(8, 1, 9)), Vec3(8, 1, 10));
-        // Under the edge, nearer to the side: the god-object has gone round by the end of the tick.
+        // Under the edge, nearer to the side: the god-object has moved around the edge by the end of the tick.
         QVERIFY_AT(feel.at(Vec3(11, 1, 8)), Vec3(11, 1, 8));
         QVERIFY_AT(feel.at(Vec3(9.5, 1, 5)), Vec3(10, 1, 5));
     }
@@ -194,7 +194,7 @@ class ClosedForms : public QObject
             TickResult r = feel.move(Vec3(1, 2, 4 * side), Vec3(1, 2, -3 * side), 30);
             QVERIFY_AT(r, Vec3(1, 2, 0));
             QVERIFY((r.f_W - Vec3(0, 0, 1.5 * side)).norm() < 1e-6);
-            // Round the rim to the other side.
+            // Around the rim to the other side.
             r = feel.move(Vec3(1, 2, -3 * side), Vec3(25, 2, -3 * side), 50);
             QVERIFY(r.f_W == Vec3::Zero());
         }
@@ -205,8 +205,8 @@ class ClosedForms : public QObject
         constexpr double radius = 50.0, depth = 5.0;
         constexpr int n = 64;
         Feel feel(sphere(n, radius));
-        // An inscribed facet of edge e lies at most e^2 / (6 R) below the sphere. The icosahedron's edge is 1.0515 R,
-        // and its faces' middle grows by 1 / 0.7947 on the way out to the sphere.
+        // An inscribed facet with edge e is at most e^2 / (6 R) below the sphere. The icosahedron's edge is 1.0515 R,
+        // and the projection onto the sphere enlarges the middle of its faces by 1 / 0.7947.
         const double edge = 1.0515 / 0.7947 * radius / n;
         const double sag = edge * edge / (6 * radius);
         for (int i = 0; i < 3000; ++i) {
@@ -242,7 +242,7 @@ class ClosedForms : public QObject
         const auto map = [&](const Vec3& v) { return Vec3(scale * (q * v) + offset * Vec3(1, -1, 1)); };
         const geometry::TriangleMesh mesh = bumpySphere(24, 40.0, 0.03);
         Feel here(mesh), there(transformed(mesh, map));
-        const double own = 8 * 2.2e-16 * offset + 1e-9 * 40.0 * scale; // resolution of the coordinates
+        const double own = 8 * 2.2e-16 * offset + 1e-9 * 40.0 * scale; // precision of the coordinates
         int contacts = 0;
         for (int i = 0; i < 800; ++i) {
             const double a = 1.7e-3 * i;

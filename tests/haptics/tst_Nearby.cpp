@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cached facets must be complete where claimed: compared with all facets, one by one.
+// Tests that cached facets of a layer are complete where the cache claims to be: against all facets, one by one.
 #include "Shapes.h"
 #include "TestRunner.h"
 #include "nearby/BallCell.h"
@@ -34,7 +34,7 @@ class Nearby : public QObject
         return HapticScene(std::move(structures), radius_mm);
     }
 
-    /// Calls `f(facet)` for each of a layer's.
+    /// Calls `f(facet)` for each facet of a layer.
     template<class F>
     static void forEachFacet(const HapticLayer& layer, F&& f)
     {
@@ -99,7 +99,7 @@ class Nearby : public QObject
             if (!facets.begin(layer, region, middle, 0.1)) {
                 ++tooMany;
                 QVERIFY(!facets.holds(middle) && facets.count() == 0);
-                QVERIFY(wanted.size() > GatheredFacets::kMost / 2); // leaves hold a few more than are asked for
+                QVERIFY(wanted.size() > GatheredFacets::kMost / 2); // leaves contain some facets beyond the query
                 continue;
             }
             QVERIFY(facets.count() == 0 || !facets.holds(middle)); // not yet
@@ -244,13 +244,13 @@ class Nearby : public QObject
         (void)cells.at(layer, y, both);
 
         NearBall prepared, fresh;
-        for (int tick = 0; tick < 2; ++tick) { // the second finds the cells held
+        for (int tick = 0; tick < 2; ++tick) { // the second tick finds the cells in the cache
             TickWork work(100000);
             prepared.beginTick();
             prepared.prepare(layer, x, y, work);
             QCOMPARE(work.left(), both.left());
             prepared.beginTick();
-            prepared.prepare(layer, x, x + 4.0 * (y - x), work); // too far to be asked of cells
+            prepared.prepare(layer, x, x + 4.0 * (y - x), work); // too far for a query of cells
             QCOMPARE(work.left(), both.left());
         }
         TickWork work(100000), workOfFresh(100000);

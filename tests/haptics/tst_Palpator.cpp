@@ -204,7 +204,7 @@ class PalpatorTest : public QObject
                 QVERIFY(result.iterations <= most);
                 greatest = std::max(greatest, result.iterations);
             }
-            QCOMPARE(greatest, most); // otherwise more
+            QCOMPARE(greatest, most); // more moves without the bound
         }
     }
 

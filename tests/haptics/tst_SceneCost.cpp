@@ -52,7 +52,7 @@ class SceneCost : public QObject
             4.0);
         QVERIFY(!scene.layer(0).isLarge);
         QVERIFY(scene.layer(1).isLarge);
-        QVERIFY(!scene.layer(2).isLarge); // regardless of the surroundings
+        QVERIFY(!scene.layer(2).isLarge); // regardless of its surroundings
     }
 
     void theHapticCopyIsAsLargeAsItSays()

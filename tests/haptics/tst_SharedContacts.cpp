@@ -29,7 +29,7 @@ Tissue linear(double k)
     return tissue;
 }
 
-/// Returns a slab with the top plane through the origin and the normal n in the xz plane.
+/// Returns a slab whose top is the plane through the origin with normal n in the xz plane.
 geometry::TriangleMesh slabUnder(const Vec3& n)
 {
     const Vec3 along(n.z(), 0.0, -n.x());

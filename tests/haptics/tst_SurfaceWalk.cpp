@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walking over clear facets asks for nothing: it must find what asking would have found, and stop where another
-// structure is.
+// Walking over clear facets needs no queries: the result must equal that of queries, and the walk must stop where
+// another structure is near.
 #include "Shapes.h"
 #include "TestRunner.h"
 #include "solver/Walk.h"
@@ -40,7 +40,7 @@ class SurfaceWalkTest : public QObject
         return transformed(mesh, [&by](const Vec3& v) { return Vec3(v + by); });
     }
 
-    /// A winding way around the origin, from outside to `depth_mm` below a sphere of 50 mm and on.
+    /// Returns a winding path around the origin, from outside to `depth_mm` below a sphere of 50 mm and on.
     static Vec3 hipAt(int tick, double depth_mm, double mmATick)
     {
         const double arc = mmATick * tick / 50.0;
@@ -71,7 +71,8 @@ class SurfaceWalkTest : public QObject
         QFETCH(TriangleMesh, mesh);
         QFETCH(double, mmATick);
         QFETCH(bool, hasHollows);
-        // With the same surface a little farther in as another structure, which is never reached, everything is asked.
+        // With the same surface slightly further in as another structure, which is never reached, no walk is possible
+        // and all facets are queried.
         const HapticScene alone = sceneOf({mesh}), beside = sceneOf({mesh, scaled(mesh, 0.999)});
         Palpator one, other;
         one.setScene(&alone);
@@ -93,7 +94,7 @@ class SurfaceWalkTest : public QObject
 
     void fliesAsFarAsAskingFlies()
     {
-        // The second forgets the knowledge about the surrounding space before each tick.
+        // The cached free space of the second palpator is dropped before each tick.
         const HapticScene scene = sceneOf({bumpySphere(24, 50.0, 0.05), moved(sphere(6, 5.0), Vec3(54, 6, 0))});
         Palpator one, other;
         one.setScene(&scene);
@@ -145,7 +146,7 @@ class SurfaceWalkTest : public QObject
 
     void onlyACreaseHoldsBetweenTwoFacets_data()
     {
-        QTest::addColumn<double>("radius"); // negative: seen from inside
+        QTest::addColumn<double>("radius"); // negative: from inside
         QTest::addColumn<double>("aside");  // from the edge's middle, in facets
         QTest::addColumn<bool>("isHeld");
         QTest::addColumn<bool>("isClear");
@@ -221,7 +222,7 @@ class SurfaceWalkTest : public QObject
             nearest = std::min(nearest, (result.p_WG - centre).norm());
             ofObstacle += result.structure == 1 ? 1 : 0;
         }
-        // Facets of the obstacle lie at most a few hundredths of a millimetre below its sphere.
+        // Facets of the obstacle are at most a few hundredths of a millimetre below its sphere.
         QVERIFY2(nearest > radius - 0.05, qPrintable(QString::number(nearest)));
         QVERIFY(ofObstacle > 50);
     }

@@ -13,7 +13,7 @@
 
 namespace palpate::test {
 
-/// A folder that goes away with the test, and files in it.
+/// A temporary folder with helpers for files.
 class Folder
 {
   public:
@@ -24,7 +24,7 @@ class Folder
     std::filesystem::path write(const std::string& name, std::string_view bytes) const
     {
         const std::filesystem::path file = path(name);
-        std::filesystem::remove(file); // cutting a file short makes some file systems wait for the disk
+        std::filesystem::remove(file); // truncating a file makes some file systems wait for the disk
         std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         return file;
     }
@@ -45,7 +45,7 @@ void appendRaw(std::string& out, T value)
     out.append(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-/// A tetrahedron of 24 mm with a corner at the origin, normals outwards.
+/// Returns a tetrahedron of 24 mm with a corner at the origin, normals outwards.
 inline meshio::MeshStructure tetrahedron(const std::string& name, const core::Vec3& shift = core::Vec3::Zero())
 {
     meshio::MeshStructure s;
@@ -58,7 +58,7 @@ inline meshio::MeshStructure tetrahedron(const std::string& name, const core::Ve
     return s;
 }
 
-/// One facet a triple of corners.
+/// Returns a binary STL with a facet per triple of corners.
 inline std::string binaryStl(std::uint32_t declared, const std::vector<std::array<float, 9>>& facets,
                              std::string header = "test")
 {
@@ -100,7 +100,7 @@ inline std::string asciiVtp(const std::string& points = "0 0 0 2.5 0 0 0 1.5 0",
            "</DataArray></" + kind + ">\n</Piece></PolyData></VTKFile>\n";
 }
 
-/// A legacy VTK file as text, of version 3: a title, three points, a triangle.
+/// Returns a legacy VTK file as text, version 3: a title, three points, a triangle.
 inline std::string asciiVtk(const std::string& points = "POINTS 3 float\n0 0 0 2.5 0 0 0 1.5 0\n",
                             const std::string& cells = "POLYGONS 1 4\n3 0 1 2\n", const std::string& title = "liver",
                             const std::string& version = "3.0")
@@ -108,7 +108,7 @@ inline std::string asciiVtk(const std::string& points = "POINTS 3 float\n0 0 0 2
     return "# vtk DataFile Version " + version + "\n" + title + "\nASCII\nDATASET POLYDATA\n" + points + cells;
 }
 
-/// The bytes of a number in a binary one: the largest first.
+/// Appends a number in big-endian order, as in a binary legacy file.
 template<class T>
 void appendBig(std::string& out, T value)
 {
@@ -117,7 +117,7 @@ void appendBig(std::string& out, T value)
     out.append(raw.rbegin(), raw.rend());
 }
 
-/// The same surface as bytes, of version 5, with doubles, and fields and attributes that are of no use here.
+/// Returns the same surface in binary, version 5, with doubles, and with fields and attributes that the reader ignores.
 inline std::string binaryVtk()
 {
     std::string out = "# vtk DataFile Version 5.1\n3D Slicer output. SPACE=LPS\nBINARY\nDATASET POLYDATA\n"
@@ -140,7 +140,7 @@ inline std::string binaryVtk()
 
 inline const std::string kObj = "v 0 0 0\nv 2.5 0 0\nv 0 1.5 0\nf 1 2 3\n";
 
-/// Area of all triangles of a structure [mm²].
+/// Returns the area of all triangles of a structure [mm²].
 inline double area(const geometry::TriangleMesh& mesh)
 {
     double sum = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// One small volume in each form that is read: 12 x 3 x 2 voxels of 1 + i + 20 j + 100 k, 1 x 2 x 3 mm apart, the first
+// One small volume in every supported format: 12 x 3 x 2 voxels of 1 + i + 20 j + 100 k, 1 x 2 x 3 mm apart, the first
 // at (10, 20, 30) mm in LPS.
 #include "Samples.h"
 
@@ -19,9 +19,9 @@ namespace palpate::test {
 
 struct VolumeSample
 {
-    std::string name; ///< of the file
+    std::string name; ///< file name
     std::string bytes;
-    std::string dataName{}, data{}; ///< name and content of the separate data file; empty: no such file
+    std::string dataName{}, data{}; ///< companion file with the voxels; empty if there is none
 };
 
 inline float volumeValue(int i, int j, int k)
@@ -29,13 +29,13 @@ inline float volumeValue(int i, int j, int k)
     return 1.0F + static_cast<float>(i + 20 * j + 100 * k);
 }
 
-/// @return the place of a voxel in LPS [mm]
+/// @return position of a voxel in LPS [mm]
 inline core::Vec3 volumePlace(int i, int j, int k)
 {
     return {10.0 + i, 20.0 + 2.0 * j, 30.0 + 3.0 * k};
 }
 
-/// Its numbers as they lie in files, in `T`.
+/// Returns the voxels in file order, as `T`.
 template<class T = float>
 std::string volumeNumbers()
 {
@@ -68,7 +68,7 @@ inline std::string gzipped(const std::string& bytes)
     }
     const std::string stream = zlibbed(bytes);
     std::string out("\x1f\x8b\x08\0\0\0\0\0\0\x03", 10);
-    out += stream.substr(2, stream.size() - 6); // without zlib's own head and sum
+    out += stream.substr(2, stream.size() - 6); // without the header and checksum of zlib
     appendRaw(out, ~crc);
     appendRaw(out, static_cast<std::uint32_t>(bytes.size()));
     return out;
@@ -89,7 +89,7 @@ inline std::string nrrdHeader(const std::string& encoding, const std::string& mo
            encoding + "\nspace origin: (10,20,30)\n" + more + "\n";
 }
 
-/// The header of a NIfTI file, with the matrix to RAS.
+/// Returns the header of a NIfTI file whose matrix maps to RAS.
 inline std::string niftiHeader()
 {
     std::string out(352, '\0');
@@ -109,7 +109,7 @@ inline std::string niftiHeader()
     return out;
 }
 
-/// The header of a NIfTI-2 file, with 64-bit counts.
+/// Returns the header of a NIfTI-2 file, which has 64-bit counts.
 inline std::string niftiWideHeader(std::int64_t numbersOfOne = 1, std::int64_t across = 12)
 {
     std::string out(544, '\0');
@@ -126,7 +126,7 @@ inline std::string niftiWideHeader(std::int64_t numbersOfOne = 1, std::int64_t a
     return out;
 }
 
-/// With the numbers behind the XML, as they lie in memory.
+/// Returns a VTI with the voxels as raw data behind the XML.
 inline std::string vtiAppended(const std::string& numbers)
 {
     std::string out =
@@ -148,7 +148,7 @@ inline std::string vtiText(const std::string& numbers, const std::string& extent
            "</DataArray></PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
 }
 
-/// One of each form.
+/// Returns a sample of each format.
 inline std::vector<VolumeSample> volumeSamples()
 {
     const std::string floats = volumeNumbers();

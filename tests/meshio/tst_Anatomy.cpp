@@ -6,7 +6,7 @@
 
 using namespace palpate;
 
-/// The real meshes, against the table in their README.
+/// Compares the real meshes with the table in their README.
 class Anatomy : public QObject
 {
     Q_OBJECT
@@ -87,7 +87,7 @@ void Anatomy::heartIsTurnedFromRas()
     const auto file = meshio::readMesh(folder / "HeartOrientationMarker.vtp");
     QVERIFY2(file.isOk(), file.status().message().c_str());
     QCOMPARE(file.value().frame, meshio::FileFrame::Ras);
-    // The file's own box is −45.2 … 36.8, −55.3 … 55.8, −52.2 … 54.8.
+    // The bounding box in the file is −45.2 … 36.8, −55.3 … 55.8, −52.2 … 54.8.
     const core::Box box = file.value().structures[0].mesh.bounds();
     QVERIFY((box.min() - core::Vec3(-36.829, -55.813, -52.15)).cwiseAbs().maxCoeff() < 0.01);
 }

@@ -233,7 +233,7 @@ void HostileFiles::ownFilesAreRefused_data()
         "line 34: encoding=\"ras\"; expected \"raw\" or \"base64\"");
     // VTK names the element of the point data if reading the cell data fails.
     const std::size_t offset = written.find("offset=\"", written.find("\"StructureId\"")) + 8;
-    const std::size_t block = data + std::stoul(written.substr(offset)) + std::size_t{4} * 8; // after the header
+    const std::size_t block = data + std::stoul(written.substr(offset)) + std::size_t{4} * 8; // after its header
     std::string damaged = std::string(written).replace(block, 4, 4, '?');
     const std::size_t pointData = damaged.find("<PointData"), cellData = damaged.find("<CellData");
     row("vtp cells damaged, no point data", "a.vtp", damaged.erase(pointData, cellData - pointData),

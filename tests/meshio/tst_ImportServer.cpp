@@ -30,7 +30,7 @@ using meshio::internal::writeVolume;
 
 namespace {
 
-/// Makes the reader fail in a way selected by the file name.
+/// Misbehaves in the reader as selected by the file name.
 void misbehave(const char* path)
 {
     const std::string name = std::filesystem::path(path).stem().string();
@@ -49,7 +49,7 @@ void misbehave(const char* path)
         for (std::atomic<unsigned> i = 0;; ++i) {
         }
     } else if (name == "eat") {
-        while (true) { // until no more memory is available
+        while (true) { // until the memory is exhausted
             std::memset(::operator new (std::size_t{1} << 24), 1, std::size_t{1} << 24);
         }
     } else if (name == "files") {
@@ -111,7 +111,7 @@ std::size_t openDescriptors()
     return count;
 }
 
-/// A binary STL of 10 million triangles, most of them without area and without a place on the disk.
+/// Writes a binary STL of 10 million triangles, most of them degenerate, as a sparse file.
 std::filesystem::path tenMillion(const test::Folder& folder)
 {
     constexpr std::uint32_t kCount = 10'000'000;
@@ -127,7 +127,7 @@ bool isGone(pid_t process)
 
 } // namespace
 
-/// Readers that go wrong in a child of this program, and the program that goes on.
+/// Tests readers that fail in a child process, and that the parent continues.
 class ImportServer : public QObject
 {
     Q_OBJECT
@@ -255,7 +255,7 @@ void ImportServer::progressRisesAndCancelEndsTheReader()
     const auto hanging = folder.write("hang.stl", test::asciiStl());
     const auto note = folder.path("hang.stl.pid");
     std::string process;
-    options.progress = [&](double) { // asked while nothing comes from the reader, too
+    options.progress = [&](double) { // called also while the reader sends nothing
         process = test::fileBytes(note);
         return process.empty();
     };
@@ -517,7 +517,7 @@ void ImportServer::liesAboutAVolumeAreRefused_data()
     grid.values.assign(6, 1.0F);
     const Wire wire;
     QVERIFY(writeVolume(wire.file(), std::move(grid)));
-    QVERIFY(wire.volume().isOk()); // the others are not refused for nothing
+    QVERIFY(wire.volume().isOk()); // the unmodified outcome is accepted
     QTest::newRow("cut") << wire.bytes().substr(0, wire.bytes().size() - 1);
     QTest::newRow("longer") << wire.bytes() + 'a';
     QTest::newRow("nothing") << std::string();
@@ -560,7 +560,7 @@ void ImportServer::anyByteOfAVolumeMayBeWrong()
     }
 }
 
-/// The server is forked before anything else of the program begins, so this is a program of its own.
+/// The server must fork at the start of the program, so this is a separate program.
 int main(int argc, char** argv)
 {
     meshio::ImportLimits limits;

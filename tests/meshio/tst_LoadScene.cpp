@@ -129,13 +129,13 @@ void LoadScene::poseFlipAndPartAreApplied()
     s.X_WM = Eigen::Translation3d(5, 0, 0) * Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()); // x → y, y → −x
     scene.structures = {s};
     QVERIFY(meshio::writeScene(folder.path("a.palpate.json"), scene).isOk());
-    const auto loaded = meshio::loadScene(folder.path("a.palpate.json"), {1000.0, {}}); // the unit is the scene's
+    const auto loaded = meshio::loadScene(folder.path("a.palpate.json"), {1000.0, {}}); // the scene's unit applies
     QVERIFY2(loaded.isOk(), loaded.status().message().c_str());
     QCOMPARE(loaded.value().structures.size(), std::size_t{1});
     const geometry::RepairedMesh& surface = *loaded.value().structures[0].surface;
     QVERIFY((surface.report.bounds.min() - Vec3(5 - 240, 1000, 0)).norm() < 1e-9);
     QVERIFY((surface.report.bounds.max() - Vec3(5, 1240, 240)).norm() < 1e-9);
-    QVERIFY(surface.report.volume_mm3 < 0.0); // turned inside out
+    QVERIFY(surface.report.volume_mm3 < 0.0); // reversed
     QCOMPARE(surface.report.insideOutComponents, std::size_t{1});
     QCOMPARE(loaded.value().structures[0].description.name, std::string("mine"));
 }
@@ -197,7 +197,7 @@ void LoadScene::changedMeshIsNamedAndOpened()
     QVERIFY(meshio::writeScene(folder.path("s.palpate.json"), file).isOk());
     const auto same = meshio::loadScene(folder.path("s.palpate.json"));
     QVERIFY2(same.isOk(), same.status().message().c_str());
-    QCOMPARE(same.value().losses.size(), std::size_t{1}); // the one that is gone, which a later saving must keep
+    QCOMPARE(same.value().losses.size(), std::size_t{1}); // the missing mesh, which a later save must keep
     QCOMPARE(same.value().unopened.size(), std::size_t{1});
     QCOMPARE(same.value().unopened[0].tissue.stiffness_N_per_mm, 0.123);
     QCOMPARE(same.value().structures[0].description.sha256, file.structures[0].sha256);

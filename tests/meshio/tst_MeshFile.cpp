@@ -5,7 +5,7 @@
 using namespace palpate;
 using meshio::MeshStructure;
 
-/// Writing and reading back.
+/// Tests writing, and reading the result.
 class MeshFile : public QObject
 {
     Q_OBJECT
@@ -94,7 +94,7 @@ void MeshFile::failedWriteLeavesNoFile()
 {
     const test::Folder folder;
     const std::vector<MeshStructure> structures{test::tetrahedron("a")};
-    std::filesystem::create_directory(folder.path("a.stl")); // cannot be renamed over
+    std::filesystem::create_directory(folder.path("a.stl")); // a rename cannot replace a folder
     const core::Status status = meshio::writeMesh(folder.path("a.stl"), structures);
     QCOMPARE(status.code(), core::StatusCode::Unreadable);
     const std::filesystem::directory_iterator files(folder.path(""));

@@ -19,7 +19,7 @@ std::string document(const std::string& path)
     return test::fileBytes(std::filesystem::path(PALPATE_SOURCE_DIR) / path);
 }
 
-/// The words between `from` and `to`, both included.
+/// Returns the text from `from` to `to`, inclusive.
 std::string passage(const std::string& text, const std::string& from, const std::string& to)
 {
     const std::size_t begin = text.find(from);
@@ -28,7 +28,7 @@ std::string passage(const std::string& text, const std::string& from, const std:
 
 } // namespace
 
-/// The table of formats, and other places that must name each format.
+/// Checks the table of formats against all other lists of formats.
 class MeshFormats : public QObject
 {
     Q_OBJECT

@@ -14,19 +14,19 @@ using meshio::FileFrame;
 
 namespace {
 
-/// Writes 1.5 as "1,5", as a German user's program would.
+/// Writes 1.5 as "1,5", like a program in a German locale.
 struct CommaPoint : std::numpunct<char>
 {
     char do_decimal_point() const override { return ','; }
 };
 
-/// A German numeric locale for this process, in C and in C++, where the machine can make one.
+/// Sets a German numeric locale for this process, in C and in C++, if the machine can generate one.
 class GermanLocale
 {
   public:
     GermanLocale()
     {
-        static const QTemporaryDir folder; // creation takes seconds
+        static const QTemporaryDir folder; // generating the locale takes seconds
         static const int made =
             QProcess::execute("localedef", {"-c", "-i", "de_DE", "-f", "UTF-8", folder.path() + "/de_DE.UTF-8"});
         Q_UNUSED(made);
@@ -34,7 +34,7 @@ class GermanLocale
         isC = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr && std::localeconv()->decimal_point[0] == ',';
         m_before = std::locale::global(std::locale(std::locale::classic(), new CommaPoint));
         if (isC) {
-            std::setlocale(LC_ALL, "de_DE.UTF-8"); // std::locale::global may have changed the locale
+            std::setlocale(LC_ALL, "de_DE.UTF-8"); // std::locale::global may have changed it
         }
     }
     ~GermanLocale()
@@ -247,11 +247,11 @@ void MeshReading::concavePolygonKeepsItsArea()
     QVERIFY2(file.isOk(), file.status().message().c_str());
     const geometry::TriangleMesh& mesh = file.value().structures[0].mesh;
     QCOMPARE(static_cast<int>(mesh.triangles.size()), count);
-    // Triangles outside the outline, or over each other, would add to the area; VTK keeps floats (6e-8) and the tiny
-    // one stands 1e3 from the origin with 1e-3 sides.
+    // Triangles outside the outline or overlapping would add to the area; VTK stores floats (6e-8), and the tiny
+    // polygon is 1e3 from the origin with sides of 1e-3.
     const double error = obj.starts_with("v 1000") ? 0.2 * area : 1e-6 * area;
     QVERIFY2(std::abs(test::area(mesh) - area) <= error, qPrintable(QString::number(test::area(mesh))));
-    // All wound alike: the vector areas add up to the whole, too.
+    // Consistent winding: the vector areas also add up to the total.
     Vec3 sum = Vec3::Zero();
     for (const geometry::Triangle& t : mesh.triangles) {
         const Vec3 a = mesh.vertices[t[1]] - mesh.vertices[t[0]];
@@ -332,12 +332,12 @@ void MeshReading::stlSolidsBecomeStructures()
     QVERIFY(file.value().structures[1].mesh.bounds().max() == Vec3(2.5, 9, 0));
 }
 
-// Found by libFuzzer: VTK took these for binary files and asked for 6 to 10 GB.
+// Found by libFuzzer: VTK took these for binary files and requested 6 to 10 GB.
 void MeshReading::stlTextStaysTextToVtk_data()
 {
     QTest::addColumn<QByteArray>("text");
     const QByteArray text = QByteArray::fromStdString(test::asciiStl());
-    const QByteArray tabs(33, '\v'); // vertical ones
+    const QByteArray tabs(33, '\v'); // vertical tabs
     QTest::newRow("in a normal") << QByteArray(text).replace(" 0 0 1", QByteArray(33, '\xf2') + "\x01\x7f 0 0 1");
     QTest::newRow("before a name") << tabs + text;
     QTest::newRow("in a blank line") << tabs + '\n' + text;
@@ -355,7 +355,7 @@ void MeshReading::stlTextStaysTextToVtk()
 
 void MeshReading::vtpStructuresKeepTheirTriangles()
 {
-    // Two lines come first: cell data are over verts, lines, polygons and strips.
+    // Two lines come first: cell data cover verts, lines, polygons and strips in this order.
     const std::string vtp =
         "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\"><PolyData><FieldData>"
         "<Array type=\"String\" Name=\"StructureNames\" NumberOfTuples=\"2\" format=\"ascii\">97 0 98 0</Array>"
@@ -376,7 +376,7 @@ void MeshReading::vtpStructuresKeepTheirTriangles()
     QCOMPARE(s[0].name, std::string("b"));
     QCOMPARE(s[0].mesh.triangles.size(), std::size_t{1});
     QCOMPARE(s[1].name, std::string("a"));
-    QCOMPARE(s[1].mesh.triangles.size(), std::size_t{2}); // the four-sided one
+    QCOMPARE(s[1].mesh.triangles.size(), std::size_t{2}); // the quadrilateral
     QCOMPARE(s[2].name, std::string("structure 5"));
 }
 
@@ -407,7 +407,7 @@ void MeshReading::plyKeepsDoubles()
     QFETCH(std::string, type);
     QFETCH(bool, isExact);
     const test::Folder folder;
-    const double x = 1234567.0123456; // a float holds 1234567
+    const double x = 1234567.0123456; // a float represents 1234567
     std::string text = test::asciiPly("0 0 0\n1234567.0123456 0 0\n0 1.5 0\n");
     for (std::size_t at = text.find("float"); at != std::string::npos; at = text.find("float", at + type.size())) {
         text.replace(at, 5, type);
@@ -471,7 +471,7 @@ void MeshReading::progressRisesAndCancels()
     QVERIFY(std::is_sorted(shares.begin(), shares.end()));
     QVERIFY(shares.front() >= 0.0);
     QCOMPARE(shares.back(), 1.0);
-    for (std::size_t stop = 0; stop < shares.size(); ++stop) { // at each share
+    for (std::size_t stop = 0; stop < shares.size(); ++stop) { // cancel at each call
         std::size_t calls = 0;
         const auto file = meshio::readMesh(path, {1.0, [&](double) { return calls++ < stop; }});
         QCOMPARE(file.status().code(), core::StatusCode::Cancelled);
@@ -491,7 +491,7 @@ void MeshReading::partialKeepsWhatIsWhole_data()
 {
     QTest::addColumn<std::string>("name");
     QTest::addColumn<std::string>("bytes");
-    QTest::addColumn<std::size_t>("whole"); // triangles; 0: refused all the same
+    QTest::addColumn<std::size_t>("whole"); // triangles; 0: rejected nevertheless
     QTest::addColumn<std::string>("loss");
     const auto row = [](const char* title, const char* name, const std::string& bytes, std::size_t whole,
                         const std::string& loss) {

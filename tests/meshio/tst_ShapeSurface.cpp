@@ -70,7 +70,7 @@ class ShapeSurface : public QObject
         }
     }
 
-    /// Far from the origin and in another unit the answer is the same, though VTK's filter calculates with floats.
+    /// Far from the origin and in another unit the result is the same, although VTK's filter uses floats.
     void isTheSameEverywhere()
     {
         const auto mesh = test::maskSurface(test::ballMask(10.0, Vec3(1, 1, 3)));
@@ -158,7 +158,7 @@ class ShapeSurface : public QObject
         QVERIFY2(scene.status().message().find(complaint) != std::string::npos, scene.status().message().c_str());
     }
 
-    /// Curved facets are for a later version: reported, simulated as facets, and preserved.
+    /// Curved facets are not supported yet: reported, simulated as flat facets, and stored.
     void curvedFacetsAreSaidToBeMissing()
     {
         const test::Folder folder;
@@ -195,7 +195,7 @@ class ShapeSurface : public QObject
             QCOMPARE(after.surface->report.insideOutComponents, std::size_t{0});
             QVERIFY(!before.smoothing && after.smoothing);
             QVERIFY(after.description.outwards && after.description.surface == SurfaceKind::Smoothed);
-            QVERIFY(after.asRead->report.volume_mm3 < 0.0); // the original is still there
+            QVERIFY(after.asRead->report.volume_mm3 < 0.0); // the original surface is kept
         }
     }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes for maps, read in this process: every format gives the same numbers at the same places, and invalid files are
-// refused.
+// Tests volumes for maps, read in this process: every format gives the same values at the same positions, and invalid
+// files are rejected.
 #include "TestRunner.h"
 #include "VolumeFile.h"
 #include "Volumes.h"
@@ -84,7 +84,7 @@ class Volumes : public QObject
                 test::VolumeSample cut = sample;
                 (isBeside ? cut.data : cut.bytes).resize(kept);
                 const auto grid = readSample(folder, cut);
-                // A truncation may remove nothing significant: the end of an XML text, the checksum of gzip.
+                // Some losses are harmless: the end of an XML text, gzip's checksum.
                 QVERIFY2(!grid.isOk() || isWhole(grid.value()),
                          (sample.name + " cut at " + std::to_string(kept) + " of " + std::to_string(size)).c_str());
                 if (!grid.isOk()) {
@@ -150,7 +150,7 @@ class Volumes : public QObject
         row("NIfTI, less than none", "v.nii", nifti(44, std::int16_t{-3}), "v.nii: ");
         row("NIfTI, a matrix in a plane", "v.nii", nifti(320, 0.0F), "v.nii: ");
         row("NIfTI, a matrix of no numbers", "v.nii", nifti(280, std::nanf("")), "v.nii: ");
-        // Found by fuzzing: VTK's readers loop forever or crash.
+        // Findings of fuzzing: VTK's readers loop for ever or crash.
         const auto nrrd = [&floats](const std::string& from, const std::string& to) {
             std::string text = test::nrrdHeader("raw");
             return text.replace(text.find(from), from.size(), to) + floats;

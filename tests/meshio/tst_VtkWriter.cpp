@@ -227,7 +227,7 @@ class VtkWriter : public QObject
         writer->SetFileVersion(version);
         writer->SetFileType(isBinary ? VTK_BINARY : VTK_ASCII);
         QVERIFY(writer->Write() == 1);
-        const std::string bytes = test::fileBytes(path); // otherwise the row would test another case
+        const std::string bytes = test::fileBytes(path); // otherwise the row would not test its case
         QCOMPARE(bytes.find("METADATA") != std::string::npos, (extra & kKeys) != 0);
         QCOMPARE(bytes.find("OFFSETS") != std::string::npos, version == 51);
         QCOMPARE(bytes.find("FIELD FieldData 1\nStructureNames") != std::string::npos, (extra & kArrays) != 0);
@@ -250,7 +250,7 @@ class VtkWriter : public QObject
         const auto path = folder.path("a.vtp");
         const auto data = fan(extra);
         write(path, data, static_cast<Mode>(mode), compressor, width);
-        if ((extra & (kRanges | kKeys)) != 0) { // otherwise the row would test another case
+        if ((extra & (kRanges | kKeys)) != 0) { // otherwise the row would not test its case
             QVERIFY(test::fileBytes(path).find("<InformationKey") != std::string::npos);
         }
 

@@ -12,7 +12,7 @@ class Config : public QObject
   private Q_SLOTS:
     void takesAnOwnersFileAsItIs()
     {
-        // With spaces, whole numbers, a field that is not ours and the comma that some shipped files end with.
+        // With spaces, integers, an unknown field, and the trailing comma in some distributed files.
         const auto read =
             parseConfig("{\n \"variant\": 1,\n \"diameter_capstan_a\": 0.013,\n \"length_body_b\":   0.138,\n"
                         " \"workspace_origin_y\": 0,\n \"cpr_encoder_c\": 4000,\n \"max_linear_force\": 5,\n"
@@ -24,7 +24,7 @@ class Config : public QObject
         QCOMPARE(read.value().linkLength_m[1], 0.138);
         QCOMPARE(read.value().countsPerTurn[2], 4000.0);
         QCOMPARE(read.value().calibrationCounts[1], -12.0);
-        QCOMPARE(read.value().linkLength_m[2], 0.245); // not in the file: the kit's
+        QCOMPARE(read.value().linkLength_m[2], 0.245); // missing in the file: the kit's default
     }
 
     void refusesNamingFieldFoundAndExpected_data()

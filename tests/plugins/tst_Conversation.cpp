@@ -23,10 +23,10 @@ std::vector<std::uint8_t> bytes(const std::vector<int>& fields)
     return out;
 }
 
-/// Counters at the middle of the kit's workspace: link b leans 0.34 rad, link c 0.66 rad from the vertical.
+/// Counters in the middle of the kit's workspace: link b is at 0.34 rad, link c at 0.66 rad from the vertical.
 const std::vector<int> kMiddle{0, -1299, 3476, 0, 0, 0, 0};
 
-/// Talks to an arm at rest until it is there.
+/// Feeds reports of an arm at rest until the conversation is ready.
 void settle(woodenhaptics::Conversation& talk, std::int64_t& now_ns, const std::vector<int>& fields = kMiddle)
 {
     for (int i = 0; i < 5; ++i) {
@@ -50,7 +50,7 @@ class Conversation : public QObject
         QCOMPARE(talk.protocol(), 2);
         QVERIFY(talk.state().isPresent);
         QVERIFY(talk.state().p_D.norm() < 3.0);
-        // y only: motor a alone, force times reach over the reduction and the torque constant; r is 0.22 m here.
+        // y only: motor a alone, force times lever arm over reduction and torque constant; r is 0.22 m here.
         const auto answer = talk.answer(Vec3(0, 1.0, 0), now_ns);
         QCOMPARE(answer.size(), std::size_t{15});
         QCOMPARE(answer[0], std::uint8_t{0});
@@ -66,12 +66,12 @@ class Conversation : public QObject
         std::int64_t now_ns = kMs;
         woodenhaptics::Conversation one({}, true);
         woodenhaptics::Conversation two({}, true);
-        settle(one, now_ns, {0, 1299, -3476, 0}); // counts the other way
+        settle(one, now_ns, {0, 1299, -3476, 0}); // counts in the other direction
         settle(two, now_ns);
         QCOMPARE(one.protocol(), 1);
         QVERIFY((one.state().p_D - two.state().p_D).norm() < 1e-9);
         QCOMPARE(one.answer(Vec3(1, 0, 0), now_ns).size(), std::size_t{9});
-        // Calibration is an offset of its own: where it is now is the calibration pose, 206 mm from the middle.
+        // Calibration is a separate offset: the current pose becomes the calibration pose, 206 mm from the middle.
         one.calibrate();
         const auto answer = one.answer(Vec3(1, 0, 0), now_ns);
         QCOMPARE(answer.size(), std::size_t{9});
@@ -90,7 +90,7 @@ class Conversation : public QObject
         talk.calibrate();
         const auto answer = talk.answer(Vec3(3, 3, 3), now_ns);
         QCOMPARE(std::vector<std::uint8_t>(answer.begin() + 1, answer.end()), bytes({40, -50, 60, 1, 10, -20, 30}));
-        settle(talk, now_ns); // the old counters, still on their way
+        settle(talk, now_ns); // the old counters, still in transit
         QVERIFY(!talk.isCalibrated());
         settle(talk, now_ns, {11, -20, 30, 40, -50, 60, 0});
         QVERIFY(talk.isCalibrated());
@@ -133,7 +133,7 @@ class Conversation : public QObject
         QVERIFY(std::abs(last.x() - (245.0 * std::cos(angle) - 220.0)) < 0.01);
     }
 
-    /// One in thousands happens to be near the true position; the effect ends with the next valid report.
+    /// A wild report may by chance be plausible, once in thousands, but has no effect after the next valid report.
     void wildReportsLeaveNothingBehind()
     {
         std::int64_t now_ns = kMs;
@@ -166,7 +166,7 @@ class Conversation : public QObject
         std::int64_t now_ns = kMs;
         woodenhaptics::Conversation talk({}, true);
         settle(talk, now_ns);
-        for (int i = 0; i < 6; ++i) { // the firmware started again
+        for (int i = 0; i < 6; ++i) { // the firmware restarted
             settle(talk, now_ns, {0, 0, 0, 0, 0, 0, 0});
         }
         QVERIFY(!talk.isCalibrated());

@@ -26,7 +26,7 @@ woodenhaptics::Config vintage()
     return c;
 }
 
-/// The stand-in's own idea of the same arm.
+/// Returns the emulated arm's parameters for the same configuration.
 standin::ArmUnit unitOf(const woodenhaptics::Config& c)
 {
     standin::ArmUnit unit;
@@ -81,11 +81,11 @@ class Kinematics : public QObject
   private Q_SLOTS:
     void calibrationPoseIsTheKits()
     {
-        // Link b upright, link c level: by hand from the lengths, less the workspace's origin.
+        // Link b vertical, link c horizontal: computed by hand from the lengths, minus the workspace's origin.
         const woodenhaptics::Kinematics kit{woodenhaptics::Config()};
         const Vec3 p = kit.position_m(kit.angles(Vec3::Zero()));
         QVERIFY((p - Vec3(0.245 - 0.220, 0.0, 0.080 + 0.205 - 0.080)).norm() < 1e-12);
-        // One turn of motor b leans link b backwards by 30 degrees: 10 mm on 120 mm.
+        // One turn of motor b tilts link b backwards by 30 degrees: 10 mm on 120 mm.
         const Vec3 q = kit.angles(Vec3(0, 2000, 0));
         QVERIFY(std::abs(q[1] + 2.0 * 3.14159265358979 / 12.0) < 1e-9);
     }
@@ -105,8 +105,8 @@ class Kinematics : public QObject
         }
     }
 
-    /// Half a count of each encoder, in the worst combination, gives at most half of the stated resolution, and nearly
-    /// half somewhere.
+    /// Half a count of each encoder in the worst combination gives half of the reported resolution: never more, and
+    /// almost reached somewhere.
     void resolutionIsWhatCountsCannotSay_data() { units(); }
     void resolutionIsWhatCountsCannotSay()
     {
@@ -129,7 +129,7 @@ class Kinematics : public QObject
         QVERIFY2(worst >= 0.8 * k.resolution_m(), qPrintable(found));
     }
 
-    /// The power of the motors equals the power of the force at the tip: tau . q' = f . v.
+    /// The work of the motors on the links equals the work of the force at the tip: tau . q' = f . v.
     void torquesDoTheWorkOfTheForce_data() { units(); }
     void torquesDoTheWorkOfTheForce()
     {
@@ -145,7 +145,7 @@ class Kinematics : public QObject
         }
     }
 
-    /// The same against the emulated mechanism, which knows only currents and counts.
+    /// The same against the emulated mechanism, which has only currents and counts.
     void agreesWithTheEmulatedArm_data() { units(); }
     void agreesWithTheEmulatedArm()
     {
@@ -196,7 +196,7 @@ class Kinematics : public QObject
         arm.hand.isHolding = false;
         arm.q = {0.2, 0.4, 0.7};
         const standin::V3 before = standin::tipOf(arm.unit, arm.q);
-        for (int i = 0; i < 2000; ++i) { // 0.2 s: without a hand the arm would fall by centimetres
+        for (int i = 0; i < 2000; ++i) { // 0.2 s: without support the arm would fall by centimetres
             arm.amps = arr(k.currents(k.torques(Vec3(arm.q[0], arm.q[1], arm.q[2]), Vec3::Zero())));
             standin::stepArm(arm, 1e-4);
         }

@@ -57,7 +57,7 @@ class Puck : public QObject
             QVERIFY(!puck.take(wrong));
         }
         QCOMPARE(puck.held().shift, Vec3(0, 0, 0));
-        // A share stays within its range for any input.
+        // For any input, the fraction stays in its range.
         std::mt19937 random(1);
         for (int i = 0; i < 100'000; ++i) {
             Bytes wild(random() % 20);

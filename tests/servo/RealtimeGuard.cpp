@@ -24,7 +24,7 @@
 
 namespace {
 
-// Plain thread-local numbers in the program itself: reaching them allocates nothing.
+// Plain thread-local numbers in the executable: access needs no allocation.
 constinit thread_local bool isArmed = false;
 constinit thread_local std::uint64_t allocationCount = 0;
 constinit thread_local std::uint64_t lockCount = 0;
@@ -46,7 +46,7 @@ void countFile() noexcept
     fileCount += isArmed ? 1 : 0;
 }
 
-/// The C library's own function behind the one that is interposed.
+/// Returns the C library's function behind the interposed one.
 template<class Function>
 Function* next(const char* name) noexcept
 {
@@ -60,7 +60,7 @@ Function* next(const char* name) noexcept
 
 extern "C" {
 
-// glibc's names for its own allocator, there for programs that replace malloc.
+// glibc's names for its own allocator, provided for programs that replace malloc.
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);

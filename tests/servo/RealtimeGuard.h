@@ -5,9 +5,9 @@
 
 namespace palpate::test {
 
-/// Counts operations forbidden on a real-time thread: during the lifetime of a guard, every malloc, calloc, realloc,
-/// aligned allocation and free (and so every new, delete and throw), every lock of a mutex or read-write lock and wait
-/// on a condition, and every opening, reading and writing of a file or the console, made by its thread through this
+/// Counts calls that a real-time thread must not make. While an object lives: every malloc, calloc, realloc, aligned
+/// allocation and free (and so every new, delete and throw), every lock of a mutex or read-write lock and wait on a
+/// condition, and every opening, reading and writing of a file or the console, made by its thread through this
 /// program's symbols. Interposes these functions in the test program.
 class RealtimeGuard
 {
@@ -17,13 +17,13 @@ class RealtimeGuard
     RealtimeGuard(const RealtimeGuard&) = delete;
     RealtimeGuard& operator=(const RealtimeGuard&) = delete;
 
-    /// Counted since construction.
+    /// Counts since construction.
     [[nodiscard]] std::uint64_t allocations() const noexcept;
     [[nodiscard]] std::uint64_t locks() const noexcept;
     [[nodiscard]] std::uint64_t files() const noexcept;
     [[nodiscard]] std::uint64_t all() const noexcept { return allocations() + locks() + files(); }
 
-    /// False under a sanitizer, which owns these functions: nothing is counted then.
+    /// Returns false under a sanitizer, which replaces these functions: nothing is counted then.
     [[nodiscard]] static bool isAvailable() noexcept;
 };
 

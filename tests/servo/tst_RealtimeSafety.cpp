@@ -112,7 +112,7 @@ class RealtimeSafety : public QObject
 
     void guardTripsOnWhateverAllocatesOrLocks()
     {
-        static void* volatile sink = nullptr; // the compiler must not pair allocations off
+        static void* volatile sink = nullptr; // prevents the compiler from eliding allocations
         std::mutex mutex;
         std::vector<std::uint64_t> counts;
         counts.reserve(16);
@@ -193,14 +193,14 @@ class RealtimeSafety : public QObject
     void noKindOfTouchAllocatesLocksOrReads_data()
     {
         using namespace palpate::test;
-        QTest::addColumn<QList<TriangleMesh>>("meshes"); // separate layers, if there are two
+        QTest::addColumn<QList<TriangleMesh>>("meshes"); // in separate layers if there are two
         QTest::addColumn<double>("radius");
         QTest::addColumn<int>("mostConstraints");
         QTest::addColumn<bool>("isTissue"); // friction, a law and maps
         const TriangleMesh bumpy = bumpySphere(24, 30.0, 0.05), cube = box({-24, -24, -24}, {24, 24, 24}, 6);
         TriangleMesh hollow = box({-18, -18, -18}, {18, 18, 18}, 6);
         for (palpate::geometry::Triangle& t : hollow.triangles) {
-            std::swap(t[0], t[1]); // felt from inside
+            std::swap(t[0], t[1]); // contact from inside
         }
         TriangleMesh crowd;
         for (int i = 0; i < 300; ++i) {
@@ -261,7 +261,7 @@ class RealtimeSafety : public QObject
         QCOMPARE(counted, std::uint64_t{0});
         QVERIFY2(most >= mostConstraints, qPrintable(QString::number(most)));
         QCOMPARE(layers, static_cast<int>(meshes.size()));
-        QCOMPARE(holds + slides > 100, isTissue); // in a corner there is nothing to hold
+        QCOMPARE(holds + slides > 100, isTissue); // in a corner friction has no effect
         QVERIFY(!isTissue || slides > 100);
     }
 
@@ -345,7 +345,7 @@ class RealtimeSafety : public QObject
         palpate::servo::ServoLoop loop;
         palpate::servo::ServoOptions options;
         options.rate_Hz = 2000.0;
-        options.ringCapacity = 256; // overflows too
+        options.ringCapacity = 256; // covers overflow as well
         loop.setScene(palpate::test::sphereScene(30.0, 0.5));
         QVERIFY(loop.start(device, options).isOk());
         for (int i = 0; device.reads.load() < 2000; ++i) {

@@ -140,7 +140,7 @@ class RealtimeSetup : public QObject
         }
     }
 
-    /// As `taskset -c` leaves it.
+    /// As set by `taskset -c`.
     void aCpuThatIsNotAllowedIsRefusedInWords()
     {
         const std::vector<int> allowed = palpate::servo::allowedCpus();
@@ -167,7 +167,7 @@ class RealtimeSetup : public QObject
         int rounding = -1;
         onAThread([&] {
 #if defined(__SSE2__)
-            _mm_setcsr(_mm_getcsr() | 0x8040); // FTZ and DAZ, as fast-math libraries leave them
+            _mm_setcsr(_mm_getcsr() | 0x8040); // FTZ and DAZ, as set by fast-math libraries
 #endif
             std::fesetround(FE_UPWARD);
             RealtimeRequest request;

@@ -29,7 +29,7 @@ constexpr std::int64_t kDt_ns = 1'000'000;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// Drives a gate tick by tick as the servo does.
+/// Drives a gate tick by tick, as the servo loop does.
 struct Driver
 {
     explicit Driver(const GateLimits& limits)
@@ -57,13 +57,13 @@ struct Driver
     {
         return gate.release({f, isInContact, isSceneChanged});
     }
-    /// A tick with a hand that stands still.
+    /// Runs a tick with a resting hand.
     Vec3 tick(const Vec3& f, bool isInContact = true)
     {
         static_cast<void>(admit(Vec3::Zero()));
         return release(f, isInContact);
     }
-    /// Eases in fully, pushed by `f`.
+    /// Completes the ramp-in under a constant force `f`.
     void settle(const Vec3& f)
     {
         for (int i = 0; i < 600; ++i) {
@@ -98,8 +98,8 @@ Vec3 adversarialVector(std::mt19937_64& random)
     return {adversarialNumber(random), adversarialNumber(random), adversarialNumber(random)};
 }
 
-/// Of a plausible hand for long stretches, with single and lasting faults in between.
-/// @param hip  where the hand is; moved on [mm]
+/// Returns states of a plausible hand for long stretches, with single and lasting faults in between.
+/// @param hip  position of the hand, updated by the call [mm]
 DeviceState randomState(std::mt19937_64& random, Vec3& hip, std::int64_t now_ns)
 {
     const bool isWild = random() % 512 == 0;
@@ -121,7 +121,7 @@ ForceRequest randomRequest(std::mt19937_64& random, const Vec3& hip)
     const auto mode = random() % 64;
     request.f_D = mode == 0 ? adversarialVector(random) : Vec3(0.1 * hip + Vec3::Constant(mode < 8 ? 30.0 : 0.0));
     if (!request.f_D.allFinite() && random() % 64 != 0) {
-        request.f_D.setZero(); // a fault now and then, not always
+        request.f_D.setZero(); // occasional faults
     }
     request.isInContact = random() % 32 != 0;
     request.isSceneChanged = random() % 128 == 0;
@@ -180,7 +180,7 @@ class SafetyGate : public QObject
         }
         QCOMPARE(driver.tick(Vec3(0, 0, 9.0))[2], 9.0); // hits a wall
         QVERIFY(std::abs(driver.tick(Vec3(0, 0, -9.0))[2] - (9.0 - bound)) < 1e-12);
-        // Letting go and touching again while force is still sent is no first contact.
+        // Release and contact while a force is still sent do not count as a first contact.
         QVERIFY(std::abs(driver.tick(Vec3::Zero(), false)[2] - (9.0 - 2.0 * bound)) < 1e-12);
         QVERIFY(std::abs(driver.tick(Vec3(0, 0, 12.0))[2] - (9.0 - bound)) < 1e-12);
     }
@@ -219,10 +219,10 @@ class SafetyGate : public QObject
         const GateLimits limits = limitsOf("omega");
         Driver driver(limits);
         driver.settle(Vec3(0, 0, 12.0));
-        // Away at 3 m/s along the force: three times the power that is allowed.
+        // Moving away at 3 m/s along the force: three times the power limit.
         static_cast<void>(driver.admit(Vec3(0, 0, 3.0)));
         QVERIFY(std::abs(driver.release(Vec3(0, 0, 12.0))[2] - 4.0) < 1e-9);
-        // Against the force the hand supplies power; the gate limits only the rate of change.
+        // Against the force the hand supplies power; only the rate limit applies.
         static_cast<void>(driver.admit(Vec3(0, 0, 0.0)));
         QVERIFY(std::abs(driver.release(Vec3(0, 0, 12.0))[2] - (4.0 + limits.maxForceRate_N_per_s * kDt_s)) < 1e-9);
     }
@@ -274,12 +274,12 @@ class SafetyGate : public QObject
         driver.gate.rearm();
         const bool wasStop = kind == FaultKind::None;
         const GatedInput input = driver.admit(Vec3(500.0, 0, 0));
-        QVERIFY(input.isFirst && !input.isGated); // taken unchanged
+        QVERIFY(input.isFirst && !input.isGated); // the first input is accepted unchanged
         QCOMPARE(driver.release(f)[1] > 0.0, !wasStop);
         QVERIFY(driver.gate.fault() == FaultKind::None);
     }
 
-    /// A machine that is late by a lot of periods is when a force must not stay for as many ticks.
+    /// Ticks that are late by many periods must not extend a ramp by as many ticks.
     void ticksThatComeLateDoNotStretchTheRamp()
     {
         Driver driver(limitsOf("omega"));
@@ -288,7 +288,7 @@ class SafetyGate : public QObject
         for (int i = 0; i < 20; ++i) {
             driver.gate.noteOverrun(true);
         }
-        driver.now_ns += 3 * kDt_ns; // the tick comes 4 ms after the one before
+        driver.now_ns += 3 * kDt_ns; // 4 ms after the previous tick
         QVERIFY(std::abs(driver.tick(f)[1] - 6.0) < 1e-9);
         driver.now_ns += 3 * kDt_ns;
         QVERIFY(driver.tick(f).isZero(0.0));
@@ -363,7 +363,7 @@ class SafetyGate : public QObject
         GateLimits limits = limitsOf("touch");
         limits.workspaceRadius_mm = 100.0;
         Driver driver(limits);
-        QVERIFY(!driver.admit(Vec3(101.0, 0, 0)).isPresent); // nothing good to hold on to
+        QVERIFY(!driver.admit(Vec3(101.0, 0, 0)).isPresent); // no valid previous state
         QVERIFY(driver.admit(Vec3(99.0, 0, 0)).isPresent);
         for (int i = 0; i < 5; ++i) {
             QVERIFY(driver.admit(Vec3(101.0, 0, 0)).p_D == Vec3(99.0, 0, 0));
@@ -398,7 +398,7 @@ class SafetyGate : public QObject
         QCOMPARE(gate.fault() == FaultKind::StaleInput, isStale);
     }
 
-    /// A million random and adversarial inputs (override: PALPATE_GATE_INPUTS): each guarantee in each tick.
+    /// Random and adversarial inputs, a million (or PALPATE_GATE_INPUTS): checks each guarantee in each tick.
     void everyOutputIsFiniteAndBounded_data()
     {
         QTest::addColumn<QByteArray>("preset");
@@ -464,8 +464,8 @@ class SafetyGate : public QObject
                 gate.rearm();
             }
         }
-        QVERIFY(forces > total / 12);                              // not all inputs caused faults
-        QVERIFY(firstContacts > 0 || change >= limits.maxForce_N); // at 50 Hz nothing is too fast
+        QVERIFY(forces > total / 12);                              // not only faults
+        QVERIFY(firstContacts > 0 || change >= limits.maxForce_N); // at 50 Hz the rate limit allows any step
         for (const FaultKind kind : {FaultKind::NonFiniteInput, FaultKind::StaleInput, FaultKind::DeviceLost,
                                      FaultKind::NonFiniteForce, FaultKind::OverrunRun}) {
             QVERIFY2(byKind[static_cast<int>(kind)] > 0, text(kind));

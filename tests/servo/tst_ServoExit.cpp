@@ -21,7 +21,7 @@ using palpate::device::DeviceState;
 
 namespace {
 
-/// Presses into a sphere and reports every received force to another process.
+/// Presses into a sphere and sends every commanded force to another process.
 class TellingDevice final : public palpate::device::HapticDevice
 {
   public:
@@ -58,17 +58,17 @@ class TellingDevice final : public palpate::device::HapticDevice
     std::int64_t m_tick = 0;
 };
 
-/// How a child that presses ends.
+/// Ways for the child process to end.
 enum class End
 {
     Exit,      ///< std::exit with the loop running
-    Exception, ///< one that leaves a thread's main function behind: caught where main would, then exit
-    Killed,    ///< nobody is left to do anything
+    Exception, ///< an exception leaves a thread's main function: caught where main would, then exit
+    Killed,    ///< no code runs any more
 };
 
 [[noreturn]] void child(int pipe, End end)
 {
-    auto* device = new TellingDevice(pipe); // outlive exit's destructors, as a driver's would
+    auto* device = new TellingDevice(pipe); // outlives the destructors at exit, as a driver would
     auto* loop = new palpate::servo::ServoLoop;
     static_cast<void>(loop->setScene(palpate::test::sphereScene(30.0, 2.0)));
     palpate::servo::ServoOptions options;
@@ -90,7 +90,7 @@ enum class End
     std::exit(0);
 }
 
-/// All forces until the child is gone.
+/// Returns all forces until the child has ended.
 std::vector<double> forcesOf(End end)
 {
     int ends[2] = {};
@@ -134,10 +134,10 @@ class ServoExit : public QObject
         QVERIFY(forces.size() > 100);
         QVERIFY(*std::max_element(forces.begin(), forces.end()) > 1.0);
         QCOMPARE(forces.back(), 0.0);
-        QVERIFY(forces[forces.size() - 12] > 0.5); // within ten ticks, and ramped
+        QVERIFY(forces[forces.size() - 12] > 0.5); // within ten ticks, by a ramp
     }
 
-    /// Only the device's own watchdog can handle this; the test is with the emulated device.
+    /// Only the device's own watchdog helps here; its test is with the emulated device.
     void aKilledProgramLeavesItsForceToTheWatchdog()
     {
         const std::vector<double> forces = forcesOf(End::Killed);

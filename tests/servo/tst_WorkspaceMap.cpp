@@ -53,7 +53,7 @@ GateLimits omegaLimits()
     return GateLimits::forDevice(info);
 }
 
-/// Runs a core on a moving device, a tick at a time.
+/// Runs a core on a moving device, tick by tick.
 struct Hand
 {
     TickRecord tick(const Vec3& p_D, std::uint32_t buttons = 0)
@@ -100,7 +100,7 @@ class WorkspaceMap : public QObject
         QVERIFY((map.map(at(p_D), 0).p_W - expected).norm() < 1e-12);
     }
 
-    /// Virtual work: the power at the hand equals the power in the scene, up to the length scale.
+    /// Virtual work: the work of a force on the hand equals that in the scene, except for the scale of lengths.
     void forcesTurnWithTheHand()
     {
         Map map;
@@ -125,9 +125,9 @@ class WorkspaceMap : public QObject
             MapSettings settings = mapped(0.1 + 0.01 * static_cast<double>(random() % 500),
                                           Quaternion(Eigen::AngleAxisd(0.01 * i, Vec3::UnitZ())));
             settings.isClutched = random() % 4 == 0;
-            settings.centre_W = Vec3(i, i, i); // not asked to centre: no matter
+            settings.centre_W = Vec3(i, i, i); // ignored without a request to centre
             map.set(settings);
-            const MappedInput out = map.map(at(p_D), 0); // the device stands still
+            const MappedInput out = map.map(at(p_D), 0); // the device is at rest
             QVERIFY((out.p_W - last).norm() < 1e-9);
             QVERIFY(!out.isMoved);
             last = out.p_W;
@@ -170,7 +170,7 @@ class WorkspaceMap : public QObject
         MapSettings settings = mapped();
         settings.edge_mm = 60.0;
         map.set(settings);
-        QVERIFY(!map.map(at(Vec3(100, 0, 0), true), 0).isClutched); // an arm that rests far out
+        QVERIFY(!map.map(at(Vec3(100, 0, 0), true), 0).isClutched); // an arm whose rest pose is far out
         QVERIFY((map.map(at(Vec3(50, 0, 0)), 0).p_W - Vec3(150, -50, 20)).norm() < 1e-12);
         QVERIFY(map.map(at(Vec3(61, 0, 0)), 0).isAtEdge);
     }
@@ -212,8 +212,8 @@ class WorkspaceMap : public QObject
         QCOMPARE(palpate::servo::scaleToFill(10.0, 0.0), 1.0);
     }
 
-    /// Scale, turn and clutch at random while the hand presses a sphere: the god-object never gets in, and no tick's
-    /// force steps by more than the bound.
+    /// Random scaling, rotation and clutching while the hand presses a sphere: the god-object never enters, and no
+    /// force step per tick exceeds the bound.
     void changesNeitherPullTheGodObjectThroughNorStepTheForce()
     {
         const auto scene = palpate::test::sphereScene(30.0, 2.0);
@@ -229,7 +229,7 @@ class WorkspaceMap : public QObject
         double most = 0.0;
         int clutched = 0;
         for (int i = 0; i < 20'000; ++i) {
-            // Above for the ease-in, then slowly down to 3 mm deep and around.
+            // Above during the ramp-in, then slowly down to 3 mm deep and around.
             const double z = i < 700 ? 31.5 : std::max(27.0, 31.5 - 0.005 * (i - 700));
             const Vec3 p_D(4.0 * std::sin(0.002 * i), 4.0 * std::cos(0.003 * i), z);
             if (i > 2500 && random() % 97 == 0) {

@@ -58,7 +58,7 @@ bool rehash(const std::filesystem::path& recording)
     Events events;
     std::vector<Check> checks;
     if (!tables.readVersion().isOk() || !checkSchema(database, tables.version()).isOk()) {
-        return false; // a replacement for a table might never end
+        return false; // a view in place of a table might never end
     }
     (void)tables.readMeta(meta);
     (void)tables.readScenes(scenes);

@@ -6,18 +6,18 @@
 
 namespace palpate::test {
 
-/// Makes every checksum of a recording right again, as any program can that writes one.
-/// @return false when the recording cannot be read or written
+/// Recomputes every checksum of a recording, as any program can.
+/// @return false if reading or writing the recording fails
 bool rehash(const std::filesystem::path& recording);
 
-/// Makes hash and all_sha256 of the embedded surfaces right again, and the structures refer to them.
+/// Recomputes hash and all_sha256 of the embedded surfaces and updates the references in the structures.
 bool rehashSurfaces(const std::filesystem::path& recording);
 
-/// The rollback journal of a transaction over several databases, without a page: SQLite deletes the file that it names
-/// once it has rolled it back.
+/// Returns the rollback journal of a transaction over several databases, without a page: after the rollback SQLite
+/// deletes the file named in the journal.
 [[nodiscard]] std::string superJournal(const std::filesystem::path& recording, const std::string& name);
 
-/// A recording of the box of 40 mm with an embedded surface, a note and a finding.
+/// Writes a recording of the box of 40 mm with an embedded surface, a note and a finding.
 /// @param ticks  as in palpationTicks
 bool writeRichRecording(const std::filesystem::path& recording, int ticks);
 

@@ -73,7 +73,7 @@ std::vector<servo::TickRecord> palpationTicks(int ticks)
         state.isPresent = tick < 400 || tick >= 420;
         state.p_D = Vec3(15.0 * std::sin(3.0 * t), 15.0 * std::cos(2.0 * t), 22.0 - 5.0 * std::sin(8.0 * t));
         records.push_back(core.tick(state, state.time_ns));
-        records.back().solve_ns = static_cast<std::uint32_t>(100 + tick % 7); // no clock in compared data
+        records.back().solve_ns = static_cast<std::uint32_t>(100 + tick % 7); // no clock values in compared data
     }
     return records;
 }
@@ -91,7 +91,7 @@ bool writeRecording(const std::filesystem::path& path, const std::vector<servo::
     info.firstTick = ticks.empty() ? 0 : ticks.front().tick;
     info.firstGeneration = 1;
     std::error_code none;
-    std::filesystem::remove(path, none); // of an earlier row
+    std::filesystem::remove(path, none); // from an earlier row
     auto writer = session::RecordingWriter::create(path, info);
     core::Status status = writer.status();
     for (const auto& scene : palpationScenes()) {

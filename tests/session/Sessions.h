@@ -13,24 +13,24 @@
 
 namespace palpate::test {
 
-/// A box of 40 mm about the origin, called "box".
+/// Returns a box of 40 mm about the origin, called "box".
 std::shared_ptr<const haptics::HapticScene> boxScene(double stiffness_N_per_mm, double damping_Ns_per_mm = 0.0);
-/// Its surface under the name that recordings made here give it.
+/// Returns the surface of the box under its hash in these recordings.
 session::SurfacesByHash boxSurfaces();
 
-/// What ServoCore makes of a hand that presses, slides, lets go (tick 400 to 420) and comes back, while the scene gets
-/// stiffer at tick 250; deterministic.
+/// Returns the ServoCore ticks of a hand that presses, slides, releases (tick 400 to 420) and comes back, while the
+/// scene gets stiffer at tick 250; deterministic.
 std::vector<servo::TickRecord> palpationTicks(int ticks);
-/// The two scenes, generations 1 and 2.
+/// Returns the two scenes of palpationTicks, generations 1 and 2.
 std::vector<session::SceneRecord> palpationScenes();
-/// @return false, with the reason as a warning, when the recording could not be written
+/// @return false, with the reason as a warning, if writing the recording failed
 bool writeRecording(const std::filesystem::path& path, const std::vector<servo::TickRecord>& ticks,
                     bool isFinished = true);
 
-/// The same bits in everything that a recording keeps.
+/// Compares all recorded data of two ticks bit for bit.
 bool isSameTick(const servo::TickRecord& a, const servo::TickRecord& b);
 
-/// Runs SQL on a file as any other tool would.
+/// Runs SQL on a file, as any other tool can.
 bool runSql(const std::filesystem::path& path, const std::string& sql);
 
 } // namespace palpate::test

@@ -27,7 +27,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A number that a child process and its parent share.
+/// A number shared by a child process and its parent.
 class SharedTick
 {
   public:
@@ -56,7 +56,7 @@ std::vector<core::Vec3> circling(int ticks)
     return motion;
 }
 
-/// Records the servo loop until it is killed.
+/// Records the servo loop until killed.
 [[noreturn]] void recordForever(const std::filesystem::path& path, std::atomic<std::int64_t>& newest)
 {
     device::PlaybackDevice device(circling(60000));
@@ -88,7 +88,7 @@ class CrashSafety : public QObject
     std::filesystem::path path(const char* name) const { return m_folder.filePath(name).toStdString(); }
 
   private Q_SLOTS:
-    /// Killed at different moments, also in the middle of a transaction.
+    /// Killed at different times, also in the middle of a transaction.
     void aKilledProgramLosesAtMostTheLastSecond()
     {
         std::int64_t worst = 0;
@@ -115,7 +115,7 @@ class CrashSafety : public QObject
             worst = std::max(worst, last - extent.lastTick);
             QVERIFY2(last - extent.lastTick <= 1000, std::to_string(last - extent.lastTick).c_str());
             QVERIFY2(reader.value()->verify().isOk(), reader.value()->verify().message().c_str());
-            std::int64_t expected = extent.firstTick; // a prefix: nothing missing inside
+            std::int64_t expected = extent.firstTick; // a prefix without gaps
             QVERIFY(reader.value()
                         ->forEach(0, std::numeric_limits<std::int64_t>::max(),
                                   [&expected](const servo::TickRecord& tick) { return tick.tick == expected++; })
@@ -135,7 +135,7 @@ class CrashSafety : public QObject
         servo::ServoOptions options;
         options.askRealtime = false;
         const auto generation = loop.setScene(test::boxScene(0.5, 0.001));
-        QVERIFY(!session::Recorder(loop).start(path("early.palpate"), {}, {}).isOk()); // no loop to record
+        QVERIFY(!session::Recorder(loop).start(path("early.palpate"), {}, {}).isOk()); // no servo loop
         QVERIFY(loop.start(device, options).isOk());
         session::Recorder recorder(loop);
         const auto scenes = test::palpationScenes();
@@ -159,7 +159,7 @@ class CrashSafety : public QObject
         QVERIFY(reader.value()->extent().isComplete);
         QVERIFY(reader.value()->extent().ticks > 400);
         QCOMPARE(reader.value()->extent().dropped, std::int64_t{0});
-        // Two scenes, the change of tissue, the note, and how the loop kept time.
+        // Two scenes, the change of tissue, the note, and the loop's timing.
         QCOMPARE(reader.value()->events().size(), std::size_t{5});
         const auto& timing = reader.value()->events().back();
         QCOMPARE(timing.kind, std::string("timing"));
@@ -169,7 +169,7 @@ class CrashSafety : public QObject
         QVERIFY2(result.value().isSame(), result.value().difference.c_str());
     }
 
-    /// A file that may not grow stands for a full disk.
+    /// A file size limit simulates a full disk.
     void aFullDiskIsSaidAndWhatWasWrittenStaysValid()
     {
         const auto ticks = test::palpationTicks(20000);

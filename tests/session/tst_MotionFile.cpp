@@ -110,7 +110,7 @@ class MotionFile : public QObject
         QVERIFY(motion.status().message().starts_with("no-such-folder/m.csv: "));
     }
 
-    /// The bytes come in blocks; a row may lie across the border of two.
+    /// The file is read in blocks; a row may cross the border of two.
     void readsALongFileLikeItsText()
     {
         std::string text = "x,y,z\r\n";
@@ -140,7 +140,7 @@ class MotionFile : public QObject
 
     void survivesAnyBytes()
     {
-        std::uint32_t seed = 1; // a generator of our own: the same bytes everywhere
+        std::uint32_t seed = 1; // a separate generator: the same bytes everywhere
         const std::string valid = "x,y,z\n1,2,3\n4,5,6\n";
         for (int round = 0; round < 20000; ++round) {
             std::string text = valid;

@@ -12,7 +12,7 @@
 using namespace palpate;
 using session::RecordingReader;
 
-/// Recordings that older versions wrote: the first 1,750 ticks of the phantom's palpation.
+/// Tests recordings of older versions: the first 1,750 ticks of the phantom's palpation.
 class OldRecordings : public QObject
 {
     Q_OBJECT
@@ -47,7 +47,7 @@ class OldRecordings : public QObject
                 const bool isTouching = tick.felt.structure >= 0;
                 const core::Vec3 spring = tick.felt.p_WG - tick.p_WH;
                 const haptics::Contact& only = tick.felt.contacts[0];
-                // Values not stored in old versions: the normal is that of the spring, and one layer has the whole
+                // Defaults for data missing in old versions: the normal is the spring's, and one layer has the whole
                 // force.
                 const bool isRight =
                     isTouching == (tick.felt.contactCount == 1) &&
@@ -61,7 +61,7 @@ class OldRecordings : public QObject
         QCOMPARE(touching, 318);
     }
 
-    /// Without the page that leads to the others its rows are known by their form, which is another in each version.
+    /// Without the page that leads to the others, rows are recognised by their form, which differs between versions.
     void areRecoveredRowByRow_data() { eachVersion(); }
     void areRecoveredRowByRow()
     {
@@ -81,7 +81,7 @@ class OldRecordings : public QObject
         QCOMPARE(result.value().ticks, std::int64_t{1750});
         const auto reader = RecordingReader::open(copy);
         QVERIFY2(reader.isOk() && reader.value()->verify().isOk(), reader.status().message().c_str());
-        if (version == 2) { // of version 1 the ticks alone
+        if (version == 2) { // version 1: only the ticks
             QCOMPARE(reader.value()->scenes().size(), std::size_t{1});
             for (const std::string& loss : result.value().losses) {
                 QVERIFY2(loss.find("checksum") == std::string::npos, loss.c_str());

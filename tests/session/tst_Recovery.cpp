@@ -250,7 +250,7 @@ class Recovery : public QObject
         }
         QVERIFY(session::recoverRecording(path("q.palpate"), path("r.palpate")).isOk());
         QCOMPARE(bytes("precious"), QByteArray("theirs"));
-        QVERIFY(!std::filesystem::is_symlink(path("r.palpate"))); // replaces the link
+        QVERIFY(!std::filesystem::is_symlink(path("r.palpate"))); // replaces the link itself
         QVERIFY(RecordingReader::open(path("r.palpate")).isOk());
 
         QVERIFY(QFile::link("precious", m_folder.filePath("q.palpate-journal")));

@@ -53,7 +53,7 @@ class Replay : public QObject
   private Q_SLOTS:
     void givesOneTickARow()
     {
-        const auto motion = pressing(10000); // more than a batch
+        const auto motion = pressing(10000); // longer than a batch
         const auto ticks = felt(*test::boxScene(0.5), motion);
         QCOMPARE(ticks.size(), motion.p_WH.size());
         for (std::size_t i = 0; i < ticks.size(); ++i) {
@@ -150,10 +150,10 @@ class Replay : public QObject
 
     void tellsRoundingFromAnotherWay_data()
     {
-        QTest::addColumn<double>("skins");  // that the god-object is moved by
-        QTest::addColumn<double>("pushed"); // that the force is, times the stiffness
+        QTest::addColumn<double>("skins");  // displacement of the god-object
+        QTest::addColumn<double>("pushed"); // displacement of the force, times the stiffness
         QTest::addColumn<int>("structure");
-        QTest::addColumn<int>("triangle"); // added to the number
+        QTest::addColumn<int>("triangle"); // offset of the triangle's number
         QTest::addColumn<bool>("isRounding");
         QTest::newRow("a tenth of a skin") << 0.1 << 0.0 << 0 << 0 << true;
         QTest::newRow("15 skins") << 15.0 << 0.0 << 0 << 0 << true;
@@ -174,7 +174,7 @@ class Replay : public QObject
         QFETCH(int, triangle);
         QFETCH(bool, isRounding);
         auto ticks = test::palpationTicks(2000);
-        std::size_t at = 600; // on the second scene
+        std::size_t at = 600; // in the second scene
         while (ticks[at].felt.structure < 0) {
             ++at;
         }
@@ -212,7 +212,7 @@ class Replay : public QObject
         while (ticks[at].felt.structure < 0) {
             ++at;
         }
-        ticks[at].felt.structure = -1; // but pressed: no rounding takes that away
+        ticks[at].felt.structure = -1; // but pressed: beyond any rounding
         ticks[at].felt.p_WG = ticks[at].p_WH;
         ticks[at].felt.f_W = Vec3::Zero();
         QVERIFY(test::writeRecording(path("m.palpate"), ticks));
@@ -221,7 +221,7 @@ class Replay : public QObject
         QCOMPARE(*pressed.value().firstBeyond, ticks[at].tick);
 
         ticks = test::palpationTicks(2000);
-        ticks[at].felt.structure = -1; // the same place and force
+        ticks[at].felt.structure = -1; // the same position and force
         QVERIFY(test::writeRecording(path("m.palpate"), ticks));
         const auto grazed = again("m.palpate");
         QVERIFY2(grazed.isOk(), grazed.status().message().c_str());
@@ -236,7 +236,7 @@ class Replay : public QObject
         QVERIFY(!session::isExactBuild("unknown GNU 12.2.0 Release"));
     }
 
-    /// A motion in the steps of an encoder is damped by the hand's velocity; an exact one by its differences.
+    /// Motion in encoder steps is damped by the estimated velocity; exact motion by its differences.
     void dampsAHandThatIsCounted()
     {
         const auto scene = test::boxScene(0.2, 0.005);
@@ -265,7 +265,7 @@ class Replay : public QObject
 
     void startsInTheMiddleOfATouch()
     {
-        // A recording that begins during a press: the start state is that after the previous ticks.
+        // A recording that starts during contact: its start state is the result of the earlier ticks.
         const auto motion = pressing(1000);
         const auto scene = test::boxScene(0.5, 0.001);
         haptics::Palpator palpator;

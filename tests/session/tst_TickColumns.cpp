@@ -11,7 +11,7 @@
 using namespace palpate;
 using namespace palpate::session::internal;
 
-/// The list of tick columns, compared with the other places that repeat it.
+/// Checks the list of tick columns against all other places that list them.
 class TickColumns : public QObject
 {
     Q_OBJECT

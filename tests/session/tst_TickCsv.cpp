@@ -56,7 +56,7 @@ class TickCsv : public QObject
         tick.tick = 8;
         tick.solve_ns = 40;
         csv.value().write(tick, kNames);
-        QVERIFY(!QFile::exists(path)); // not before completion
+        QVERIFY(!QFile::exists(path)); // only when complete
         QVERIFY(csv.value().finish().isOk());
         QCOMPARE(contents(path),
                  QByteArray("tick,hip_x,hip_y,hip_z,god_x,god_y,god_z,force_x,force_y,force_z,constraints,structure,"
@@ -69,8 +69,8 @@ class TickCsv : public QObject
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
     }
 
-    /// Of a recording: the same columns and bytes, then time, what was sent, depth and events; a tick without a hand
-    /// has a row too.
+    /// For a recording: the same columns and bytes, followed by time, sent force, depth and events; ticks without a
+    /// hand have a row too.
     void aSessionHasEveryTickAndMoreAtTheEnd()
     {
         const QTemporaryDir folder;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows that take too long for every build.
+// Rows that are too slow for every build.
 #include "HardCaseTest.h"
 
 class LongHardCases : public QObject

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The arm's mechanics: three driven links with distributed mass, capstan drives, friction, and a hand at the tip.
-// Written from the mechanism, not from the driver: both must agree.
+// Derived from the mechanism and independent of the driver, so that agreement of both is a test.
 #include "Bench.h"
 
 #include <Eigen/Dense>
@@ -26,8 +26,8 @@ V3 arr(const Vector3d& v)
     return {v[0], v[1], v[2]};
 }
 
-/// A point that lies `b` along link b's direction and `c` along link c's from the shoulder: place, velocity map and
-/// that map's rate of change.
+/// A point at `b` along link b's direction and `c` along link c's from the shoulder: position, Jacobian and time
+/// derivative of the Jacobian.
 struct Point
 {
     Vector3d p;
@@ -50,7 +50,7 @@ Point pointAt(const Vector3d& q, const Vector3d& v, double b, double c)
     return out;
 }
 
-/// Turns of each motor for a turn of its link; the sense is how the encoder counts against the link's angle.
+/// Returns motor turns per turn of each link; the sign is the direction of the encoder relative to the link angle.
 Vector3d reduction(const ArmUnit& unit)
 {
     return vec(unit.body_m).cwiseQuotient(vec(unit.capstan_m));
@@ -58,7 +58,7 @@ Vector3d reduction(const ArmUnit& unit)
 
 Vector3d jointTorques(const ArmUnit& unit, const V3& amps)
 {
-    // Amplifiers and motors as the kit is wired: a positive current turns a forwards, b and c backwards.
+    // Amplifiers and motors in the kit's wiring: a positive current turns a forwards, b and c backwards.
     const Vector3d sense = unit.variant == 1 ? Vector3d(1, -1, 1) : Vector3d(1, -1, -1);
     return sense.cwiseProduct(vec(amps)).cwiseProduct(vec(unit.torqueConstant)).cwiseProduct(reduction(unit));
 }

@@ -151,7 +151,7 @@ struct Bench
     Faults faults;
     Puck puck;
     bool hasStranger = false; ///< another mbed device with the arm's ids is also on the bus
-    int strangerLength = 0;   ///< > 0: the arm sends reports of this length
+    int strangerLength = 0;   ///< > 0: the arm itself sends reports of this length
 };
 
 constexpr std::uint64_t kMagic = 0x70616c7061746531;

@@ -33,7 +33,7 @@ void advancePuck(Puck& puck, std::int64_t now_ns)
     for (puck.next_ns = std::max(puck.next_ns, now_ns - 20 * kPeriod_ns); puck.next_ns <= now_ns;
          puck.next_ns += kPeriod_ns) {
         const bool isHeld = std::any_of(puck.axes.begin(), puck.axes.end(), [](std::int16_t a) { return a != 0; });
-        if (isHeld || puck.wasHeld) { // the last reports of a puck that is let go are zeros
+        if (isHeld || puck.wasHeld) { // the last reports after a release are zeros
             if (puck.hasSixAxisReport) {
                 push(puck.toHost, report(1, puck.axes.data(), 6, puck.next_ns));
             } else {

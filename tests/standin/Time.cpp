@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stands in front of the C library's clock, so that minutes of a program with threads pass in seconds and in order.
+// Interposes the C library's clock, so that minutes of a multi-threaded program pass in seconds and in order.
 #include "Time.h"
 
 #include <cerrno>
@@ -28,12 +28,12 @@ struct VirtualTime
     std::mutex lock;
     bool isOn = false;
     std::int64_t now_ns = 0;
-    int working = 0; ///< threads that do not sleep
+    int working = 0; ///< threads that are not sleeping
     std::multimap<std::int64_t, Sleeper*> sleepers;
-    std::set<pthread_t> awaited;  ///< somebody sleeps in pthread_join for these
-    std::set<pthread_t> finished; ///< nobody has joined these yet
+    std::set<pthread_t> awaited;  ///< threads that another thread waits for in pthread_join
+    std::set<pthread_t> finished; ///< threads that are not joined yet
 
-    /// With `lock` held: if nobody works, the hour of the earliest sleeper comes.
+    /// If no thread is working, advances to the earliest wake-up time. Requires `lock`.
     void settle()
     {
         if (working > 0 || sleepers.empty()) {
@@ -115,7 +115,7 @@ void* runCounted(void* raw)
     void* const result = started.run(started.argument);
     VirtualTime& time = virtualTime();
     const std::lock_guard guard(time.lock);
-    if (time.awaited.erase(pthread_self()) == 0) { // else the one who waits works on in this one's place
+    if (time.awaited.erase(pthread_self()) == 0) { // otherwise the waiting thread takes this thread's place
         time.finished.insert(pthread_self());
         --time.working;
         time.settle();
@@ -179,7 +179,7 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
     auto* started = new standin::Started{run, argument};
     {
         const std::lock_guard guard(time.lock);
-        ++time.working; // from now on, although not begun
+        ++time.working; // counted from now on, although not yet running
     }
     const int error = create(thread, attributes, standin::runCounted, started);
     if (error != 0) {

@@ -79,7 +79,7 @@ class BuriedLumps : public QObject
         meshio::LoadedScene s = scene();
         QVERIFY(study::applyBuriedLumps(s).isOk() && s.structures[0].feltBelow.empty()); // by layers, as in old files
         s.scene.buried = meshio::BuriedTouch::Felt;
-        s.structures[1].description.layer = 1; // then without a message
+        s.structures[1].description.layer = 1; // ignored in this mode
         QVERIFY(study::applyBuriedLumps(s).isOk());
         QVERIFY(s.structures[1].isTransmitted && !s.structures[2].isTransmitted);
         const auto felt = study::hapticScene(s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Displayed values of a map: unit, limit of the device, and the value at one place.
+// Tests the effective map: values, units, the stability limit of the device, and the value at a position.
 #include "TestRunner.h"
 
 #include <palpate/study/FeltMap.h>
@@ -44,7 +44,7 @@ class FeltMap : public QObject
         QVERIFY(felt.unit == "N/mm" && std::abs(felt.values[0] - 0.2F) < 1e-6F && std::isnan(felt.values[2]));
         QVERIFY(std::abs(felt.least - 0.2) < 1e-6 && std::abs(felt.greatest - 0.8) < 1e-6);
         QCOMPARE(felt.own, 0.4);
-        QVERIFY(std::abs(study::feltMap(map, tissueOf(0.4), 0.6).greatest - 0.6) < 1e-6); // a device holds no more
+        QVERIFY(std::abs(study::feltMap(map, tissueOf(0.4), 0.6).greatest - 0.6) < 1e-6); // limit of the device
     }
     void anotherLawIsScaledAndHasNoOneStiffness()
     {
@@ -65,7 +65,7 @@ class FeltMap : public QObject
     {
         geometry::TriangleMesh mesh;
         mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 0}, {0, 0, 0}, {4, 4, 0}};
-        mesh.triangles = {{3, 4, 0}, {0, 1, 2}, {1, 5, 2}}; // the first has no area and is left out
+        mesh.triangles = {{3, 4, 0}, {0, 1, 2}, {1, 5, 2}}; // the first triangle is degenerate and skipped
         meshio::LoadedStructure structure;
         structure.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
         std::vector<float> values;

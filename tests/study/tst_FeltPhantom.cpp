@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The phantom with its lumps felt through the liver: one energy, and as steady in a device as without lumps.
+// Tests the phantom with its lumps transmitted through the liver: conservative, and as stable in a device as without
+// lumps.
 #include "TestRunner.h"
 
 #include <palpate/evaluation/Stability.h>
@@ -22,7 +23,7 @@ namespace stability = evaluation::stability;
 
 namespace {
 
-/// Liver and lumps as they are opened, felt or by layers.
+/// Returns liver and lumps as opened, transmitted or as layers.
 const meshio::LoadedScene& feltPhantom()
 {
     static const meshio::LoadedScene kScene = [] {
@@ -50,7 +51,7 @@ Vec3 middle(const geometry::RepairedMesh& of)
     return box.center();
 }
 
-/// The work of a god-object's force along straight ways, by trapezia.
+/// Integrates the work of a god-object's force along straight paths by the trapezoidal rule.
 class Way
 {
   public:
@@ -80,7 +81,7 @@ class Way
     }
 
     double work_mJ = 0.0, moved_mJ = 0.0;
-    double alongNormal_mJ = 0.0; ///< of the part of the force along the contact's normal alone
+    double alongNormal_mJ = 0.0; ///< work of the force component along the contact normal
 
   private:
     haptics::Palpator m_palpator;
@@ -95,9 +96,10 @@ class FeltPhantom : public QObject
     Q_OBJECT
 
   private Q_SLOTS:
-    /// In over a lump, along to beside it, out, and back through the air; and the other way about. On a facet nothing
-    /// is left over (haptics.TissueMaps); between facets the god-object of a HIP at depth d crosses an edge at once by
-    /// d times the angle there, which of what the map varies is the share d / R in all, R being the organ's radius.
+    /// In over a lump, along the surface away from the lump, out, and back through the air; and the reverse. On a facet
+    /// the work is zero (haptics.TissueMaps); between facets the god-object of a HIP at depth d jumps across an edge by
+    /// d times the angle there. In total this is a fraction d / R of the map's variation, where R is the organ's
+    /// radius.
     void aClosedPathOverALumpMakesOnlyWhatEdgesLeave()
     {
         const meshio::LoadedScene& scene = feltPhantom();
@@ -139,7 +141,7 @@ class FeltPhantom : public QObject
         }
     }
 
-    /// Transmitted lumps do not reduce the stable stiffness: the same at each place as for the liver without lumps.
+    /// Transmitted lumps do not reduce the stable stiffness: at each position the same as for the liver without lumps.
     void theLiverHoldsWithItsLumpsWhatItHoldsWithoutThem_data()
     {
         QTest::addColumn<QByteArray>("id");
@@ -153,7 +155,7 @@ class FeltPhantom : public QObject
         constexpr double kSearch = 1.04; // the search's precision
         stability::Shape felt = stability::shapeOf("felt", *study::hapticScene(feltPhantom()));
         QVERIFY(felt.holds.size() >= 5);
-        felt.holds.erase(felt.holds.begin(), felt.holds.end() - 2); // over a lump, and where the map is steepest
+        felt.holds.erase(felt.holds.begin(), felt.holds.end() - 2); // over a lump, and at the steepest part of the map
         stability::Shape plain = felt;
         for (std::size_t i = 0; i < plain.structures.size(); ++i) {
             plain.structures[i].maps = {};

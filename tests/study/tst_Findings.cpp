@@ -92,7 +92,7 @@ class Findings : public QObject
         later.p_W.x() = 5.0;
         const core::Finding other{.name = "Finding 2"};
         later.id.clear();
-        core::Finding first = whole(); // as in older versions: without an id
+        core::Finding first = whole(); // as recorded by older versions: without an id
         first.id.clear();
         const auto left = session::findingsOf({event(1, "finding", first),
                                                event(2, "finding", later),
@@ -103,7 +103,7 @@ class Findings : public QObject
                                                {7, "note", session::findingJson(other)}});
         QCOMPARE(left.size(), std::size_t{2});
         QCOMPARE(left[0].first, std::int64_t{1});
-        QCOMPARE(left[0].second.p_W, whole().p_W); // the newer one of that name went
+        QCOMPARE(left[0].second.p_W, whole().p_W); // the newer finding of that name was removed
         QCOMPARE(left[1].second.name, std::string("Finding 2"));
     }
 
@@ -123,7 +123,7 @@ class Findings : public QObject
         QCOMPARE(left.size(), std::size_t{3});
         QVERIFY(left[0].second == renamed);
         QVERIFY(left[1].second == same);
-        QCOMPARE(left[1].first, std::int64_t{2}); // the time of marking, not of restoring
+        QCOMPARE(left[1].first, std::int64_t{2}); // keeps its original time
         QVERIFY(left[2].second == rewritten);
     }
 

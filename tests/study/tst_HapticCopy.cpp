@@ -22,7 +22,7 @@ class HapticCopy : public QObject
 {
     Q_OBJECT
 
-    /// Two that can be felt, in layers with a gap between, and one between them that cannot.
+    /// Two palpable structures, in layers with a gap, and an impalpable one in between.
     static meshio::LoadedScene scene()
     {
         meshio::LoadedScene loaded;
@@ -76,11 +76,11 @@ class HapticCopy : public QObject
         }
         const auto bounded = model.hapticScene({0.5, 0.0015});
         QCOMPARE(bounded->structures()[0].tissue.damping_Ns_per_mm, 0.001);
-        // Layers add up: the inner layer gets the rest of the limit.
+        // Layers add up: the inner layer gets the remainder of the outer one.
         QCOMPARE(bounded->structures()[2].tissue.damping_Ns_per_mm, 0.0015 - 0.001);
         QCOMPARE(bounded->structures()[2].tissue.stiffness_N_per_mm, 0.5 - 0.25);
 
-        const auto subject = evaluation::subjectOf("boxes", loaded); // subject of the report: palpable structures only
+        const auto subject = evaluation::subjectOf("boxes", loaded); // the report, with palpable structures only
         QCOMPARE(subject->scene->structures().size(), std::size_t{2});
         compare(subject->scene->structures()[0], loaded.structures[0].description);
         compare(subject->scene->structures()[1], loaded.structures[2].description);

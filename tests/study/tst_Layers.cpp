@@ -191,7 +191,7 @@ class Layers : public QObject
         QCOMPARE(felt, before);
     }
 
-    /// Vessels without contact are also inside the liver, but are not simulated below its surface.
+    /// Impalpable vessels are inside the liver too, but are not reported as palpable through the liver.
     void whatIsPassedThroughIsNotNamed()
     {
         meshio::LoadedScene scene =

@@ -34,7 +34,7 @@ class LiveSession : public QObject
         return loaded;
     }
 
-    /// A hand that presses the top again and again, for as long as it is asked.
+    /// Returns a hand that presses the top repeatedly without end.
     static std::unique_ptr<device::PlaybackDevice> hand()
     {
         std::vector<Vec3> places;
@@ -66,7 +66,7 @@ class LiveSession : public QObject
     void recordsWhatItFeelsAndEachSceneOfIt()
     {
         QFETCH(bool, embeds);
-        std::filesystem::remove(path("r.palpate")); // of the row before
+        std::filesystem::remove(path("r.palpate")); // from the previous row
         const auto device = hand();
         study::LiveSession live;
         feel(live, box(0.3));
@@ -101,7 +101,7 @@ class LiveSession : public QObject
         QVERIFY2(again.isOk(), again.status().message().c_str());
         QVERIFY2(again.value().isSame(), again.value().difference.c_str());
         QVERIFY(again.value().compared > 900);
-        if (embeds) { // the file is the whole session
+        if (embeds) { // the file is self-contained
             const auto whole = study::openScene(path("r.palpate"));
             QVERIFY2(whole.isOk(), whole.status().message().c_str());
             const meshio::SceneStructure& one = whole.value().structures.at(0).description;
@@ -124,7 +124,7 @@ class LiveSession : public QObject
     {
         const auto device = hand();
         study::LiveSession live;
-        QCOMPARE(live.takeTicks().status().code(), core::StatusCode::Internal); // nothing runs
+        QCOMPARE(live.takeTicks().status().code(), core::StatusCode::Internal); // not running
         feel(live, box(0.3));
         QVERIFY(live.start(*device, {}).isOk());
         const auto start = live.takeTicks();

@@ -39,7 +39,7 @@ class SceneNotes : public QObject
         meshio::LoadedScene scene;
         add(scene, "liver", test::box(Vec3::Zero(), Vec3(10, 10, 10), 3));
         add(scene, "kidney", test::box(Vec3(10.05, 0, 0), Vec3(20, 10, 10), 4));
-        add(scene, "spleen", test::box(Vec3(20.3, 0, 0), Vec3(30, 10, 10), 4)); // too far away to matter
+        add(scene, "spleen", test::box(Vec3(20.3, 0, 0), Vec3(30, 10, 10), 4)); // too far away to have an effect
         const auto notes = notesOf(scene);
         QCOMPARE(notes.size(), std::size_t{1});
         QVERIFY2(notes[0].starts_with("liver and kidney come within 0.05 mm of each other at ("), notes[0].c_str());
@@ -62,7 +62,7 @@ class SceneNotes : public QObject
         const double soft = 0.1;
         add(scene, "liver", test::box(Vec3::Zero(), Vec3(10, 10, 10), 3), 0, true, soft);
         add(scene, "tumour", test::box(Vec3(10, 0, 0), Vec3(20, 10, 10), 3), 0, true, 8.0 * soft);
-        add(scene, "fat", test::box(Vec3(0, -10, 0), Vec3(9, 0, 10), 3), 0, true, 2.0 * soft); // no more than twice
+        add(scene, "fat", test::box(Vec3(0, -10, 0), Vec3(9, 0, 10), 3), 0, true, 2.0 * soft); // at most twice
         add(scene, "bone", test::box(Vec3(0, 10, 0), Vec3(10, 20, 10), 3), 1, true, 20.0 * soft);
         add(scene, "far", test::box(Vec3(0, 0, 11), Vec3(10, 10, 20), 3), 0, true, 20.0 * soft);
         QCOMPARE(notesOf(scene), std::vector<std::string>{"liver and tumour touch in one layer and differ 8-fold in "
@@ -71,7 +71,7 @@ class SceneNotes : public QObject
         QVERIFY(notesOf(scene).empty());
     }
 
-    /// The stiffness at a light press counts, not the number in the file.
+    /// The comparison uses the stiffness at a light press and not the coefficient in the file.
     void comparesLawsAtALightPress()
     {
         meshio::LoadedScene scene;
@@ -80,13 +80,13 @@ class SceneNotes : public QObject
         QVERIFY(notesOf(scene).empty());
         core::Tissue& tissue = scene.structures[0].description.tissue;
         tissue.law.kind = core::LawKind::Points;
-        tissue.law.points = {{0.0, 0.0}, {2.0, 0.1}, {4.0, 4.0}}; // 0.05 N/mm where the bone has 0.5
+        tissue.law.points = {{0.0, 0.0}, {2.0, 0.1}, {4.0, 4.0}}; // 0.05 N/mm compared to the bone's 0.5
         const auto notes = notesOf(scene);
         QCOMPARE(notes.size(), std::size_t{1});
         QVERIFY2(notes[0].find("differ 10-fold") != std::string::npos, notes[0].c_str());
     }
 
-    /// A lump that reaches out of its organ has a border, too.
+    /// A lump that protrudes from its organ has a border, too.
     void namesTheSeamAroundALumpThatReachesOut()
     {
         meshio::LoadedScene scene;
@@ -108,7 +108,7 @@ class SceneNotes : public QObject
         scene.structures[1].description.layer = 1;
         QVERIFY(notesOf(scene).empty());
         scene.structures[1].description.layer = 0;
-        scene.structures[1].isTransmitted = true; // has a touch mode
+        scene.structures[1].isTransmitted = true; // already transmitted
         QVERIFY(notesOf(scene).empty());
     }
 

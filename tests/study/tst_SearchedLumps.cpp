@@ -137,7 +137,7 @@ class SearchedLumps : public QObject
     void elsewhereOrOnTheLumpItselfIsNoSearch()
     {
         QCOMPARE(searched({onOrgan(Vec3(1, 0, 0))}, 8.0).share().value(), 0.0);
-        QCOMPARE(searched({Vec3(0, 0, kRadius_mm)}, 8.0, 1).share().value(), 0.0); // of the same layer
+        QCOMPARE(searched({Vec3(0, 0, kRadius_mm)}, 8.0, 1).share().value(), 0.0); // of its own layer
         QCOMPARE(searched({Vec3(0, 0, kRadius_mm)}, 8.0, 1).predicted_percent.value(), 0.0);
     }
 

@@ -19,16 +19,16 @@ namespace {
 
 constexpr double kRadius_mm = 30.0, kDepth_mm = 5.0, kStiffness_N_per_mm = 0.5;
 
-/// Deviations of the simulated contact with a ball from the true ball.
+/// Deviations of the contact from that of an exact ball.
 struct Deviation
 {
     std::size_t ticks = 0;
-    double force = 0.0; ///< greatest, as a share of the true force
+    double force = 0.0; ///< largest, relative to the true force
     double direction_deg = 0.0;
-    double longest_mm = 0.0; ///< spring
+    double longest_mm = 0.0; ///< length of the spring
 };
 
-/// A structure with one surface, smoothed or not.
+/// Returns a scene with one surface, smoothed or not.
 meshio::LoadedScene sceneOf(const geometry::TriangleMesh& mesh, meshio::SurfaceKind surface)
 {
     meshio::LoadedScene scene;
@@ -48,7 +48,7 @@ void feel(const haptics::HapticScene& scene, const session::Motion& motion, cons
         const Vec3 out_mm = tick.p_WH - centre_mm;
         const double depth_mm = kRadius_mm - out_mm.norm();
         if (depth_mm < kDepth_mm - 1e-3) {
-            return true; // on the way in
+            return true; // during the approach
         }
         const Vec3& f = tick.felt.f_W;
         const double true_N = kStiffness_N_per_mm * depth_mm;
@@ -61,7 +61,7 @@ void feel(const haptics::HapticScene& scene, const session::Motion& motion, cons
     });
 }
 
-/// In from above, then along a meridian to as near to the other pole.
+/// Returns a motion in from above, then along a meridian to equally near the other pole.
 session::Motion meridian(double azimuth_rad, const Vec3& centre_mm)
 {
     constexpr double kFromPole_rad = 18.0 * std::numbers::pi / 180.0;
@@ -81,7 +81,8 @@ session::Motion meridian(double azimuth_rad, const Vec3& centre_mm)
 
 } // namespace
 
-/// The bound of smoothing: ripple at most 10 % of the force, its direction within 25°, no spring twice as long as deep.
+/// The bounds after smoothing: ripple at most 10 % of the force, direction within 25°, no spring longer than twice the
+/// depth.
 class SmoothedMasks : public QObject
 {
     Q_OBJECT
@@ -115,7 +116,7 @@ class SmoothedMasks : public QObject
               100.0 * stepped.force, stepped.direction_deg, stepped.longest_mm, 100.0 * smooth.force,
               smooth.direction_deg, smooth.longest_mm);
         QVERIFY(smooth.ticks > 3000);
-        QVERIFY(stepped.force > 0.3); // or there would be nothing to smooth
+        QVERIFY(stepped.force > 0.3); // otherwise there would be nothing to smooth
         QVERIFY(smooth.force <= 0.10);
         QVERIFY(smooth.direction_deg <= 25.0);
         QVERIFY(smooth.longest_mm <= 2.0 * kDepth_mm);

@@ -12,7 +12,7 @@ using namespace palpate;
 using meshio::AnatomyKind;
 using study::RatioSource;
 
-/// How many times as stiff as its organ a lump is, of hand-made descriptions.
+/// Tests the stiffness ratio of a lump to its organ with synthetic descriptions.
 class StiffnessRatio : public QObject
 {
     Q_OBJECT
@@ -50,8 +50,8 @@ class StiffnessRatio : public QObject
         QVERIFY(!study::stiffnessRatio(lump, organ, 7.0)->isRange());
     }
 
-    /// The tissue that a name gives a structure is no stiffness that a person chose: as opened, given its tissue by
-    /// name, and saved, a pair has the same ratio to the last bit.
+    /// Tissue assigned by name is not a stiffness set by the user: after opening, tissue by name and saving, a pair has
+    /// exactly the same ratio.
     void theTissueOfANameIsNotChosen()
     {
         for (const char* lumpName : {"tumour", "metastasis", "benign lesion", "fibrosis", "cyst"}) {
@@ -60,7 +60,7 @@ class StiffnessRatio : public QObject
             organ.tissue.stiffness_N_per_mm = study::namedStiffness_N_per_mm("liver").value();
             lump.tissue.stiffness_N_per_mm = study::namedStiffness_N_per_mm(lumpName, &organ.name).value();
             QVERIFY2(before && between(lump, organ) == before, lumpName);
-            organ.tissue.stiffness_N_per_mm = 0.3; // a firmer liver, with lumps given by ratio
+            organ.tissue.stiffness_N_per_mm = 0.3; // a firmer liver: its lumps keep their ratio
             QVERIFY2(between(lump, organ) == before, lumpName);
         }
     }
@@ -69,16 +69,16 @@ class StiffnessRatio : public QObject
     {
         QVERIFY(!between(named("thing"), named("liver")));
         QVERIFY(!between(named("tumour"), named("part")));
-        QVERIFY(!between(named("tumour"), named("kidney"))); // nothing published is known here
+        QVERIFY(!between(named("tumour"), named("kidney"))); // no published value
         meshio::SceneStructure lump = named("thing"), organ = named("liver");
         organ.tissue.law.kind = lump.tissue.law.kind = core::LawKind::Exponential;
         lump.tissue.stiffness_N_per_mm = 2.0;
-        QVERIFY(!between(lump, organ)); // no one number
+        QVERIFY(!between(lump, organ)); // no single value
         const std::string question = study::ratioQuestion("thing", "liver");
         for (const char* part : {"thing", "liver", "not known", "--ratio \"thing=R\"", "4.4 (2.2 to 5.2)", "cyst"}) {
             QVERIFY2(question.find(part) != std::string::npos, question.c_str());
         }
-        QVERIFY(question.find("breast") == std::string::npos); // of other organs
+        QVERIFY(question.find("breast") == std::string::npos); // no text about other organs
     }
 
     void whatIsFilledWithFluidIsSofterThanItsOrgan()
@@ -100,7 +100,7 @@ class StiffnessRatio : public QObject
             QVERIFY2(!ratio.citation.empty() && ratio.source == RatioSource::Published, one.name.data());
             QVERIFY2(study::publishedRatio(one.lump, one.organ) == &one, one.name.data());
         }
-        // A benign tumour of the liver by MR elastography: 2.7 by 2.3 kPa; a malignant one 10.1.
+        // A benign liver tumour by MR elastography: 2.7 to 2.3 kPa; a malignant one 10.1.
         QVERIFY(std::abs(study::publishedRatio(AnatomyKind::BenignLump, AnatomyKind::Liver)->ratio.typical -
                          2.7 / 2.3) < 0.05);
         QVERIFY(std::abs(study::publishedRatio(AnatomyKind::MalignantLump, AnatomyKind::Liver)->ratio.typical -

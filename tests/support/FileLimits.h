@@ -7,7 +7,7 @@
 
 namespace palpate::test {
 
-/// While it lives, no file of this process grows beyond a size: a write fails as on a full disk.
+/// While the object lives, no file of this process grows beyond a size: a write fails as on a full disk.
 class FileLimit
 {
   public:

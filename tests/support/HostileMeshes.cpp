@@ -90,7 +90,7 @@ void addObj(std::vector<HostileMesh>& out)
     add("o20_html", "<!DOCTYPE html><html><body>404 Not Found</body></html>\n", "byte 0: a web page (HTML)");
     add("o21_lfs", "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n", "byte 0: a Git LFS pointer");
     add("o22_utf16", std::string("\xff\xfev\0 \0", 6) + noise(100), "");
-    out.back().complaint = "line 1: "; // detected as XML
+    out.back().complaint = "line 1: "; // read as XML, by its byte order mark
     add("p01_plain", kObj, "");
     add("p02_crlf", "v 0 0 0\r\nv 2.5 0 0\r\nv 0 1.5 0\r\nf 1 2 3\r\n", "");
     add("p03_bom", "\xef\xbb\xbf" + kObj, "");

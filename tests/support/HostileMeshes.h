@@ -6,15 +6,15 @@
 
 namespace palpate::test {
 
-/// A mesh file that a reader must decide about, in the classes of shared/hostile.
+/// A mesh file that a reader must accept or reject, in the classes of shared/hostile.
 struct HostileMesh
 {
     std::string name;
     std::string bytes;
-    std::string complaint; ///< start of the message after the file name; empty for a readable file
+    std::string complaint; ///< start of the message after the file's name; empty for a valid file
 };
 
-/// OBJ and PLY files with one defect each.
+/// Returns generated OBJ and PLY files with a known fault each.
 std::vector<HostileMesh> hostileMeshes();
 
 } // namespace palpate::test

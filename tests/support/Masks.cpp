@@ -14,7 +14,7 @@ namespace {
 
 using Cell = std::array<int, 3>;
 
-/// The voxels along each axis, and which are in.
+/// Number of voxels along each axis, and which are inside.
 class Grid
 {
   public:
@@ -35,7 +35,7 @@ class Grid
     std::array<int, 3> m_reach{};
 };
 
-/// One vertex for each pair of neighbouring voxels of which one is in.
+/// One vertex for each pair of neighbouring voxels with only one inside.
 class Vertices
 {
   public:
@@ -67,7 +67,8 @@ Cell plus(const Cell& a, const Cell& b)
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-/// The corners of a cube's face, counter-clockwise seen from outside. @param face  axis, and 3 more for the far side
+/// Returns the corners of a cube's face, counter-clockwise seen from outside.
+/// @param face  axis, plus 3 for the far side
 std::array<Cell, 4> cornersOfFace(const Cell& low, std::size_t face)
 {
     const std::size_t axis = face % 3, u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -84,8 +85,8 @@ std::array<Cell, 4> cornersOfFace(const Cell& low, std::size_t face)
     return corners;
 }
 
-/// The polygons in one cube: on each face the surface leaves where the outline goes from out to in, and comes back at
-/// the crossing after, so that voxels that meet at an edge alone are apart.
+/// Adds the polygons in one cube: on each face the surface leaves where the outline goes from outside to inside, and
+/// returns at the next crossing, so that voxels that share only an edge stay separate.
 void addCube(const Grid& grid, const Cell& low, Vertices& vertices, TriangleMesh& mesh)
 {
     std::map<std::uint32_t, std::uint32_t> next;
@@ -94,7 +95,7 @@ void addCube(const Grid& grid, const Cell& low, Vertices& vertices, TriangleMesh
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t after = (i + 1) % 4;
             if (grid.isIn(corners[i]) || !grid.isIn(corners[after])) {
-                continue; // into the mask here; out again behind the last corner in a row that is in
+                continue; // into the mask here; out again behind the last of the consecutive inside corners
             }
             std::size_t last = after;
             while (grid.isIn(corners[(last + 1) % 4])) {
@@ -143,7 +144,8 @@ TriangleMesh voxelFaces(const Mask& mask)
 {
     const Grid grid(mask);
     TriangleMesh mesh;
-    std::map<Cell, std::uint32_t> numbers; // of corners, which lie half a voxel below the centres of that number
+    // of corners, which are half a voxel below the voxel centres of the same index
+    std::map<Cell, std::uint32_t> numbers;
     forEachCell(grid, [&](const Cell& cell) {
         for (std::size_t face = 0; face < 6 && grid.isIn(cell); ++face) {
             Cell other = cell;

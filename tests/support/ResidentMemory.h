@@ -8,7 +8,7 @@
 
 namespace palpate::test {
 
-/// Resident memory of this process after returning free memory to the system. Linux only. [bytes]
+/// Returns the resident memory of this process after releasing free memory [bytes]. Linux only.
 inline double residentBytes()
 {
     (void)malloc_trim(0);

@@ -56,7 +56,7 @@ TriangleMesh bumpySphere(int n, double radius_mm, double bump)
         for (int i = 0; i <= n; ++i) {
             for (int j = 0; j <= i; ++j) {
                 Vec3 p = (corner[face[0]] * (n - i) + corner[face[1]] * (i - j) + corner[face[2]] * j).normalized();
-                // Faces compute their shared corners in other orders: rounding makes them the same to the last bit.
+                // Faces compute their shared corners in different orders: rounding makes the results identical.
                 p = (p * 1e11).array().round() / 1e11;
                 const double scale = 1.0 + bump * std::sin(20 * p.x()) * std::sin(20 * p.y()) * std::sin(20 * p.z());
                 mesh.vertices.push_back(radius_mm * scale * p);
@@ -97,7 +97,7 @@ TriangleMesh groove(double openingAngle_rad, double height_mm, double halfLength
 {
     const double w = height_mm * std::tan(openingAngle_rad / 2.0), W = w + height_mm, L = halfLength_mm, B = height_mm;
     TriangleMesh mesh;
-    // Walls, tops, sides and the bottom, split where the groove is so that no corner lies on another's edge.
+    // Walls, tops, sides and the bottom, split along the groove so that no corner is on another's edge.
     const std::vector<std::pair<double, double>> profile{{-W, height_mm}, {-w, height_mm}, {0, 0},  {w, height_mm},
                                                          {W, height_mm},  {W, -B},         {0, -B}, {-W, -B}};
     for (std::size_t i = 0; i < profile.size(); ++i) {

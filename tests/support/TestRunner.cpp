@@ -37,7 +37,7 @@ std::optional<std::filesystem::path> sharedFolder(const std::string& sub)
 
 } // namespace palpate::test
 
-/// Usage: tst_<module> CLASS [QtTest arguments]; without arguments all classes, one after the other.
+/// Usage: tst_<module> CLASS [QtTest arguments]; without arguments runs all classes in turn.
 int main(int argc, char** argv)
 {
     using palpate::test::registry;

@@ -10,7 +10,7 @@
 
 namespace palpate::test {
 
-/// A choice of a panel by its accessible name.
+/// Returns a combo box of a panel by its accessible name.
 inline QComboBox* boxNamed(const QWidget& panel, const char* name)
 {
     for (QComboBox* one : panel.findChildren<QComboBox*>()) {
@@ -21,7 +21,7 @@ inline QComboBox* boxNamed(const QWidget& panel, const char* name)
     qFatal("no choice \"%s\"", name);
 }
 
-/// A row as the loader makes it, palpable and ready to touch.
+/// Returns a palpable, loaded row as the loader produces.
 inline ui::StructureRow row(const std::string& name, const geometry::TriangleMesh& mesh)
 {
     ui::StructureRow made;

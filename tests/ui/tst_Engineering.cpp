@@ -15,7 +15,7 @@
 using namespace palpate;
 using ui::EngineeringReading;
 
-/// The panel for engineers, and the few words that everybody else gets.
+/// Tests the engineering panel, and the short status for all other users.
 class Engineering : public QObject
 {
     Q_OBJECT
@@ -99,7 +99,7 @@ class Engineering : public QObject
         reading = good();
         reading.realtime.isRealtime = false;
         QCOMPARE(ui::runningState(reading).text, QStringLiteral("force may stutter"));
-        reading.hasMotors = false; // not palpable
+        reading.hasMotors = false; // a device without force output
         QVERIFY(ui::runningState(reading).isWell);
     }
 

@@ -143,8 +143,8 @@ class FeltThrough : public QObject
         change(0, [](auto& organ) { organ.felt_contact_radius_mm = 10.0; });
     }
 
-    /// For a scene file with "felt" but no organ name: lumps that are inside an organ by geometry, in any layer;
-    /// otherwise the file's explicit entry applies.
+    /// In a scene file with "felt" but without organ names, all structures that are inside an organ by geometry are
+    /// transmitted, in any layer; otherwise only those whose entry names an organ.
     void filesSayWhatIsFeltThrough()
     {
         StructureModel model;

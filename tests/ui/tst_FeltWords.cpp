@@ -13,12 +13,12 @@
 using namespace palpate;
 using buried::FeltSurface;
 
-/// Texts for a place, from given numbers.
+/// Tests the texts for a position, with synthetic values.
 class FeltWords : public QObject
 {
     Q_OBJECT
 
-    /// Four vertices: a lump that hands find when they press, one that is not felt, one that is not judged, a cyst.
+    /// Four vertices: a lump that is palpable when pressed, an impalpable lump, a lump without a verdict, a cyst.
     static FeltSurface made()
     {
         constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
@@ -38,7 +38,7 @@ class FeltWords : public QObject
     }
 
   private Q_SLOTS:
-    /// A name that a spreadsheet would take for a formula arrives there as text, a number as a number.
+    /// A name that a spreadsheet would treat as a formula is copied as text, a number as a number.
     void clipboardHoldsNoFormula()
     {
         QCOMPARE(ui::clipboardCell(QStringLiteral("=1+1")), QStringLiteral("'=1+1"));
@@ -67,7 +67,7 @@ class FeltWords : public QObject
         QCOMPARE(said(1, 0), QStringLiteral("no lump is felt here"));
         QCOMPARE(said(3, 0),
                  QStringLiteral("cyst: 4 mm below, -15 % (-20 … -10 %): a trained hand tells it; -23 % when "
-                                "pressed 2 mm")); // a change of 30 %: told plainly
+                                "pressed 2 mm")); // a change of 30 %: clear wording
     }
 
     void whatIsNotJudgedHasNoNumber()

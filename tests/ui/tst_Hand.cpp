@@ -31,7 +31,7 @@ device::DeviceInfo touch()
     return device::deviceInfo(*device::findDevicePreset("touch"));
 }
 
-/// A picture from the patient's front, as radiologists look: the patient's left is to the right.
+/// Returns a view from the patient's front, as in radiology: the patient's left is to the right.
 ui::HandPlace fromTheFront()
 {
     ui::HandPlace place;
@@ -94,7 +94,7 @@ class Hand : public QObject
         QVERIFY(HandSettings::load(store, QStringLiteral("touch")).fill == MapFill::Scene);
         QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).scale, 1.0);
         QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).rate_kHz, 1);
-        settings.fill = MapFill::Lump; // of this scene; the next one begins whole
+        settings.fill = MapFill::Lump; // for this scene; the next scene starts with the whole model
         settings.save(store, QStringLiteral("touch"));
         QVERIFY(HandSettings::load(store, QStringLiteral("touch")).fill == MapFill::Scene);
     }
@@ -126,11 +126,11 @@ class Hand : public QObject
         QVERIFY((map.q_WD * Vec3::UnitX() - Vec3(0, -1, 0)).norm() < 1e-12);
         settings.turn = MapTurn::None;
         QVERIFY(ui::mapFor(settings, touch(), place).isDirect);
-        settings.turn = MapTurn::Patient; // however the picture is turned
+        settings.turn = MapTurn::Patient; // for any rotation of the view
         map = ui::mapFor(settings, touch(), place);
         QVERIFY((map.q_WD * Vec3::UnitX() - Vec3(1, 0, 0)).norm() < 1e-12);
         QVERIFY((map.q_WD * Vec3::UnitY() - Vec3(0, 0, 1)).norm() < 1e-12);
-        device::DeviceInfo lying = touch(); // x points towards the user, z up
+        device::DeviceInfo lying = touch(); // x towards the user, z up
         Eigen::Matrix3d R_UD;
         R_UD << 0, 1, 0, 0, 0, 1, 1, 0, 0;
         lying.q_UD = core::Quaternion(R_UD);
@@ -141,8 +141,8 @@ class Hand : public QObject
 
     void anOrganOrALumpFillsTheWorkspaceWithRoomAroundIt()
     {
-        HandSettings settings;                 // as a device that was never seen begins
-        const double reach = 2.0 * 67.5 / 1.2; // nine tenths of the Touch's 75 mm, both ways, less the room
+        HandSettings settings;                 // defaults for an unknown device
+        const double reach = 2.0 * 67.5 / 1.2; // nine tenths of the Touch's 75 mm, in both directions, minus the margin
         servo::MapSettings map = ui::mapFor(settings, touch(), fromTheFront());
         QVERIFY(std::abs(map.scale * reach - 200.0) < 1e-9);
         QVERIFY((map.centre_W - Vec3(0, 0, 30)).norm() < 1e-12);
@@ -164,9 +164,9 @@ class Hand : public QObject
         puck.isRateControlled = true;
         const servo::MapSettings map = ui::mapFor({}, puck, fromTheFront());
         QCOMPARE(map.edge_mm, 0.0);
-        QVERIFY(map.centre_W.y() < -50.0 - 5.0); // the picture is taken from there
+        QVERIFY(map.centre_W.y() < -50.0 - 5.0); // on the viewer's side of the scene
         QVERIFY(std::abs(map.centre_W.x()) < 1e-12 && std::abs(map.centre_W.z() - 30.0) < 1e-12);
-        // From there its whole way reaches through the scene.
+        // From there the workspace reaches through the scene.
         QVERIFY(map.centre_W.y() + map.scale * 75.0 > 50.0);
     }
 
@@ -198,7 +198,7 @@ class Hand : public QObject
         QVERIFY(mentions(panel, QStringLiteral("Inside liver")));
         panel.resize(300, 420);
         if (const QByteArray to = qgetenv("PALPATE_HAND_PICTURE"); !to.isEmpty()) {
-            panel.grab().save(QString::fromLocal8Bit(to)); // to be looked at
+            panel.grab().save(QString::fromLocal8Bit(to)); // for visual inspection
         }
     }
 
@@ -236,7 +236,7 @@ class Hand : public QObject
         QCOMPARE(clutch.count(), 2);
     }
 
-    /// A device with a delay is measured, and permits less stiffness from then on.
+    /// The latency of a device is measured, and lowers the stable stiffness from then on.
     void aLateDeviceHoldsLess()
     {
         struct Late final : palpate::device::HapticDevice
@@ -306,7 +306,7 @@ class Hand : public QObject
     {
         ui::StructureModel model;
         ui::LiveTouch live(model);
-        QVERIFY(std::isinf(live.heldStiffness_N_per_mm())); // the mouse: no own limit
+        QVERIFY(std::isinf(live.heldStiffness_N_per_mm())); // the mouse: no limit
         QSignalSpy refused(&live, &ui::LiveTouch::stiffnessRefused);
         std::vector<ui::StructureRow> rows = test::twoRows();
         rows.front().loaded.description.palpable = true;

@@ -204,7 +204,7 @@ class MapEditor : public QObject
         const auto shown =
             ui::surfaceFields(p.model.rows()[0].loaded, QStringLiteral("felt:stiffness"), felt[0]); // the colour values
         QVERIFY(std::abs(*std::max_element(shown.values.begin(), shown.values.end()) - 0.8F) < 1e-6F);
-        // A map that is softer than the tissue everywhere is not due to the device.
+        // A map that is softer than the tissue everywhere must not be reported as limited by the device.
         meshio::SceneStructure soft = p.model.structure(0);
         soft.maps = std::vector<core::TissueMapping>{{MappedQuantity::Stiffness, MapUnit::Scale, "StiffnessScale", ""}};
         soft.maps->at(0).clamp = {0.1, 0.2};

@@ -58,7 +58,7 @@ class Palpation : public QObject
         QCOMPARE(m_reading->structure, QStringLiteral("liver"));
         // Straight onto the sphere: 4 mm at 0.5 N/mm, except for the tilt of the facet.
         QTRY_VERIFY2(m_reading && std::abs(m_reading->force_N - 2.0) < 0.02,
-                     qPrintable(QString::number(m_reading->force_N))); // the approach is slow near the end
+                     qPrintable(QString::number(m_reading->force_N))); // the approach is slow near its end
         QVERIFY(m_reading->constraints >= 1);
         const view::TouchState& shown = m_viewport->view().cursor().state();
         QVERIFY(shown.isInContact);
@@ -176,7 +176,7 @@ class Palpation : public QObject
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
         m_palpation->stepDepth(4);
         QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 5.8, 10000);
-        QTest::qWait(300); // the approach is slow near the end
+        QTest::qWait(300); // the approach is slow near its end
         // Turning the camera leaves a pressed hand in place; steps follow the new screen axes.
         const core::Vec3 before = shown.p_WH;
         view::turn(m_viewport->view().camera(), 15.0, 0.0);

@@ -13,7 +13,7 @@ using namespace palpate;
 
 namespace {
 
-/// A 6-axis mouse that is pushed down all the time; calibrated, it gives one state without a hand and is at its origin.
+/// A 6-axis mouse under constant downward push; calibration gives one state without a hand and returns to the origin.
 class PushedPuck final : public device::HapticDevice
 {
   public:
@@ -24,7 +24,7 @@ class PushedPuck final : public device::HapticDevice
     device::DeviceInfo info() const override
     {
         device::DeviceInfo info;
-        info.workspaceRadius_mm = 10.0; // a sixth of a second to half the radius
+        info.workspaceRadius_mm = 10.0; // reaches half of the range in a sixth of a second
         info.isRateControlled = true;
         return info;
     }
@@ -67,7 +67,7 @@ class PuckReader : public QObject
     {
         device::DeviceState from, to;
         from.isPresent = to.isPresent = true;
-        to.p_D = {3.0, -2.0, -0.3}; // mm in 10 ms; sideways counts for nothing
+        to.p_D = {3.0, -2.0, -0.3}; // mm in 10 ms; sideways motion is ignored
         QCOMPARE(ui::pushOf(from, to, 0.01), 0.5);
         to.p_D.z() = -3.0;
         QCOMPARE(ui::pushOf(from, to, 0.01), 1.0);
@@ -79,7 +79,8 @@ class PuckReader : public QObject
         to.isPresent = false;
         QCOMPARE(ui::pushOf(from, to, 0.01), 0.0);
     }
-    /// Held down, it goes on past the end of the device's reach without a gap; unplugged, it rests.
+    /// While held down, the push continues past the end of the device's workspace without a gap; unplugged, the push is
+    /// zero.
     void aHeldPushHasNoEnd()
     {
         ui::PuckReader reader;

@@ -31,7 +31,7 @@ class SceneLoader : public QObject
         std::shared_ptr<ui::OpenedScene> scene;
         connect(&loader, &ui::SceneLoader::opened, this, [&](const auto& opened) { scene = opened; });
         loader.open({m_ball}, 1.0);
-        QVERIFY(loader.isBusy()); // and this thread is free
+        QVERIFY(loader.isBusy()); // this thread is free
         QTRY_VERIFY_WITH_TIMEOUT(scene != nullptr, 20000);
         QCOMPARE(scene->rows.size(), std::size_t{1});
         QVERIFY(scene->rows[0].touch != nullptr);

@@ -27,7 +27,7 @@ class StructureTable : public QObject
         QVERIFY(model.hapticScene(kGreatest)->structures()[0].surface != nullptr);
         model.setData(model.index(0, StructureModel::Shown), Qt::Unchecked, Qt::CheckStateRole);
         QVERIFY(model.hapticScene(kGreatest)->structures()[0].surface == nullptr);
-        QVERIFY(model.hapticScene(kGreatest)->structures()[1].surface != nullptr); // keeps the number
+        QVERIFY(model.hapticScene(kGreatest)->structures()[1].surface != nullptr); // keeps its index
     }
     void tellsTheViewOfLooksAndTheHandOfTissue()
     {
@@ -71,7 +71,7 @@ class StructureTable : public QObject
         model.setRows(test::twoRows());
         QSignalSpy edited(&model, &StructureModel::edited);
         model.setLayers({0, 1}, QStringLiteral("Feel below"));
-        QCOMPARE(edited.count(), 1); // of the one that moved
+        QCOMPARE(edited.count(), 1); // of the moved structure
         QCOMPARE(model.hapticScene(kGreatest)->layerCount(), std::size_t{2});
         QCOMPARE(model.undoStack().undoText(), QStringLiteral("Feel below"));
         model.undoStack().undo();
@@ -79,7 +79,7 @@ class StructureTable : public QObject
         model.undoStack().redo();
         QCOMPARE(model.structure(1).layer, 1u);
     }
-    /// The organ that holds it, not a vessel in between that the hand passes through.
+    /// The enclosing organ, and not an impalpable vessel in between.
     void whatItIsBelowIsTheOrganThatIsFelt()
     {
         StructureModel model;
@@ -93,7 +93,7 @@ class StructureTable : public QObject
         model.setData(model.index(2, StructureModel::Felt), Qt::Unchecked, Qt::CheckStateRole);
         QCOMPARE(model.touchOrderText(1, 2), QStringLiteral("below liver capsule"));
         QCOMPARE(model.touchOrderText(1, 1), QStringLiteral("below liver capsule"));
-        QCOMPARE(model.touchOrderText(1, 3), QStringLiteral("3 below")); // something else must be in between
+        QCOMPARE(model.touchOrderText(1, 3), QStringLiteral("3 below")); // another structure must be in between
         QCOMPARE(model.touchOrderText(2, 1), QStringLiteral("below liver capsule"));
     }
     void stepsOfOneDragUndoTogether()

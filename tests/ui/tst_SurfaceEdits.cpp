@@ -12,7 +12,7 @@
 using namespace palpate;
 using ui::StructureModel;
 
-/// Smoothing a surface and turning it around in the window: in the background, and undone.
+/// Tests smoothing and reorienting a surface in the window: in the background, with undo.
 class SurfaceEdits : public QObject
 {
     Q_OBJECT
@@ -61,7 +61,7 @@ class SurfaceEdits : public QObject
         QVERIFY(row().loaded.smoothing.has_value());
         QVERIFY(row().loaded.surface != surface && row().touch != touch && row().picture != picture);
         QVERIFY(m_model.steppedRows().empty());
-        QVERIFY(m_model.structure(0).surface == meshio::SurfaceKind::Smoothed); // as saved
+        QVERIFY(m_model.structure(0).surface == meshio::SurfaceKind::Smoothed); // as saved later
         m_model.undoStack().undo();
         QTRY_COMPARE_WITH_TIMEOUT(replaced.count(), 2, 60000);
         QCOMPARE(row().loaded.surface.get(), surface.get());
@@ -82,7 +82,7 @@ class SurfaceEdits : public QObject
         QVERIFY(row().loaded.surface->report.volume_mm3 < 0.0);
     }
 
-    /// Done and undone before the first surface is there: the last wish counts.
+    /// Changed and undone before the first surface is ready: the last request counts.
     void lateSurfacesAreNotTaken()
     {
         QSignalSpy built(&m_loader, &ui::SceneLoader::surfaceBuilt);

@@ -17,7 +17,7 @@ class TouchHistory : public QObject
         }
         QVERIFY(history.samples().front().time_s >= 20.0 - 1e-9);
         QCOMPARE(history.samples().size(), std::size_t{101});
-        QCOMPARE(history.peakForce_N(), 1.0); // the knock at 15 s is gone
+        QCOMPARE(history.peakForce_N(), 1.0); // the impact at 15 s has expired
         QCOMPARE(history.peakDepth_mm(), 2.0);
     }
     void tellsWhetherSomethingRubbed()

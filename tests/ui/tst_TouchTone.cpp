@@ -13,7 +13,7 @@
 
 using namespace palpate;
 
-/// Parameters of the touch sound.
+/// Tests the samples of the touch sound.
 class TouchTone : public QObject
 {
     Q_OBJECT
@@ -67,7 +67,7 @@ class TouchTone : public QObject
         const float most = *std::max_element(samples.begin(), samples.end());
         QVERIFY(std::abs(most - 0.5f) < 1e-3f);
     }
-    /// From one tone to another, or to silence, no step is larger than one of the two makes by itself.
+    /// On a change of tone or to silence, no step is larger than within the two tones.
     void changesDoNotClick()
     {
         ui::TouchTone tone;

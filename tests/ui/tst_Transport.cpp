@@ -28,7 +28,7 @@ class Transport : public QObject
         transport.setSpeed(0.25);
         QVERIFY(!transport.advance(4.0));
         QCOMPARE(transport.position_s(), 1.0);
-        transport.setSpeed(-3.0); // no such speed: stays
+        transport.setSpeed(-3.0); // invalid speed: unchanged
         QVERIFY(!transport.advance(4.0));
         QCOMPARE(transport.position_s(), 2.0);
     }

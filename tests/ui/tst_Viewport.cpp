@@ -9,7 +9,7 @@
 
 using namespace palpate;
 
-/// The bridge from VTK to Qt, on a real OpenGL context.
+/// Tests the bridge from VTK to Qt with a real OpenGL context.
 class Viewport : public QObject
 {
     Q_OBJECT
@@ -141,7 +141,7 @@ class Viewport : public QObject
         const auto palpable = m_viewport->palpablePlace();
         QVERIFY(palpable && (*palpable - QPointF(250, 200)).manhattanLength() < 1.0);
     }
-    /// Space belongs to the view; Tab moves the focus as usual.
+    /// The view handles Space; Tab moves the focus as usual.
     void spaceIsTheViewsAndTabLeavesIt()
     {
         QSignalSpy space(m_viewport.get(), &ui::VtkViewport::spaceHeld);
@@ -150,7 +150,7 @@ class Viewport : public QObject
         QCOMPARE(space.count(), 2);
         QKeyEvent tab(QEvent::KeyPress, Qt::Key_Tab, Qt::NoModifier);
         QCoreApplication::sendEvent(m_viewport.get(), &tab);
-        QVERIFY(!tab.isAccepted()); // nothing else takes keys in this window
+        QVERIFY(!tab.isAccepted()); // no other widget in this window takes keys
     }
 
   private:

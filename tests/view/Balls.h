@@ -10,7 +10,7 @@
 
 namespace palpate::test {
 
-/// A sphere of 20 * 4^levels triangles about `centre`, normals outwards.
+/// Returns a sphere of 20 * 4^levels triangles about `centre`, normals outwards.
 inline geometry::TriangleMesh ball(double radius_mm, int levels, const core::Vec3& centre = core::Vec3::Zero())
 {
     const double g = std::numbers::phi;
@@ -45,7 +45,7 @@ inline geometry::TriangleMesh ball(double radius_mm, int levels, const core::Vec
     return mesh;
 }
 
-/// A cube from -half to +half, normals outwards.
+/// Returns a cube from -half to +half, normals outwards.
 inline geometry::TriangleMesh block(double half_mm)
 {
     geometry::TriangleMesh mesh;

@@ -5,7 +5,7 @@
 
 namespace palpate::test {
 
-/// A view of 600 pixels' height from the front, at a distance from the origin.
+/// Returns a view of 600 pixels' height from the front, at a distance from the origin.
 inline view::ViewFrame frameAt(double distance_mm)
 {
     view::ViewFrame frame;

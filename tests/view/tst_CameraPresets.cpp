@@ -71,7 +71,7 @@ class CameraPresets : public QObject
                                 std::abs(p.dot(up)) / (depth * tangent)});
         }
         QVERIFY(fullest <= 1.0);
-        QVERIFY(fullest > 0.7); // and not lost in the distance
+        QVERIFY(fullest > 0.7); // and large enough in the view
     }
     void emptySceneChangesNothing()
     {
@@ -92,7 +92,7 @@ class CameraPresets : public QObject
         }
         // From the front by 90° to the viewer's right: the patient's left.
         QVERIFY((core::Vec3(camera->GetPosition()) - distance_mm * core::Vec3::UnitX()).norm() < 1e-6);
-        for (int i = 0; i < 24; ++i) { // over the head and round
+        for (int i = 0; i < 24; ++i) { // over the head and around
             view::turn(*camera, 0.0, 15.0);
         }
         QVERIFY((core::Vec3(camera->GetPosition()) - distance_mm * core::Vec3::UnitX()).norm() < 1e-6);

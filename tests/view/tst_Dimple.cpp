@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kAcross_mm = 0.4, kThick_mm = 2.0, kHalf_mm = 20.0;
 
-/// A bar along x: its upper side lies at z = 0, so narrow that its outline is that of the surface along y = 0.
+/// Returns a bar along x with its top at z = 0, so narrow that its outline is that of the surface along y = 0.
 geometry::TriangleMesh bar(double step_mm)
 {
     geometry::TriangleMesh mesh;
@@ -62,7 +62,7 @@ view::TouchState pressed(double depth_mm, double fingertip_mm)
     return state;
 }
 
-/// Only the outline of one structure remains.
+/// Leaves only the outline of one structure visible.
 void hideAllBut(vtkRenderWindow& window, vtkProp* shown)
 {
     for (int i = 0; i < window.GetRenderers()->GetNumberOfItems(); ++i) {
@@ -95,7 +95,7 @@ class Dimple : public QObject
         QCOMPARE(view::Dimple::of(pressed(3.0, 0.0)).radius_mm, 5.0);
         QVERIFY(view::Dimple::of(pressed(3.0, 0.0)).p_W.norm() < 1e-12);
     }
-    /// Below the surface too: no volume is lost.
+    /// Below the surface too, the volume is preserved.
     void tissueIsNotCompressed()
     {
         const auto dimple = view::Dimple::of(pressed(1.0, 5.0));
@@ -152,13 +152,13 @@ class Dimple : public QObject
         QFETCH(double, fingertip_mm);
         QFETCH(bool, isOn);
         constexpr int kWidth = 600, kHeight = 400;
-        constexpr double kView_mm = 20.0; // height
+        constexpr double kView_mm = 20.0; // height of the view
         vtkNew<vtkRenderWindow> window;
         window->SetOffScreenRendering(1);
         window->SetSize(kWidth, kHeight);
         view::SceneView scene;
         scene.attach(*window);
-        // Far from the origin, as scans of patients lie.
+        // Far from the origin, as in scans of patients.
         const Vec3 at(180.0, -240.0, -900.0);
         geometry::TriangleMesh mesh = bar(0.1);
         for (Vec3& v : mesh.vertices) {

@@ -45,7 +45,7 @@ std::vector<view::FindingMark> at(const std::vector<Vec3>& places_W)
     return marks;
 }
 
-/// Items of the overlay: 0 shapes, 1 numbers.
+/// Returns the data of a 2D actor: 0 shapes, 1 numbers.
 vtkPolyData* flat(vtkRenderer& renderer, int i)
 {
     auto* actor = vtkActor2D::SafeDownCast(renderer.GetViewProps()->GetItemAsObject(i));
@@ -57,7 +57,7 @@ int trianglesOf(vtkRenderer& renderer, int i)
     return static_cast<int>(flat(renderer, i)->GetNumberOfPolys());
 }
 
-/// Of the shapes, without the numbers' grounds.
+/// Returns the smallest opacity of the shapes, without the backgrounds of the numbers.
 int leastOpacity(vtkRenderer& renderer)
 {
     int least = 255;
@@ -87,7 +87,7 @@ class FindingMarkers : public QObject
         markers.set(at({Vec3(1, 2, 3), Vec3(-10, 0, 5)}));
         markers.place(frameAt(300));
         QCOMPARE(markers.count(), std::size_t{2});
-        QCOMPARE(drawn(*overlay), 2); // shapes and numbers, whatever their count
+        QCOMPARE(drawn(*overlay), 2); // shapes and numbers, for any count
         QVERIFY(trianglesOf(*overlay, 0) > 0 && trianglesOf(*overlay, 1) == 2 * 2);
         QVERIFY(markers.bounds().contains(Vec3(1, 2, 3)) && markers.bounds().contains(Vec3(-10, 0, 5)));
         markers.setVisible(false);
@@ -107,11 +107,11 @@ class FindingMarkers : public QObject
         markers.addTo(*overlay);
         markers.set(at({Vec3(0, 0, 0), Vec3(2, 0, 0)})); // 8 pixels
         markers.place(frameAt(300));
-        QVERIFY(!markers.labelOf(0).isMoved && markers.labelOf(1).isMoved); // with a line
+        QVERIFY(!markers.labelOf(0).isMoved && markers.labelOf(1).isMoved); // with a leader line
         const int withLine = trianglesOf(*overlay, 0);
         const Eigen::Vector2d apart_px =
             (Eigen::Vector2d(8, 0) + markers.labelOf(1).offset_px - markers.labelOf(0).offset_px).cwiseAbs();
-        QVERIFY2(apart_px.maxCoeff() > 13, qPrintable(QString::number(apart_px.maxCoeff()))); // the font's size
+        QVERIFY2(apart_px.maxCoeff() > 13, qPrintable(QString::number(apart_px.maxCoeff()))); // the font size
         markers.place(frameAt(30));
         QVERIFY(!markers.labelOf(0).isMoved && !markers.labelOf(1).isMoved);
         QCOMPARE(trianglesOf(*overlay, 0), withLine - 2);
@@ -182,7 +182,7 @@ class FindingMarkers : public QObject
             markers.set({{Vec3::Zero(), static_cast<core::FindingType>(i), 1, {}}});
             markers.place(frameAt(300));
             vtkPolyData* shapes = flat(*overlay, 0);
-            // The shape's last corner, before the four of the number's ground twice.
+            // The last corner of the shape, before twice four corners of the number's background.
             double last[4];
             shapes->GetPointData()->GetScalars()->GetTuple(shapes->GetNumberOfPoints() - 7, last);
             const std::array<unsigned char, 3> colour{static_cast<unsigned char>(last[0]),
@@ -212,7 +212,7 @@ class FindingMarkers : public QObject
         QVERIFY(width[0] > 10.0 && std::abs(width[1] - width[0]) < 1e-3);
     }
 
-    /// Findings behind the eye are not drawn in front.
+    /// Markers behind the camera are not drawn.
     void behindTheEyeNothingIsDrawn()
     {
         vtkNew<vtkRenderer> overlay;

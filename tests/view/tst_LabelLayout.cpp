@@ -26,7 +26,7 @@ bool overlap(const Point& a, const Point& aSize, const Point& b, const Point& bS
     return ((a - b).cwiseAbs().array() < 0.5 * (aSize + bSize).array()).all();
 }
 
-/// Empty when no text covers another or a disc.
+/// Returns an empty string if no text covers another text or a disc.
 QString whatIsCovered(const std::vector<view::DiscLabel>& labels)
 {
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -76,7 +76,7 @@ class LabelLayout : public QObject
             }
             QTest::addRow("20 in 160 pixels, seed %u", seed) << discs;
         }
-        // A large screen, and places far outside of the view.
+        // A large screen, and positions far outside of the view.
         for (const double middle_px : {0.0, 1200.0, -1e6}) {
             std::mt19937 random(7);
             std::vector<Point> discs;
@@ -144,11 +144,11 @@ class LabelLayout : public QObject
         };
         const Eigen::Vector2d first = view::placeBeside(label, {box(0, 0, 5)}, view);
         QVERIFY(first.x() > 30.0 && std::abs(first.y()) < 1e-9);
-        // Something comes in its way, and goes again: it gives way and stays there.
+        // An obstacle appears and disappears: the label moves away and stays there.
         const Eigen::Vector2d other = view::placeBeside(label, {box(0, 0, 5), box(40, 0, 8)}, view);
         QVERIFY((other - first).norm() > 5.0);
         QCOMPARE(view::placeBeside(label, {box(0, 0, 5)}, view), other);
-        // At the border it goes to the other side; where nothing is free it is inside all the same.
+        // At the border the label goes to the other side; without free space the label is still inside the view.
         label.point_px = Eigen::Vector2d(190, 0);
         QVERIFY(view::placeBeside(label, {box(190, 0, 5)}, view).x() <= 170.0);
         const Eigen::Vector2d inside = view::placeBeside(label, {box(0, 0, 500)}, view);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers over a surface as colours: the range, the colours at points, triangles and feature edges, grey for unknown.
+// Tests the colouring of a surface: the range, the colours at points, triangles and feature edges, grey for unknown
+// values.
 #include "Balls.h"
 #include "TestRunner.h"
 
@@ -53,7 +54,7 @@ class SurfaceColours : public QObject
         QVERIFY(range.low == 0.5 && range.high == 2.0 && !range.isLowCut && !range.isHighCut && range.hasUnknown);
         std::vector<float> nearlyOne(1000, 3.0F);
         nearlyOne[7] = 5.0F;
-        QCOMPARE(view::colourRange(nearlyOne).high, 5.0); // the one that differs is seen
+        QCOMPARE(view::colourRange(nearlyOne).high, 5.0); // the single different value is visible
         const std::vector<float> one{3.0F, 3.0F}, none{kNan};
         QCOMPARE(view::colourRange(one).low, 3.0);
         QCOMPARE(view::colourRange(none).high, 1.0);
@@ -61,7 +62,7 @@ class SurfaceColours : public QObject
     }
     void everyPointHasItsVertexsColour()
     {
-        const auto cube = geometry::repair(test::block(5.0)); // each vertex has three points: sharp edges
+        const auto cube = geometry::repair(test::block(5.0)); // each vertex has three points: its edges are sharp
         const auto picture = view::makeSurface(cube);
         QVERIFY(picture->GetNumberOfPoints() > 8);
         std::vector<float> values;
@@ -86,7 +87,7 @@ class SurfaceColours : public QObject
             grey += v == 2 ? 1 : 0;
         }
         QCOMPARE(grey, 3);
-        QVERIFY(picture->GetPointData()->GetScalars() == nullptr); // the picture is unchanged
+        QVERIFY(picture->GetPointData()->GetScalars() == nullptr); // the rendered data set itself is unchanged
     }
     void trianglesHaveOneColourEach()
     {

@@ -27,14 +27,14 @@ class SurfaceMesh : public QObject
         for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i) {
             const core::Vec3 out = core::Vec3(picture->GetPoint(i)).normalized();
             const core::Vec3 normal(normals->GetTuple(i));
-            // The facets of 5120 triangles turn by about 4 degrees from one to the next.
+            // The normals of neighbouring facets of 5120 triangles differ by about 4 degrees.
             QVERIFY(normal.dot(out) > std::cos(0.02));
         }
     }
     void edgesOfACubeStaySharp()
     {
         const auto picture = view::makeSurface(geometry::repair(test::block(10.0)));
-        QCOMPARE(picture->GetNumberOfPoints(), vtkIdType{24}); // three for each corner
+        QCOMPARE(picture->GetNumberOfPoints(), vtkIdType{24}); // three per corner
         vtkDataArray* normals = picture->GetPointData()->GetNormals();
         for (vtkIdType i = 0; i < 24; ++i) {
             QCOMPARE(core::Vec3(normals->GetTuple(i)).cwiseAbs().maxCoeff(), 1.0);

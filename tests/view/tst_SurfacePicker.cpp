@@ -13,7 +13,7 @@ using core::Vec3;
 
 namespace {
 
-/// Nearest hit by trying every triangle, by a formula of its own (barycentric areas).
+/// Finds the nearest hit by testing every triangle with a different formula (barycentric areas).
 double bruteForce(const geometry::TriangleMesh& mesh, const view::Ray& ray)
 {
     double best = std::numeric_limits<double>::infinity();
@@ -58,7 +58,7 @@ class SurfacePicker : public QObject
         const auto ball = geometry::SurfaceIndex::build(geometry::repair(test::ball(20.0, 4)));
         const auto hit = view::firstHit(ball, {Vec3::Zero(), Vec3::UnitX()});
         QVERIFY(hit.has_value());
-        QVERIFY(hit->n_W.x() < -0.9); // turned to the viewer
+        QVERIFY(hit->n_W.x() < -0.9); // towards the viewer
     }
     void missesWhatIsBesideOrBehind()
     {
@@ -98,7 +98,7 @@ class SurfacePicker : public QObject
         for (int i = 0; i < kPicks; ++i) {
             QVERIFY(view::firstHit(index, {Vec3(i - 100.0, 0.7 * i - 70.0, 1000.0), -Vec3::UnitZ()}).has_value());
         }
-        // A pick must not be felt in a frame; it takes microseconds, so the bound holds on a busy machine too.
+        // A pick must not delay a frame noticeably; it takes microseconds, so the bound holds on a busy machine too.
         QVERIFY2(static_cast<double>(timer.nsecsElapsed()) * 1e-6 / kPicks < 10.0,
                  qPrintable(QString::number(timer.elapsed())));
     }

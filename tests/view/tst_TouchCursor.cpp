@@ -118,7 +118,7 @@ class TouchCursor : public QObject
         cursor.place(frameAt(300));
         QVERIFY(!cursor.innerMark(0)->GetVisibility());
     }
-    /// Along the line of sight an arrow is a dot: the force is a circle there, which grows with it.
+    /// Along the line of sight an arrow would be a dot: the force is then a circle that grows with the force.
     void forceAtTheViewerIsACircle()
     {
         view::TouchCursor cursor;
@@ -135,8 +135,8 @@ class TouchCursor : public QObject
         QCOMPARE(radius_px(3.0 * Vec3::UnitX()), 0.0);
         QVERIFY(cursor.arrow().shaft()->GetVisibility());
         const double* b = cursor.arrow().shaft()->GetBounds();
-        QVERIFY(b[1] - b[0] > 15.0); // 24 mm, without the head
-        // In between both are there, and neither comes at once.
+        QVERIFY(b[1] - b[0] > 15.0); // 24 mm without the arrowhead
+        // In between both are visible, and the transition is gradual.
         QVERIFY(radius_px(3.0 * (at + 0.6 * Vec3::UnitX()).normalized()) > 0.0);
         QVERIFY(cursor.arrow().shaft()->GetVisibility());
     }
@@ -146,7 +146,7 @@ class TouchCursor : public QObject
         view::TouchState state = contact(Vec3(0, 0, 2));
         state.n_W = Vec3::UnitX();
         cursor.setState(state);
-        cursor.place(frameAt(30)); // near: a disc of mm
+        cursor.place(frameAt(30)); // close view: a disc with a size in mm
         QVERIFY(cursor.contactDisc()->GetVisibility());
         const double* b = cursor.contactDisc()->GetBounds();
         QVERIFY(std::abs(b[0] - 1.0) < 1e-9 && std::abs(b[1] - 1.0) < 1e-9); // flat, through the god-object
@@ -154,7 +154,8 @@ class TouchCursor : public QObject
         const double radius_mm = 0.5 * (b[3] - b[2]);
         QVERIFY(radius_mm > 14.9 * pixel_mm && radius_mm < 40.1 * pixel_mm);
         QVERIFY(std::abs(0.5 * (b[3] + b[2]) - 2.0) < 0.01);
-        // A fingertip's god-object is its centre: the disc is as wide, and lies where it touches.
+        // With a fingertip the god-object is the ball's centre: the disc has the ball's width and is at the contact
+        // point.
         state.fingertip_mm = 8.0;
         cursor.setState(state);
         cursor.place(frameAt(300));
@@ -177,7 +178,7 @@ class TouchCursor : public QObject
         cursor.place(frameAt(300));
         const std::vector<std::string> wanted{"2.00 N", "18.1 mm", "9.1 mm"};
         QCOMPARE(cursor.labels().texts(), wanted);
-        // The line goes on in the inner structure's colour from where it holds the hand.
+        // The line continues in the inner structure's colour from the inner contact.
         QVERIFY(cursor.innerLine(0)->GetVisibility());
         const double* b = cursor.innerLine(0)->GetBounds();
         QVERIFY(std::abs(b[5] - b[4] - 9.1) < 0.2);
@@ -186,7 +187,7 @@ class TouchCursor : public QObject
         cursor.place(frameAt(300));
         QVERIFY(cursor.labels().texts().empty() && !cursor.innerLine(0)->GetVisibility());
     }
-    /// Wherever the hand is, at the border and in the corners too.
+    /// For any position of the hand, including the border and the corners.
     void labelsStayOffTheLegend()
     {
         view::TouchCursor cursor;

@@ -17,7 +17,7 @@ namespace palpate::test {
 Desk::Desk()
 {
     QStandardPaths::setTestModeEnabled(true);
-    qputenv("HOME", m_folder.path().toUtf8()); // documents and pictures
+    qputenv("HOME", m_folder.path().toUtf8()); // location of documents and pictures
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
 }
@@ -34,7 +34,7 @@ bool Desk::show(QSize size)
     m_window->resize(size);
     m_window->show();
     m_window->activateWindow();
-    // Keys reach a window that is active alone, which it is some time after it is seen.
+    // Only an active window receives keys, and activation follows some time after exposure.
     return QTest::qWaitForWindowExposed(m_window.get()) && QTest::qWaitForWindowActive(m_window.get());
 }
 
@@ -47,7 +47,7 @@ bool Desk::open(const std::vector<std::filesystem::path>& files)
 
 bool Desk::openPhantom()
 {
-    const std::filesystem::path phantom = folder() / "phantom"; // a copy, because the window may save
+    const std::filesystem::path phantom = folder() / "phantom"; // a copy: the window may save the scene
     std::error_code error;
     std::filesystem::copy(std::filesystem::path(PALPATE_SOURCE_DIR) / "data" / "phantom", phantom,
                           std::filesystem::copy_options::overwrite_existing | std::filesystem::copy_options::recursive,
@@ -96,7 +96,7 @@ std::filesystem::path Desk::writeStl(const char* name, const geometry::TriangleM
     put(static_cast<std::uint32_t>(mesh.triangles.size()));
     for (const geometry::Triangle& t : mesh.triangles) {
         for (int i = 0; i < 3; ++i) {
-            put(0.0F); // normals are computed, never read
+            put(0.0F); // normals are computed, not read
         }
         for (const std::uint32_t corner : t) {
             for (const double v : mesh.vertices[corner]) {

@@ -14,16 +14,17 @@ using namespace palpate;
 
 namespace {
 
-/// One text of a catalogue.
+/// A message of a catalogue.
 struct Message
 {
     QString context, source;
-    QStringList translations; ///< more than one where the text counts something
+    QStringList translations; ///< several for a plural form
     bool isPlural = false;
     bool isFinished = true;
 };
 
-/// The texts of a catalogue of Qt's, in their order. @return nothing when it does not parse
+/// Reads the messages of a Qt catalogue in order.
+/// @return empty if the file does not parse
 QList<Message> readCatalogue(const QString& path)
 {
     QFile file(path);
@@ -55,7 +56,7 @@ QList<Message> readCatalogue(const QString& path)
     return xml.hasError() ? QList<Message>{} : messages;
 }
 
-/// Matches of a pattern in a text, sorted.
+/// Returns the matches of a pattern in a text, sorted.
 QStringList found(const QString& text, const char* pattern)
 {
     QStringList all;
@@ -67,13 +68,13 @@ QStringList found(const QString& text, const char* pattern)
     return all;
 }
 
-/// Checks a translation. @return the error; empty if valid
+/// Returns the fault of a translation; empty if the translation is correct.
 QString faultOf(const Message& message, const QString& translation)
 {
     if (translation.isEmpty()) {
         return QStringLiteral("empty");
     }
-    // "a file" may leave out how many, where the text counts.
+    // In a plural form, "a file" may omit the number.
     const char* places = message.isPlural ? "%L?[0-9]" : "%(L?[0-9]|n)";
     if (found(translation, places) != found(message.source, places)) {
         return QStringLiteral("other placeholders");
@@ -88,7 +89,7 @@ QString faultOf(const Message& message, const QString& translation)
     return {};
 }
 
-/// @return the texts that the sources in these folders mark with PALPATE_TEXT
+/// @return the texts marked with PALPATE_TEXT in the sources of these folders
 QStringList markedTexts(const QStringList& folders)
 {
     static const QRegularExpression comment(QStringLiteral("^\\s*//.*$"), QRegularExpression::MultilineOption);
@@ -116,7 +117,7 @@ QStringList markedTexts(const QStringList& folders)
 
 } // namespace
 
-/// The translation catalogues of the window: resources/translations.
+/// Tests the catalogues of the window's texts: resources/translations.
 class Catalogues : public QObject
 {
     Q_OBJECT
@@ -204,7 +205,7 @@ class Catalogues : public QObject
 
     void frenchHasItsSpaces()
     {
-        // Not to be broken before high punctuation: U+202F.
+        // No line break before high punctuation: U+202F.
         const QRegularExpression bare(QStringLiteral("[^\\x{202F}\\s][;!?](\\s|$)|[\\p{L})]:(\\s|$)|[ \\x{A0}][;:!?»]|"
                                                      "«[^\\x{202F}]|[^\\x{202F}]»|'"));
         QStringList faults;

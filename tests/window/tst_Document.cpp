@@ -127,7 +127,7 @@ class Document : public QObject
             document.take(opened(model, path("a.palpate.json")));
             document.addFinding({"unsaved", {7, 8, 9}, {}});
             QTRY_COMPARE_WITH_TIMEOUT(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files).size(), 1, 20000);
-            QVERIFY(!SceneDocument::findLeftover()); // the process is alive
+            QVERIFY(!SceneDocument::findLeftover()); // its process is alive
             QFile file(QDir(copies()).filePath(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files)[0]));
             QVERIFY(file.open(QIODevice::ReadOnly));
             copy = file.readAll();

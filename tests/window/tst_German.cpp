@@ -19,7 +19,7 @@
 
 using namespace palpate;
 
-/// The window in German: engine messages about unusable files are also in German.
+/// Tests the window in German: messages from the engine about unusable files are translated too.
 class German : public QObject
 {
     Q_OBJECT
@@ -37,7 +37,7 @@ class German : public QObject
         return file;
     }
 
-    /// Words that English sentences are made of and German ones are not.
+    /// Finds English function words that do not occur in German.
     static QString englishIn(const QString& text)
     {
         static const QRegularExpression english(QStringLiteral("\\b(the|is|are|not|no|of|with|without|cannot|expected|"
@@ -46,7 +46,7 @@ class German : public QObject
         return match.hasMatch() ? text : QString();
     }
 
-    /// Messages of the window after opening a file: the bar over the picture and the list.
+    /// Returns the window's messages after opening a file: over the view, and in the list of messages.
     QString saidOf(const std::filesystem::path& file)
     {
         if (!m_desk->show()) {
@@ -150,7 +150,7 @@ class German : public QObject
         QCOMPARE(ui::engineText(""), QString());
     }
 
-    /// In English the engine's own words stay, to the last bit.
+    /// In English the engine's own messages stay unchanged.
     void inEnglishNothingChanges()
     {
         QCoreApplication::removeTranslator(&m_german);

@@ -19,8 +19,7 @@
 
 using namespace palpate;
 
-/// A palpation from the start page to an exported finding, without a pointer: nothing but keys, each to the widget that
-/// has them.
+/// Palpates from the start page to an exported finding without a pointer: only keys, sent to the focus widget.
 class KeysAlone : public QObject
 {
     Q_OBJECT
@@ -44,7 +43,7 @@ class KeysAlone : public QObject
         return pressUntil(Qt::Key_F6, [this](const QWidget* at) { return at == &window().viewport(); });
     }
 
-    /// Writes into the field of a list that has the keys.
+    /// Types into the editor of the focused list.
     void type(const QString& text)
     {
         QTRY_VERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()) != nullptr);
@@ -53,7 +52,7 @@ class KeysAlone : public QObject
         QCoreApplication::processEvents();
     }
 
-    /// Chooses a command in the menu File and writes a path into the dialog that it opens.
+    /// Chooses a command in the File menu and types a path into the dialog.
     void chooseInFileMenu(const char* id, const std::filesystem::path& file)
     {
         QTimer typist;
@@ -63,7 +62,7 @@ class KeysAlone : public QObject
             if (dialog == nullptr) {
                 return;
             }
-            QWidget* names = QApplication::activePopupWidget(); // of files there, while one is typed
+            QWidget* names = QApplication::activePopupWidget(); // the completer's list of files
             if (!isTyped) {
                 isTyped = true;
                 QTest::keyClick(dialog->focusWidget(), Qt::Key_A, Qt::ControlModifier);
@@ -130,7 +129,7 @@ class KeysAlone : public QObject
         m_desk->press(Qt::Key_F2);
         type(QStringLiteral("lump in IV"));
         QVERIFY(goToView());
-        m_desk->press(Qt::Key_Return); // lets go
+        m_desk->press(Qt::Key_Return); // releases the press
         QTRY_VERIFY(!isTouching());
         m_desk->pressKeyOf("record");
         QTRY_COMPARE(m_desk->command("record").text(), QStringLiteral("Record"));

@@ -73,7 +73,7 @@ class List : public QObject
         QMimeData files;
         files.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
         QDragEnterEvent enter({400, 400}, Qt::CopyAction, &files, Qt::LeftButton,
-                              Qt::NoModifier); // drop target
+                              Qt::NoModifier); // selects the drop target
         QApplication::sendEvent(&window(), &enter);
         QDropEvent drop(QPointF(400, 400), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&window(), &drop);

@@ -16,8 +16,8 @@
 using namespace palpate;
 using core::Vec3;
 
-/// Findings in the whole window, by keys alone: marked where a recording touches, named, noted, deleted, saved, flown
-/// to.
+/// Tests findings in the whole window by keyboard alone: marked at a contact in a recording, named, annotated, deleted,
+/// saved, flown to.
 class MarkedPlaces : public QObject
 {
     Q_OBJECT
@@ -39,7 +39,7 @@ class MarkedPlaces : public QObject
         QCoreApplication::processEvents();
     }
 
-    /// Plays the recording until it touches.
+    /// Plays the recording until the first contact.
     void playToTouch()
     {
         m_desk->pressKeyOf("play");
@@ -80,7 +80,8 @@ class MarkedPlaces : public QObject
         const Vec3 from = eye();
         m_desk->pressKeyOf("mark");
         QCOMPARE(model().rowCount(), 1);
-        QCOMPARE(m_desk->window().focusWidget(), static_cast<QWidget*>(&viewport())); // the new row waits
+        // the new row does not take the focus
+        QCOMPARE(m_desk->window().focusWidget(), static_cast<QWidget*>(&viewport()));
         m_desk->pressKeyOf("mark-and-write");
         QCOMPARE(model().rowCount(), 2);
         type("hard, 2 cm");
@@ -93,7 +94,7 @@ class MarkedPlaces : public QObject
         QCOMPARE(m_desk->window().focusWidget(), static_cast<QWidget*>(&viewport()));
 
         table().setFocus();
-        m_desk->press(Qt::Key_Up); // from the note to the second finding, in the column of the notes
+        m_desk->press(Qt::Key_Up); // from the note to the second finding, in the column of notes
         for (int column = ui::FindingsModel::Note; column > ui::FindingsModel::Name; --column) {
             m_desk->press(Qt::Key_Left);
         }
@@ -102,9 +103,9 @@ class MarkedPlaces : public QObject
         QCOMPARE(cell(1, ui::FindingsModel::Name), QString("tumour"));
         m_desk->press(Qt::Key_Delete);
         QCOMPARE(model().rowCount(), 2);
-        m_desk->pressKeyOf("undo"); // the deletion
-        m_desk->pressKeyOf("undo"); // the name
-        m_desk->pressKeyOf("undo"); // the note without a place
+        m_desk->pressKeyOf("undo"); // reverts the deletion
+        m_desk->pressKeyOf("undo"); // reverts the name
+        m_desk->pressKeyOf("undo"); // reverts the note without a position
         QCOMPARE(model().rowCount(), 2);
         QCOMPARE(cell(1, ui::FindingsModel::Name), QString("Finding 2"));
         m_desk->pressKeyOf("redo");
@@ -122,7 +123,7 @@ class MarkedPlaces : public QObject
         QCOMPARE(viewport().view().findings().marks().size(), std::size_t{2});
         QVERIFY((viewport().view().findings().marks()[0].p_W - place).norm() < 1e-9);
         QCOMPARE(viewport().view().findings().textOf(0), std::string("1  Finding 1"));
-        m_desk->pressKeyOf("previous-finding"); // round to the note
+        m_desk->pressKeyOf("previous-finding"); // wraps around to the note
         QVERIFY(table().currentIndex().row() == 2);
         m_desk->pressKeyOf("next-finding");
         table().setFocus();
@@ -148,7 +149,7 @@ class MarkedPlaces : public QObject
         QCOMPARE(size.data().toString(), QString());
     }
 
-    /// One behind the organ is hollow, and filled again from its side.
+    /// A marker behind the organ is hollow, and filled when seen from its side.
     void whatLiesBehindIsHollow()
     {
         m_desk->pressKeyOf("view-front");

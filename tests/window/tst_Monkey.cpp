@@ -35,9 +35,9 @@ void noteComplaint(QtMsgType type, const QMessageLogContext& /*context*/, const 
 
 } // namespace
 
-/// Keys and pointer at random while the hand palpates, records and plays: nothing breaks, nothing is said on stderr and
-/// the memory does not grow. PALPATE_MONKEY_S in the environment is for how long [s], PALPATE_MONKEY_SEED which
-/// monkey. On a real display.
+/// Sends random keys and pointer events while the hand palpates, records and plays: nothing fails, stderr stays empty
+/// and the memory use does not grow. PALPATE_MONKEY_S in the environment sets the duration [s], PALPATE_MONKEY_SEED the
+/// seed. Requires a display.
 class Monkey : public QObject
 {
     Q_OBJECT
@@ -48,8 +48,7 @@ class Monkey : public QObject
 
     int upTo(int count) { return static_cast<int>(m_random() % static_cast<unsigned>(count)); }
 
-    /// A dialog, a menu or dragging a marked text, which waits for the real pointer, holds everything up: it is left
-    /// again.
+    /// Closes what blocks the test: a dialog, a menu, or a text drag, which waits for the real pointer.
     static void closeWhatHolds()
     {
         QDrag::cancel();
@@ -60,7 +59,7 @@ class Monkey : public QObject
         }
     }
 
-    /// A visible part of the window, the view more often than others.
+    /// Returns a visible widget of the window, most often the view.
     QWidget& target()
     {
         std::vector<QWidget*> shown{&m_desk->window().viewport()};
@@ -98,7 +97,7 @@ class Monkey : public QObject
         constexpr Qt::MouseButton kButtons[] = {Qt::LeftButton, Qt::LeftButton, Qt::LeftButton, Qt::RightButton,
                                                 Qt::MiddleButton};
         const Qt::MouseButton button = kButtons[upTo(std::size(kButtons))];
-        const QPointer<QWidget> there(&on); // the pressed widget may be deleted
+        const QPointer<QWidget> there(&on); // the event may destroy the widget
         switch (upTo(4)) {
         case 0: {
             const QPointF at(place());
@@ -143,7 +142,7 @@ class Monkey : public QObject
         m_random.seed(seed);
         std::printf("seed %u, %d s\n", seed, seconds);
         const auto before = qInstallMessageHandler(noteComplaint);
-        std::vector<double> resident_MB; // each second
+        std::vector<double> resident_MB; // once per second
         QElapsedTimer clock;
         clock.start();
         int done = 0;
@@ -160,7 +159,7 @@ class Monkey : public QObject
         std::printf("%d deeds; resident %.0f MB at first, %.0f MB at last\n", done, resident_MB.front(),
                     resident_MB.back());
         QVERIFY2(complaints().isEmpty(), qPrintable(complaints().join(QLatin1Char('\n'))));
-        // Flat after two minutes: what is undone, recorded and played again stays below a tenth of it.
+        // Flat after two minutes: repeated undo, recording and playback add less than a tenth.
         constexpr std::size_t kSettled_s = 120;
         if (resident_MB.size() > 2 * kSettled_s) {
             const auto settled = resident_MB.begin() + kSettled_s;

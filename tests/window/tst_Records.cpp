@@ -346,7 +346,7 @@ class Records : public QObject
         QVERIFY(!QSettings().contains(QStringLiteral("fingertip_mm")));
         QVERIFY(m_desk->open({folder / "phantom.palpate.json"}));
         QCOMPARE(fingertip(), QStringLiteral("Point"));
-        m_desk->window().open({file}); // replayed in the open scene with its fingertip
+        m_desk->window().open({file}); // replayed in the open scene, which keeps its fingertip
         QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
         QCOMPARE(fingertip(), QStringLiteral("Point"));
     }

@@ -146,7 +146,7 @@ class Tour : public QObject
             }
             m_desk->press(Qt::Key_Return);
         }
-        m_desk->command("panels").trigger(); // all closed: each opens at the corresponding stop
+        m_desk->command("panels").trigger(); // all closed: each opens for its stop
         m_desk->command("show-around").trigger();
         walk();
         m_desk->command("show-around").trigger();

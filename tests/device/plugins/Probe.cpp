@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The trial of a plugin in a process of its own, as the program runs it on itself.
+// The plugin probe in a separate process, as the program runs on itself.
 #include <palpate/device/PluginHost.h>
 
 #include <cstdio>

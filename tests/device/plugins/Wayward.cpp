@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A device plugin that misbehaves as WAYWARD selects when started: built several times, with different metadata.
+// A device plugin that misbehaves on start as configured in WAYWARD; built several times with different metadata.
 #include <palpate/device/DevicePlugin.h>
 
 #include <QObject>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-#ifdef WAYWARD_IID // as in an older or newer header
+#ifdef WAYWARD_IID // from an older or newer header
 #undef PALPATE_DEVICE_PLUGIN_IID
 #define PALPATE_DEVICE_PLUGIN_IID WAYWARD_IID
 #endif
@@ -39,7 +39,7 @@ class Wayward final : public QObject, public palpate::device::DevicePlugin
             std::this_thread::sleep_for(std::chrono::hours(1));
             break;
         case Exits:
-            std::exit(0); // as if all were well
+            std::exit(0); // a regular exit
         default:
             break;
         }

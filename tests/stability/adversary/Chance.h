@@ -10,8 +10,9 @@ namespace palpate::adversary {
 
 using core::Vec3;
 
-/// Random numbers that a seed decides, the same with every standard library.
-/// @par Source The generator "xorshift64*": Vigna, ACM Trans. Math. Softw. 42 (2016) 30.
+/// Random numbers from a seed, the same with every standard library.
+/// @par Source
+/// The generator "xorshift64*": Vigna, ACM Trans. Math. Softw. 42 (2016) 30.
 class Chance
 {
   public:
@@ -29,10 +30,10 @@ class Chance
         m_state ^= m_state >> 27;
         return m_state * 0x2545f4914f6cdd1dull;
     }
-    /// In [0, 1).
+    /// Returns a number in [0, 1).
     double share() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
     double between(double low, double high) { return low + (high - low) * share(); }
-    /// Every order of magnitude as likely as the next.
+    /// Returns a log-uniform number.
     double magnitude(double low, double high) { return low * std::pow(high / low, share()); }
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() >> 16) % count; }
     int whole(int low, int high) { return low + static_cast<int>(below(static_cast<std::size_t>(high - low + 1))); }
@@ -51,7 +52,7 @@ class Chance
             }
         }
     }
-    /// About normal, each coordinate of variance 1.
+    /// Returns an approximately normal vector, each coordinate with variance 1.
     Vec3 noise() { return inCube() + inCube() + inCube(); }
 
   private:

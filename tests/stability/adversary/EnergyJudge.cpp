@@ -10,7 +10,7 @@ namespace palpate::adversary {
 
 namespace {
 
-/// The most that a step may be off, where its map rises by `rise`: see the class.
+/// Returns the largest deviation of a step over which the map rises by `rise`: see the class.
 /// @param before  W before the step
 double mayMake_mJ(const haptics::HapticStructure& on, double before, double sShare, double rise, const Vec3& spring,
                   const Vec3& n)
@@ -19,7 +19,7 @@ double mayMake_mJ(const haptics::HapticStructure& on, double before, double sSha
     if (!on.tissue.hasFriction()) {
         return std::abs(rise) * std::abs(before - on.lawAt(depth).energy_mJ);
     }
-    // Effect of a friction of (W/F) |grad ln s| at this depth and with this law.
+    // At this depth and with this law, friction of (W/F) |grad ln s| dissipates this fraction.
     const haptics::ForceTable::Value held = on.lawAt(lambda);
     const double stiffer = on.lawAt(depth).force_N / depth / (held.force_N / lambda);
     return std::max(0.0, rise) *
@@ -67,7 +67,7 @@ double EnergyJudge::made_mJ(const std::vector<haptics::HapticStructure>& structu
     const double more = now->s * now->W - last->s * last->W + elastic.dot(moved);
     const double may =
         mayMake_mJ(on, last->W, now->s / last->s, now->s - last->s, now->god - now->hip, tick.active[0].n_W);
-    // The god-object stands some skins above the face, and where on it is known to as much.
+    // The god-object is some skins above the face, and its position on the face has the same uncertainty.
     const double place = 64.0 * on.surface->skin_mm() + rounding_mm;
     const double k = now->s * (on.law == nullptr ? on.tissue.stiffness_N_per_mm : on.law->greatestSlope_N_per_mm());
     const double slack = 1e-9 * (now->s * now->W + last->s * last->W + elastic.norm() * moved.norm()) +

@@ -72,7 +72,7 @@ class LayerJudge
     bool m_isRough = false;                             ///< a structure of the layer has friction
     bool m_hasDrag = false;
     bool m_isPlaced = false;
-    bool m_isDeep = false; ///< a ball nearer to a facet than the radius
+    bool m_isDeep = false; ///< a ball nearer to a facet than its radius
     Vec3 m_god = Vec3::Zero();
     std::vector<BodyWatch> m_bodies;
     std::vector<SheetWatch> m_sheets;

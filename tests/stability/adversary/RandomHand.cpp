@@ -27,7 +27,7 @@ Vec3 RandomHand::next()
     return hip;
 }
 
-/// Draws a motion, a facet for it, and how far, deep and fast it goes.
+/// Draws a motion, a facet, and the distance, depth and speed.
 void RandomHand::begin()
 {
     m_motion = static_cast<Motion>(m_chance.below(kMotions));
@@ -111,7 +111,8 @@ Vec3 RandomHand::moved()
     return m_hip;
 }
 
-/// A vertex, the middle of an edge or of a facet, or a place on an edge's line, of any facet of the scene.
+/// Returns a vertex, the middle of an edge or facet, or a point on the line of an edge, from a random facet of the
+/// scene.
 Vec3 RandomHand::onFeature()
 {
     const TriangleMesh& mesh = m_scene.structures[m_chance.below(m_scene.structures.size())].mesh.mesh;

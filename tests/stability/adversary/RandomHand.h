@@ -5,12 +5,12 @@
 
 namespace palpate::adversary {
 
-/// A hand with a sequence of motions that are difficult for god-objects. One HIP per tick.
+/// A hand that performs a sequence of motions that are difficult for god-objects. One HIP per tick.
 class RandomHand
 {
   public:
-    /// @param isExact  HIPs lie on vertices, on edges and in planes to the last bit now and then; otherwise each is a
-    ///                 millionth of the scene beside
+    /// @param isExact  some HIPs are exactly on vertices, edges and planes; otherwise each HIP is offset by a millionth
+    /// of the scene
     RandomHand(const RandomScene& scene, bool isExact, std::uint64_t seed);
     [[nodiscard]] Vec3 next();
 
@@ -20,8 +20,8 @@ class RandomHand
         WhiteNoise,
         Walk,     ///< at random
         Teleport, ///< anywhere around the scene
-        Strike,   ///< straight through, fast
-        Slide,    ///< a little below the surface, along a facet and beyond
+        Strike,   ///< straight through the scene, fast
+        Slide,    ///< slightly below the surface, along a facet and beyond
         OnFeatures,
         AlongEdge,
         ThroughVertex,
@@ -29,7 +29,7 @@ class RandomHand
         InPlane,
         Rest,
         Creep,
-        Far, ///< to far away and back
+        Far, ///< far away and back
     };
     static constexpr int kMotions = 13;
 

@@ -14,7 +14,7 @@ namespace {
 
 using Point2 = std::array<double, 2>;
 
-/// All triangles of a mesh as one body.
+/// Returns all triangles of a mesh as one body.
 RandomMesh asBody(TriangleMesh mesh)
 {
     RandomMesh result;
@@ -42,8 +42,8 @@ void append(RandomMesh& mesh, const RandomMesh& other)
     }
 }
 
-/// The surface of the cube from -1 to 1, each face cut n × n; faces share their vertices. Numbers of squares may differ
-/// by axis of the face's normal: then the faces meet in T-junctions.
+/// Returns the surface of the cube from -1 to 1, each face split n × n; faces share their vertices. The number of
+/// squares may differ by axis of the face normal: then the faces meet in T-junctions.
 TriangleMesh cube(const std::array<int, 3>& n, Chance& chance)
 {
     TriangleMesh mesh;
@@ -101,14 +101,14 @@ TriangleMesh cuboid(const Vec3& low, const Vec3& high, int n, Chance& chance)
 {
     TriangleMesh mesh = cube({n, n, n}, chance);
     for (Vec3& v : mesh.vertices) {
-        for (int k = 0; k < 3; ++k) { // corners to the last bit, so that walls can touch
+        for (int k = 0; k < 3; ++k) { // exact corners, so that walls can touch
             v[k] = v[k] == -1.0 ? low[k] : v[k] == 1.0 ? high[k] : low[k] + 0.5 * (v[k] + 1.0) * (high[k] - low[k]);
         }
     }
     return mesh;
 }
 
-/// Upright prism on a polygon, counter-clockwise, which can all be seen from `centre`.
+/// Returns an upright prism on a counter-clockwise polygon that is star-shaped about `centre`.
 TriangleMesh prism(const std::vector<Point2>& polygon, const Point2& centre, double bottom, double top, int floors)
 {
     TriangleMesh mesh;
@@ -133,7 +133,7 @@ TriangleMesh prism(const std::vector<Point2>& polygon, const Point2& centre, dou
     return mesh;
 }
 
-/// A disc from which a wedge is cut: a crease that may be as narrow as a slit.
+/// Returns a disc with a wedge cut out: a crease that may be as narrow as a slit.
 TriangleMesh notch(Chance& chance)
 {
     const double half = chance.magnitude(1e-4, 0.4);
@@ -146,7 +146,7 @@ TriangleMesh notch(Chance& chance)
     return prism(polygon, {-0.3, 0.0}, 0.0, chance.between(0.2, 1.5), chance.whole(1, 3));
 }
 
-/// A wheel with uneven sides, some of nearly zero width.
+/// Returns a wheel with uneven sides, some of them extremely narrow.
 TriangleMesh slivers(Chance& chance)
 {
     std::vector<double> angles;
@@ -166,7 +166,7 @@ TriangleMesh slivers(Chance& chance)
     return prism(polygon, {0.0, 0.0}, 0.0, chance.between(0.1, 1.5), chance.whole(1, 2));
 }
 
-/// A block with a top that is an undulating fan around the origin.
+/// Returns a block with a wavy fan around the origin as its top.
 TriangleMesh saddle(Chance& chance)
 {
     const int n = chance.whole(4, 40), waves = chance.whole(1, 5);

@@ -84,12 +84,12 @@ RandomScene randomScene(Family family, Chance& chance)
         RandomStructure one;
         one.mesh = randomMesh(kindFor(family, chance), chance);
         one.layer = i % scene.layers;
-        // Layers lie in each other; structures of one layer beside and through each other.
+        // Layers are nested; structures of one layer are beside each other or intersect.
         const double share = (1.0 - 0.18 * one.layer) * (count > scene.layers ? chance.between(0.4, 1.0) : 1.0);
         placing.put(one.mesh, (count > 1 ? chance.between(0.0, hasLayers ? 0.2 : 1.2) : 0.0) * chance.direction(),
                     share);
         one.surface = indexOf(one.mesh.mesh);
-        constexpr std::array kStiffness_N_per_mm{0.5, 0.05, 4.0}; // organs, fat and bone beside each other
+        constexpr std::array kStiffness_N_per_mm{0.5, 0.05, 4.0}; // organs, fat and bone side by side
         one.tissue = {kStiffness_N_per_mm[i % 3], damping * (i % 2)};
         scene.name += (i == 0 ? "" : ", ") + one.mesh.name;
         scene.bounds.extend(one.mesh.mesh.bounds());

@@ -10,14 +10,14 @@
 
 namespace palpate::adversary {
 
-/// Families of scenes: each is a row of the test.
+/// Families of random scenes: each is a row of the test.
 enum class Family
 {
     Closed, ///< a point on bodies that enclose a volume
     Open,   ///< a point on sheets, fins and loose triangles
     Layers, ///< a point and two to four layers
-    Balls,  ///< balls of 0.1 to 20 mm on all of these
-    Rough,  ///< a point on all of these, with friction, laws and maps
+    Balls,  ///< balls of 0.1 to 20 mm in the scenes above
+    Rough,  ///< a point in the scenes above, with friction, laws and maps
     RoughBalls,
 };
 constexpr int kFamilies = 6;
@@ -25,7 +25,7 @@ constexpr int kFamilies = 6;
 
 struct RandomStructure
 {
-    RandomMesh mesh; ///< in place [mm]
+    RandomMesh mesh; ///< in world position [mm]
     std::shared_ptr<const geometry::SurfaceIndex> surface;
     haptics::Tissue tissue;
     std::uint32_t layer = 0; ///< 0, 1, … without gaps
@@ -45,7 +45,7 @@ struct RandomScene
     core::Box bounds; ///< [mm]
 
     [[nodiscard]] double size_mm() const { return bounds.diagonal().norm(); }
-    /// @param shown  one bit a layer; the structures of the others are there without a surface
+    /// @param shown  one bit per layer; structures of hidden layers have no surface
     [[nodiscard]] std::unique_ptr<haptics::HapticScene> build(std::uint32_t shown) const;
 };
 

@@ -7,7 +7,7 @@ namespace palpate::adversary {
 
 namespace {
 
-/// A value at each vertex, each order of magnitude as likely as the next.
+/// Returns a map with log-uniform values at the vertices.
 haptics::TissueMap randomMap(const geometry::SurfaceIndex& surface, double low, double high, Chance& chance)
 {
     std::vector<float> values(surface.vertexCount());
@@ -20,7 +20,7 @@ haptics::TissueMap randomMap(const geometry::SurfaceIndex& surface, double low, 
         (*corners)[i] = {values[t[0]], values[t[1]], values[t[2]]};
     }
     haptics::TissueMap map{std::move(corners), chance.is(0.5) ? 1.0 : 0.5};
-    if (surface.triangleCount() % 2 == 0) { // linear on each triangle: a formula gives the stored energy
+    if (surface.triangleCount() % 2 == 0) { // linear on each triangle: the stored energy has a closed form
         map.bends = std::make_shared<const std::vector<std::array<float, 6>>>();
     }
     return map;

@@ -5,7 +5,7 @@
 
 namespace palpate::adversary {
 
-/// Gives the scene's structures friction, laws, and maps of stiffness, damping and friction: each now and then.
+/// Randomly gives the scene's structures friction, laws, and maps of stiffness, damping and friction.
 void makeRough(RandomScene& scene, Chance& chance);
 
 } // namespace palpate::adversary

@@ -13,13 +13,13 @@ std::span<const haptics::ActiveConstraint> planesOf(const haptics::TickResult& t
     return std::span(tick.active).first(tick.constraints);
 }
 
-/// The sine of the angle between two normals, the volume of three: 1 where they are orthogonal.
+/// Returns the sine of the angle between two normals, or the volume of three: 1 if orthogonal.
 double spanOf(const std::vector<Vec3>& n)
 {
     return n.size() == 1 ? 1.0 : n.size() == 2 ? n[0].cross(n[1]).norm() : std::abs(n[0].dot(n[1].cross(n[2])));
 }
 
-/// True when each plane of one tick is one of the other's.
+/// Returns whether each plane of one tick is also a plane of the other.
 bool isWithin(const haptics::TickResult& one, const haptics::TickResult& other)
 {
     return std::ranges::all_of(planesOf(one), [&](const haptics::ActiveConstraint& plane) {
@@ -70,7 +70,7 @@ const char* SharedJudge::look(const std::vector<haptics::HapticStructure>& struc
     for (std::size_t i = 0; i < tick.contactCount; ++i) {
         sum += tick.contacts[i].f_W;
     }
-    // The distance of the god-object from the contact planes counts with the mean stiffness.
+    // A distance of the god-object from its contact planes contributes like a spring of the mean stiffness.
     const double slack_N = 256.0 * stiffest * rounding_mm + 1e-9 * stiffest * spring.norm();
     if ((sum - tick.f_W).norm() > slack_N) {
         return "parts of a shared contact do not add up";
@@ -88,7 +88,7 @@ bool SharedJudge::changesAsMayBe(const Held& before, const Held& now, double rou
 {
     const bool isMore = isWithin(before.tick, now.tick);
     if (!isMore && !isWithin(now.tick, before.tick)) {
-        return true; // another place
+        return true; // another position
     }
     std::vector<Vec3> normals;
     for (const haptics::ActiveConstraint& plane : planesOf(isMore ? now.tick : before.tick)) {

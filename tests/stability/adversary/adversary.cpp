@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plays single seeds of the adversary, as a failing test names them.
+// Plays single seeds of the adversary, as printed by a failing test.
 //
-// adversary FAMILY SEED [SEEDS [TICKS [FROM TO]]]   FAMILY: closed, open, layers, balls, rough, roughballs. Prints the
-// ticks FROM … TO. Exit code 1 when anything failed.
+// adversary FAMILY SEED [SEEDS [TICKS [FROM TO]]]
+//
+// FAMILY: closed, open, layers, balls, rough, roughballs. Prints the ticks FROM … TO. Exit code 1 on a failure.
 #include "Game.h"
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random scenes and hands against the engine, every tick judged by predicates of the adversary's own. A line of what
-// failed begins with the command that plays it again: adversary FAMILY SEED.
+// Random scenes and hands against the engine, with independent checks in every tick. The line of a failure starts with
+// the command to repeat the case: adversary FAMILY SEED.
 #include "Game.h"
 #include "TestRunner.h"
 
@@ -8,14 +8,14 @@ using namespace palpate::adversary;
 
 namespace {
 
-// Share of the ticks. Of balls four times as many: put down deep, among hundreds of structures and up to the size of
-// the scene; a fifth of all ticks are theirs.
+// Allowed fraction of ticks at the work bound. Balls have four times as many: they start deep, among hundreds of
+// structures, and are up to the size of the scene; a fifth of all ticks are theirs.
 constexpr double kMostAtBound = 1e-4;
 constexpr double kMostOfBallsAtBound = 4e-4;
-// Of other seeds, in which balls without friction are there as often.
+// For other seeds, with an equal number of balls without friction.
 constexpr double kMostOfRoughBallsAtBound = 1e-3;
 
-/// @param first  seed; override: PALPATE_SEED
+/// @param first  seed; PALPATE_SEED overrides the value
 void checkFamily(Family family, std::uint64_t first, std::int64_t ticks)
 {
     bool isGiven = false;
@@ -27,7 +27,7 @@ void checkFamily(Family family, std::uint64_t first, std::int64_t ticks)
         qWarning("%s", line.c_str());
     }
     qInfo("%s", tally.summary().c_str());
-    QVERIFY(tally.inContact > tally.ticks / 5); // the hand does feel something
+    QVERIFY(tally.inContact > tally.ticks / 5); // the hand is in contact often enough
     QVERIFY2(tally.lines.empty(), tally.summary().c_str());
     const double most = family == Family::Balls        ? kMostOfBallsAtBound
                         : family == Family::RoughBalls ? kMostOfRoughBallsAtBound
@@ -37,7 +37,7 @@ void checkFamily(Family family, std::uint64_t first, std::int64_t ticks)
 
 } // namespace
 
-/// 2.6 million ticks in all.
+/// 2.6 million ticks in total.
 class Adversary : public QObject
 {
     Q_OBJECT
@@ -51,7 +51,7 @@ class Adversary : public QObject
     void roughballs() { checkFamily(Family::RoughBalls, 1, 400000); }
 };
 
-/// Seeds that have found something, up to the tick that was wrong.
+/// Seeds of earlier failures, up to the failing tick.
 class FoundSeeds : public QObject
 {
     Q_OBJECT
@@ -105,7 +105,7 @@ class FoundSeeds : public QObject
     }
 };
 
-/// 130 million ticks in all, of other seeds.
+/// 130 million ticks in total, from other seeds.
 class LongAdversary : public QObject
 {
     Q_OBJECT
@@ -119,7 +119,7 @@ class LongAdversary : public QObject
     void roughballs() { checkFamily(Family::RoughBalls, 1000001, 10000000); }
 };
 
-/// So few that the sanitizers take no longer than for other tests; what is asked of the engine is asked by the others.
+/// Few enough ticks for the sanitizers; the other classes check the engine's behaviour.
 class ShortAdversary : public QObject
 {
     Q_OBJECT

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ticks that end at the bound on work must end at the same place whatever is held: what a tick is charged is told by
-// the scene, the god-object and the HIP alone. With a small part of the usual work they are common.
+// Ticks that end at the work bound must end at the same position whatever is cached: the work charged depends only on
+// the scene, the god-object and the HIP. A small fraction of the usual work makes such ticks frequent.
 #include "RandomHand.h"
 #include "SameBits.h"
 #include "TestRunner.h"
@@ -16,13 +16,13 @@ using palpate::haptics::TickStatus;
 
 namespace {
 
-constexpr int kTicks = 2000, kEach = 5; // of a seed; between two restores
+constexpr int kTicks = 2000, kEach = 5; // per seed; between two restores
 constexpr double kTick_s = 1e-3;
 
 struct Compared
 {
     std::int64_t ticks = 0, atBound = 0, restored = 0, differ = 0;
-    QString first; ///< that differed
+    QString first; ///< first difference
 };
 
 void compare(Family family, std::uint64_t seed, Compared& tally)
@@ -98,7 +98,7 @@ class EarlyEnds : public QObject
                                    .arg(tally.restored)
                                    .arg(tally.differ)
                                    .arg(tally.first)));
-        QVERIFY(seeds == 1 || tally.atBound > tally.ticks / 1000); // the comparison is meaningful
+        QVERIFY(seeds == 1 || tally.atBound > tally.ticks / 1000); // the bound was reached often enough
         QVERIFY2(tally.differ == 0, qPrintable(tally.first));
     }
 };
