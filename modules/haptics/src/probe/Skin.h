@@ -22,11 +22,11 @@ inline constexpr double kPlaneTolerance = 1.0 / 16.0;
 /// facet's edges.
 inline constexpr double kPlate = 0.5;
 
-inline constexpr double kLiftHeight =
-    0.5; ///< minimum height above the next facet at which a walk continues on that facet
+/// Minimum height above the next facet at which a walk continues on that facet.
+inline constexpr double kLiftHeight = 0.5;
 
-inline constexpr double kMinWalkHeight =
-    0.6; ///< minimum height of a god-object that counts as having walked to its facet
+/// Minimum height of a god-object that counts as having walked to its facet.
+inline constexpr double kMinWalkHeight = 0.6;
 
 /// A move that starts at this height or lower touches the facet, provided that it would meet the facet within
 /// kTouchRadius.
@@ -44,8 +44,8 @@ inline constexpr double kTouchRadius = 64.0;
 
 inline constexpr double kMaxQueryRadius = 2.0 * kTouchRadius; ///< maximum radius of a query for nearby facets
 
-// SurfaceIndex::isClear must cover everything that a walk does (resources/docs/clear-facets.md, "What a walk rests
-// on").
+// SurfaceIndex::isClear must cover everything that a walk does (resources/docs/clear-facets.md, "Assumptions of a
+// walk").
 static_assert(geometry::SurfaceIndex::kClearHeight >= kTouching && geometry::SurfaceIndex::kClearHeight >= kSupporting,
               "what touches or supports a walking god-object is within the height that was cleared");
 static_assert(kLiftHeight <= kMinWalkHeight && kMinWalkHeight <= 1.0,
