@@ -325,8 +325,9 @@ class Palpation : public QObject
         QCOMPARE(layers[0].name, QStringLiteral("liver"));
         QCOMPARE(layers[1].name, QStringLiteral("lump 20 mm"));
         QCOMPARE(layers[1].colour, ui::colourOf(m_model->structure(1)));
-        QVERIFY(std::abs(layers[0].force_N - 0.2 * layers[0].depth_mm) < 0.02);
-        QVERIFY(std::abs(layers[1].force_N - 0.6 * layers[1].depth_mm) < 0.02);
+        // The damper acts until the hand rests.
+        QTRY_VERIFY(std::abs(layers[0].force_N - 0.2 * layers[0].depth_mm) < 0.02);
+        QTRY_VERIFY(std::abs(layers[1].force_N - 0.6 * layers[1].depth_mm) < 0.02);
         QVERIFY(std::abs(layers[0].along_N + layers[1].along_N - m_reading->force_N) < 0.02);
         QVERIFY(m_reading->force_N > 1.3 * layers[0].force_N);
         QCOMPARE(m_reading->stiffness_N_per_mm, 0.8);
