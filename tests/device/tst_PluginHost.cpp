@@ -81,13 +81,14 @@ class PluginHost : public QObject
                     std::string::npos);
             QCOMPARE(all.make(older).status().message(), problemOf(all, older));
         }
-        QVERIFY(problemOf(all, "unsure").find("apiVersion is 1, expected 2") != std::string::npos);
+        QVERIFY(problemOf(all, "unsure").find("found apiVersion 1 in its metadata, expected 2") != std::string::npos);
         QVERIFY(problemOf(all, "mouse").find("built-in") != std::string::npos);
         QVERIFY(problemOf(all, "text").find("not a Qt plugin") != std::string::npos);
         QVERIFY(!problemOf(all, "cut").empty());
         const std::string nobody = all.find("nobody").status().message();
         for (const device::PluginEntry& entry : all.plugins()) {
-            QVERIFY2(!entry.status.isOk() || nobody.find(entry.info.id, nobody.find("found: ")) != std::string::npos,
+            QVERIFY2(!entry.status.isOk() ||
+                         nobody.find(entry.info.id, nobody.find("expected one of: ")) != std::string::npos,
                      nobody.c_str());
             if (entry.file.stem() == "again") {
                 QVERIFY(entry.status.message().find("comes first") != std::string::npos);

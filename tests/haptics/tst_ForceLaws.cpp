@@ -286,7 +286,7 @@ class ForceLaws : public QObject
         row("no number as a slope", {{0, 0, 1, nan}}, "not finite");
         row("infinite", {{0, 0, 1, 1}, {inf, 1, 1, 1}}, "not finite");
         row("back up", {{0, 0, 1, 1}, {1, 1, 1, 1}, {0.5, 1, 1, 1}}, "knot 3 of 3");
-        row("twice the same depth", {{0, 0, 1, 1}, {0, 0, 1, 1}}, "below");
+        row("twice the same depth", {{0, 0, 1, 1}, {0, 0, 1, 1}}, "not deeper");
         row("a negative force", {{0, 0, 1, 1}, {1, -1, 1, 1}}, "below 0");
         row("a negative force between", {{0, 0, 1, -1000}, {1, 0, 1, 1}}, "below 0");
         row("a cliff", {{0, 0, 1, 1}, {1, 1e4, 1, 1}}, "steeper");

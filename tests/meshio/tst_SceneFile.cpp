@@ -315,10 +315,10 @@ void SceneFile::aWrongCurveIsNamedByItsLine_data()
         QTest::newRow(name) << csv << "curve.csv: " + std::string(message);
     };
     const std::string head = "depth_mm,force_N\n";
-    row("empty", "", "it has 0 points");
+    row("empty", "", "found 0 points, expected 2 to 64");
     row("no header", "0,0\n1,1\n", "line 1: no column depth_mm");
     row("another unit", "depth_m,force_N\n0,0\n", "line 1: no column depth_mm");
-    row("no points", head, "it has 0 points");
+    row("no points", head, "found 0 points, expected 2 to 64");
     row("a word", head + "0,0\n1,much\n", "line 3: force_N is \"much\"");
     row("a cell too few", head + "0,0\n1\n", "line 3: force_N is \"\"");
     row("no number", head + "0,0\n1,nan\n", "line 3: point 2 of 2: found (1 mm, nan N)");

@@ -161,7 +161,7 @@ class LawEditor : public QObject
         QCOMPARE(p.number(QStringLiteral("Greatest stiffness"))->value(), 2.0);
         p.number(QStringLiteral("Stiffness at first touch"))->setValue(0.0);
         QVERIFY(p.tissue() == before);
-        QVERIFY2(p.refusal().contains(QStringLiteral("Stiffness at first touch is 0")), qPrintable(p.refusal()));
+        QVERIFY2(p.refusal().contains(QStringLiteral("Stiffness at first touch: found 0")), qPrintable(p.refusal()));
         p.keep("refused");
         p.number(QStringLiteral("Stiffness at first touch"))->setValue(0.2);
         QVERIFY(p.refusal().isEmpty());
@@ -322,7 +322,7 @@ class LawEditor : public QObject
         QVERIFY(p.tissue().law.points == expected);
         editor->load(write("depth_mm,force_N\n0,0\n4,-0.5\n8,3\n"));
         QVERIFY(p.tissue().law.points == expected);
-        QVERIFY2(p.refusal().startsWith(QStringLiteral("curve.csv: line 3: point 2 of 3 is (4 mm, -0.5 N)")),
+        QVERIFY2(p.refusal().startsWith(QStringLiteral("curve.csv: line 3: point 2 of 3: found (4 mm, -0.5 N)")),
                  qPrintable(p.refusal()));
     }
     void presetsSayTheirSourceAndKeepFriction()
