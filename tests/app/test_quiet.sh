@@ -53,5 +53,17 @@ else
     run XDG_RUNTIME_DIR="$work/open" "$phantom/liver.stl" --screenshot c.png # anyone could look into it
     run XDG_RUNTIME_DIR="$work/none" --screenshot d.png
     [[ -s a.png && -s b.png && -s c.png && -s d.png ]] || failed=1
+
+    # Settings that are no regular file are neither written through nor waited for, and the reason is printed.
+    mkdir link pipe
+    echo precious >target
+    ln -s "$work/target" link/Palpate.conf
+    mkfifo pipe/Palpate.conf
+    for kind in link pipe; do
+        timeout 60 env XDG_CONFIG_HOME="$work/$kind" "$palpate" "$phantom/liver.stl" --screenshot "$kind.png" >out.txt 2>error.txt &&
+            [[ -s $kind.png ]] && grep -q "$kind/Palpate.conf: found a link, pipe or other special file" error.txt ||
+            { echo "settings that are a $kind:"; cat error.txt; failed=1; }
+    done
+    [[ $(cat target) == precious ]] || { echo "the target of the link was changed"; failed=1; }
 fi
 exit $failed
