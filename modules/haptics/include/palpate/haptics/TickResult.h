@@ -9,8 +9,9 @@
 
 namespace palpate::haptics {
 
-/// Active constraint of a god-object: the plane of a triangle, `n . (x - a) >= 0`, with a a corner of the triangle and
-/// n the unit normal on the side of the god-object. A default-constructed constraint is not initialised.
+/// Active constraint of a god-object: the plane of a triangle limits positions x to n . (x - c) >= 0, with c a corner
+/// of the triangle and n the unit normal on the side of the god-object. A default-constructed constraint is not
+/// initialised.
 struct ActiveConstraint
 {
     std::uint32_t structure; ///< index in HapticScene::structures
