@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CommandLine.h"
+#include "commands/CommandLine.h"
 
 int main(int argc, char** argv)
 {

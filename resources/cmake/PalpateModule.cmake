@@ -54,7 +54,8 @@ function(palpate_module name)
   add_library(palpate_${name} STATIC ${M_SOURCES} ${timed})
   add_library(palpate::${name} ALIAS palpate_${name})
   target_include_directories(palpate_${name} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE src)
   target_compile_features(palpate_${name} PUBLIC cxx_std_20)
   list(TRANSFORM M_USES PREPEND palpate::)
   target_link_libraries(palpate_${name} PUBLIC ${M_USES} ${M_LIBRARIES}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshes.h"
 
-#include "ReadMesh.h"
+#include "read/ReadMesh.h"
 
 namespace palpate::fuzz {
 

@@ -2,7 +2,7 @@
 #include "Volumes.h"
 
 #include "../meshio/Volumes.h"
-#include "VolumeFile.h"
+#include "read/VolumeFile.h"
 
 #include <cstring>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VolumeFile.h"
+#include "read/VolumeFile.h"
 #include "Volumes.h"
 
 #include <sys/mman.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ImportServer.h"
-#include "MeshWire.h"
-#include "ReadMesh.h"
+#include "read/ImportServer.h"
+#include "read/MeshWire.h"
+#include "read/ReadMesh.h"
 #include "Samples.h"
-#include "VolumeFile.h"
+#include "read/VolumeFile.h"
 #include "Volumes.h"
 
 #include <QtTest>

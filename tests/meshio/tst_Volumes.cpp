@@ -2,7 +2,7 @@
 // Tests volumes for maps, read in this process: every format gives the same values at the same positions, and invalid
 // files are rejected.
 #include "TestRunner.h"
-#include "VolumeFile.h"
+#include "read/VolumeFile.h"
 #include "Volumes.h"
 
 #include <algorithm>

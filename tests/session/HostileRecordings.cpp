@@ -2,9 +2,9 @@
 #include "HostileRecordings.h"
 
 #include "../support/Shapes.h"
-#include "Packing.h"
-#include "RecordingTables.h"
-#include "SchemaCheck.h"
+#include "tables/Packing.h"
+#include "store/RecordingTables.h"
+#include "store/SchemaCheck.h"
 #include "Sessions.h"
 
 #include <palpate/session/GeometryHash.h>

@@ -2,7 +2,7 @@
 #include "Sessions.h"
 
 #include "../support/Shapes.h"
-#include "Contacts.h"
+#include "tables/Contacts.h"
 
 #include <palpate/servo/ServoCore.h>
 #include <palpate/session/RecordingWriter.h>

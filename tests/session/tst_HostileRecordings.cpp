@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Shapes.h"
 #include "HostileRecordings.h"
-#include "ReadOnlyVfs.h"
+#include "database/ReadOnlyVfs.h"
 #include "Sessions.h"
 #include "TestRunner.h"
 

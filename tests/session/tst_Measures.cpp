@@ -2,7 +2,7 @@
 #include "TestRunner.h"
 
 #include "../support/Shapes.h"
-#include "Contacts.h"
+#include "tables/Contacts.h"
 #include "Sessions.h"
 
 #include <palpate/session/GeometryHash.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Shapes.h"
-#include "LawText.h"
+#include "database/LawText.h"
 #include "Sessions.h"
 #include "TestRunner.h"
 

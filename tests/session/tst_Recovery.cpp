@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Shapes.h"
 #include "FileLimits.h"
-#include "RecordingCopy.h"
+#include "recording/RecordingCopy.h"
 #include "Sessions.h"
 #include "TestRunner.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Contacts.h"
-#include "Packing.h"
+#include "tables/Contacts.h"
+#include "tables/Packing.h"
 #include "TestRunner.h"
-#include "TickColumns.h"
-#include "TickTable.h"
+#include "tables/TickColumns.h"
+#include "tables/TickTable.h"
 
 #include <QFile>
 #include <QTest>

@@ -7,11 +7,15 @@ tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 failed=0
 
-# expect RESULT FILE LINE: a tree whose only source is FILE with this LINE gives RESULT, 0 allowed and 1 not.
+# expect RESULT FILE LINE [SOURCE]: a tree with the FILE of this LINE, and an empty SOURCE, gives RESULT, 0 allowed and 1 not.
 expect() {
     rm -rf "$tree/modules" "$tree/app" "$tree/plugins"
     mkdir -p "$tree/$(dirname "$2")"
     printf '// a comment\n%s\n' "$3" >"$tree/$2"
+    if [ $# -gt 3 ]; then # the header's source
+        mkdir -p "$tree/$(dirname "$4")"
+        : >"$tree/$4"
+    fi
     local result=0 said
     said=$("$check" "$tree") || result=$?
     if [ "$result" -ne "$1" ]; then
@@ -49,4 +53,9 @@ expect 0 modules/haptics/src/a.cpp '#include "solver/GodObject.h"'
 expect 1 modules/haptics/src/law/a.cpp '#include "solver/GodObject.h"'
 expect 1 modules/haptics/src/nearby/a.cpp '#include "law/Foot.h"'
 expect 1 modules/haptics/src/elsewhere/a.cpp ''
+expect 0 app/src/window/a.cpp '#include "shared/Console.h"'
+expect 1 app/src/shared/a.cpp '#include "window/Window.h"'
+# A public header belongs to the folder of its source.
+expect 0 modules/ui/src/touch/a.cpp '#include "palpate/ui/b.h"' modules/ui/src/widgets/b.cpp
+expect 1 modules/ui/src/widgets/a.cpp '#include "palpate/ui/b.h"' modules/ui/src/touch/b.cpp
 exit $failed

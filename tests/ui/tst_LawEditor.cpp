@@ -9,7 +9,7 @@
 #include <palpate/ui/TermTexts.h>
 #include <palpate/ui/TouchPanel.h>
 
-#include "LawPlot.h"
+#include "tissue/LawPlot.h"
 
 #include <QCheckBox>
 #include <QComboBox>

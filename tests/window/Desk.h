@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "MainWindow.h"
+#include "window/MainWindow.h"
 
 #include <QImage>
 #include <QPushButton>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
-#include "MainWindow.h"
+#include "window/MainWindow.h"
 #include "TestRunner.h"
 
 #include "../support/Shapes.h"

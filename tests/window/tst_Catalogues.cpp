@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Language.h"
+#include "window/Language.h"
 #include "TestRunner.h"
 
 #include <QDir>

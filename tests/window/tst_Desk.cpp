@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
-#include "Help.h"
-#include "ProgramFolders.h"
+#include "window/Help.h"
+#include "shared/ProgramFolders.h"
 #include "TestRunner.h"
 
 #include <palpate/session/Recording.h>

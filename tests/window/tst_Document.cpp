@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileLimits.h"
-#include "SceneDocument.h"
+#include "window/SceneDocument.h"
 #include "TestRunner.h"
 
 #include <QDir>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
-#include "Language.h"
+#include "window/Language.h"
 #include "TestRunner.h"
 
 #include <QAbstractButton>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests stiffness ratio and verdict of lumps: the window's model and the commands felt, replay and info agree to the
 // last digit.
-#include "LumpLayout.h"
+#include "shared/LumpLayout.h"
 #include "TestRunner.h"
 
 #include "../support/Shapes.h"

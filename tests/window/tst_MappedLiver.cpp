@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MainWindow.h"
+#include "window/MainWindow.h"
 #include "TestRunner.h"
 
 #include "../support/Shapes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the dialog of measures on the phantom's recording.
-#include "MeasuresDialog.h"
+#include "window/MeasuresDialog.h"
 #include "TestRunner.h"
 
 #include <QClipboard>

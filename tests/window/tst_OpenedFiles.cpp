@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Shapes.h"
-#include "CoordinatesChoice.h"
+#include "window/CoordinatesChoice.h"
 #include "Desk.h"
 #include "TestRunner.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/Recording.h"
 
-#include "BuildId.h"
-#include "MapRows.h"
+#include "recording/BuildId.h"
+#include "store/MapRows.h"
 
 #include <palpate/haptics/ForceTable.h>
 

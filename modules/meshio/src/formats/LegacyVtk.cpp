@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // VTK's legacy file format, `.vtk`: text keywords, numbers as text or big-endian.
 // https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
-#include "MeshFormat.h"
+#include "formats/MeshFormat.h"
 
-#include "Fault.h"
-#include "TextScan.h"
+#include "text/Fault.h"
+#include "text/TextScan.h"
 
 #include <vtkPolyDataReader.h>
 #include <vtkSmartPointer.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshFormat.h"
+#include "formats/MeshFormat.h"
 
-#include "Fault.h"
-#include "PolygonCutter.h"
-#include "TextScan.h"
+#include "text/Fault.h"
+#include "formats/PolygonCutter.h"
+#include "text/TextScan.h"
 
 #include <palpate/core/Numbers.h>
 

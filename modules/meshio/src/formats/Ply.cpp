@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshFormat.h"
-#include "PlyHeader.h"
+#include "formats/MeshFormat.h"
+#include "formats/PlyHeader.h"
 
-#include "Fault.h"
-#include "TextScan.h"
+#include "text/Fault.h"
+#include "text/TextScan.h"
 
 #include <vtkPLYReader.h>
 #include <vtkSmartPointer.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PlyHeader.h"
+#include "formats/PlyHeader.h"
 
-#include "Fault.h"
-#include "TextScan.h"
+#include "text/Fault.h"
+#include "text/TextScan.h"
 
 #include <algorithm>
 #include <array>

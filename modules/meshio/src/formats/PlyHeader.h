@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PreScan.h"
+#include "guard/PreScan.h"
 
 #include <cstdint>
 #include <string>

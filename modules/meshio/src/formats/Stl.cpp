@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshFormat.h"
+#include "formats/MeshFormat.h"
 
-#include "Fault.h"
-#include "TextScan.h"
+#include "text/Fault.h"
+#include "text/TextScan.h"
 
 #include <vtkSTLReader.h>
 #include <vtkSmartPointer.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshFormat.h"
-#include "VtpBlocks.h"
-#include "VtpHeader.h"
+#include "formats/MeshFormat.h"
+#include "formats/VtpBlocks.h"
+#include "formats/VtpHeader.h"
 
-#include "Fault.h"
-#include "TextScan.h"
+#include "text/Fault.h"
+#include "text/TextScan.h"
 
 #include <palpate/core/TissueMapping.h>
 

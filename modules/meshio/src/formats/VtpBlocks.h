@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "VtpHeader.h"
+#include "formats/VtpHeader.h"
 
 #include <cstdint>
 #include <memory>

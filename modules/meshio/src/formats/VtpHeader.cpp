@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VtpHeader.h"
+#include "formats/VtpHeader.h"
 
-#include "Fault.h"
-#include "TextScan.h"
+#include "text/Fault.h"
+#include "text/TextScan.h"
 
 #include <QXmlStreamReader>
 

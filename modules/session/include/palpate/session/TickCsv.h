@@ -13,7 +13,7 @@
 
 namespace palpate::session {
 
-/// Writes ticks as CSV with the columns of session/src/TickColumns.h. Numbers have 17 significant digits and read back
+/// Writes ticks as CSV with the columns of session/src/tables/TickColumns.h. Numbers have 17 significant digits and read back
 /// bit-exactly. Atomic like core::AtomicFile.
 class TickCsv
 {

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/Commands.h"
+#include "shared/Console.h"
+#include "reports/MeasuresReport.h"
+#include "reports/SessionReport.h"
+
+#include <palpate/core/AtomicFile.h>
+#include <palpate/session/MeasureSession.h>
+#include <palpate/session/RecordingReader.h>
+#include <palpate/session/Recovery.h>
+#include <palpate/session/Replay.h>
+#include <palpate/study/RecordedScene.h>
+#include <palpate/study/SearchedLumps.h>
+#include <palpate/study/SessionExport.h>
+#include <palpate/study/StructureSources.h>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <optional>
+
+namespace palpate::app {
+
+using core::Status;
+using core::StatusCode;
+using session::RecordingReader;
+
+namespace {
+
+struct SessionOptions
+{
+    std::filesystem::path file, scene, csv, vtp, json, out;
+    std::string distance;  ///< empty: fingertip radius of the recording
+    bool isForced = false; ///< allows replacing files
+};
+
+int runInfo(const SessionOptions& options)
+{
+    const auto reader = RecordingReader::open(options.file);
+    if (!reader.isOk()) {
+        return report(reader.status());
+    }
+    printRecording(options.file, *reader.value());
+    return reportDamage(options.file, reader.value()->faults(), kDone);
+}
+
+int runVerify(const SessionOptions& options)
+{
+    const auto opened = RecordingReader::open(options.file);
+    if (!opened.isOk()) {
+        return report(opened.status());
+    }
+    const RecordingReader& reader = *opened.value();
+    if (const Status status = reader.verify(); !status.isOk()) {
+        printError(status.message());
+        return kFailed;
+    }
+    print("%s: database sound, checksums of %s ticks right\n", options.file.string().c_str(),
+          grouped(reader.extent().ticks).c_str());
+    const auto surfaces = study::recordedSurfaces(reader, options.scene);
+    if (!surfaces.isOk()) {
+        if (!options.scene.empty()) {
+            return report(surfaces.status());
+        }
+        printError("not computed again: " + surfaces.status().message() + "; say where the scene is with --scene");
+        return kSomeLost;
+    }
+    const auto result = session::resimulate(reader, study::indexedByHash(surfaces.value()));
+    if (!result.isOk()) {
+        return report({result.status().code(), options.file.string() + ": " + result.status().message()});
+    }
+    const session::Resimulation& again = result.value();
+    if (const int code = reportAgreement(options.file, reader.info(), again); code != kDone) {
+        return code;
+    }
+    if (reader.extent().dropped > 0 || again.unverified > 0) {
+        printError(options.file.string() + ": " + std::to_string(reader.extent().dropped) + " ticks are missing and " +
+                   std::to_string(again.unverified) + " after them could not be computed again");
+        return kSomeLost;
+    }
+    return kDone;
+}
+
+int runRecover(const SessionOptions& options)
+{
+    if (const Status status = checkOutputs({options.file}, {options.out}); !status.isOk()) {
+        return report(status);
+    }
+    std::error_code error;
+    const bool isThere = std::filesystem::is_regular_file(std::filesystem::symlink_status(options.out, error));
+    if (isThere && !options.isForced && std::filesystem::file_size(options.out, error) > 0 &&
+        !session::isRecordingFile(options.out)) {
+        return report(
+            {StatusCode::BadCommandLine, options.out.string() +
+                                             ": found a file that is no recording, expected another name for the copy, "
+                                             "or --force to replace it"});
+    }
+    const auto recovered = session::recoverRecording(options.file, options.out);
+    if (!recovered.isOk()) {
+        return report(recovered.status());
+    }
+    print("%s: %s ticks recovered\n", options.out.string().c_str(), grouped(recovered.value().ticks).c_str());
+    for (const std::string& loss : recovered.value().losses) {
+        printError(options.file.string() + ": missing in the copy: " + loss);
+    }
+    return recovered.value().losses.empty() ? kDone : kSomeLost;
+}
+
+/// Computes the results with all available surfaces and prints which surfaces are missing.
+core::Result<session::SessionMeasures> measure(const RecordingReader& reader, const SessionOptions& options,
+                                               bool& isWhole)
+{
+    const auto surfaces = study::recordedSurfaces(reader, options.scene);
+    if (!surfaces.isOk() && !options.scene.empty()) {
+        return surfaces.status();
+    }
+    const session::MeshesByHash meshes = surfaces.isOk() ? surfaces.value() : session::MeshesByHash{};
+    const auto distance = options.distance.empty() ? core::Result<double>(study::defaultDistance_mm(reader, meshes))
+                                                   : numberOption("--distance", options.distance, {.isAbove = true});
+    if (!distance.isOk()) {
+        return distance.status();
+    }
+    session::MeasureOptions how;
+    how.distance_mm = distance.value();
+    auto measures = session::measureSession(reader, meshes, how);
+    if (measures.isOk()) {
+        std::string names;
+        for (const std::string& name : measures.value().unmeasured) {
+            names += (names.empty() ? "" : ", ") + name;
+        }
+        isWhole = names.empty();
+        const auto scene =
+            options.scene.empty() ? study::sceneOfRecording(options.file) : study::openScene(options.scene);
+        if (scene.isOk()) {
+            auto lumps = study::searchedLumps(reader, scene.value(), how.distance_mm);
+            if (!lumps.isOk()) {
+                return lumps.status();
+            }
+            measures.value().lumps = std::move(lumps).value();
+        }
+        if (!isWhole) {
+            printError(options.file.string() + ": no coverage of " + names + ": " +
+                       (surfaces.isOk() ? "its surface is another one now" : surfaces.status().message()) +
+                       "; say where the scene is with --scene");
+        }
+    }
+    return measures;
+}
+
+int runMeasure(const SessionOptions& options)
+{
+    const auto opened = RecordingReader::open(options.file);
+    if (!opened.isOk()) {
+        return report(opened.status());
+    }
+    const bool isPiped = options.json == "-"; // stdout then contains only JSON
+    if (const Status status = checkOutputs({options.file, options.scene}, {options.json}); !isPiped && !status.isOk()) {
+        return report(status);
+    }
+    std::optional<core::AtomicFile> json;
+    if (!options.json.empty() && !isPiped) {
+        auto file = core::AtomicFile::create(options.json);
+        if (!file.isOk()) {
+            return report(file.status());
+        }
+        json = std::move(file).value();
+    }
+    bool isWhole = true;
+    const auto measures = measure(*opened.value(), options, isWhole);
+    if (!measures.isOk()) {
+        return report(measures.status());
+    }
+    if (isPiped) {
+        printJson(study::measuresJson(measures.value()));
+    } else {
+        printMeasures(measures.value());
+    }
+    if (json) {
+        json->write(study::measuresJson(measures.value()));
+        if (const Status status = json->finish(); !status.isOk()) {
+            return report(status);
+        }
+    }
+    return reportDamage(options.file, measures.value().damaged, isWhole ? kDone : kSomeLost);
+}
+
+int exportAll(const SessionOptions& options, const RecordingReader& reader)
+{
+    if (options.csv.empty() && options.vtp.empty()) {
+        return report({StatusCode::BadCommandLine, "session export: found no output, expected --csv or --vtp"});
+    }
+    // Path and touched surface are separate data sets, so each gets its own file.
+    const std::filesystem::path surface = study::surfaceFileOf(options.vtp);
+    std::vector<std::filesystem::path> outputs;
+    if (!options.csv.empty()) {
+        outputs.push_back(options.csv);
+    }
+    if (!options.vtp.empty()) {
+        outputs.insert(outputs.end(), {options.vtp, surface});
+    }
+    if (const Status status = checkOutputs({options.file, options.scene}, outputs); !status.isOk()) {
+        return report(status);
+    }
+    if (!options.vtp.empty()) {
+        if (const Status status = study::checkSurfaceFile(surface); !status.isOk()) {
+            return report(status);
+        }
+    }
+    if (!options.csv.empty()) {
+        if (const Status status = study::exportTicks(reader, options.csv); !status.isOk()) {
+            return report(status);
+        }
+    }
+    if (options.vtp.empty()) {
+        return kDone;
+    }
+    if (const Status status = study::exportPath(reader, options.vtp); !status.isOk()) {
+        return report(status);
+    }
+    bool isWhole = true;
+    const auto measures = measure(reader, options, isWhole);
+    Status status = measures.isOk() ? study::exportSurface(measures.value(), surface) : measures.status();
+    if (status.code() == StatusCode::Empty) {
+        printError(status.message());
+        return kSomeLost;
+    }
+    return !status.isOk() ? report(status) : isWhole ? kDone : kSomeLost;
+}
+
+int runExport(const SessionOptions& options)
+{
+    const auto opened = RecordingReader::open(options.file);
+    if (!opened.isOk()) {
+        return report(opened.status());
+    }
+    const int code = exportAll(options, *opened.value());
+    return reportDamage(options.file, opened.value()->faults(), code);
+}
+
+} // namespace
+
+void addSessionCommand(CLI::App& app, Chosen& chosen)
+{
+    auto options = std::make_shared<SessionOptions>();
+    CLI::App* command = app.add_subcommand("session", "Look into a recording (*.palpate)");
+    command->require_subcommand(1);
+    const auto add = [&](const char* name, const char* help, int (*run)(const SessionOptions&)) {
+        CLI::App* sub = command->add_subcommand(name, help);
+        sub->add_option("FILE", options->file, "Recording")->required();
+        sub->callback([options, &chosen, run] { chosen = [options, run] { return run(*options); }; });
+        return sub;
+    };
+    add("info", "Say what it holds", runInfo);
+    add("verify", "Check every bit, then compute it again and compare", runVerify)
+        ->add_option("--scene", options->scene, "Where the scene is that it was made on");
+    CLI::App* recover = add("recover", "Make the best readable copy of a damaged or cut-off one", runRecover);
+    recover->add_option("--out", options->out, "Where the copy goes; an older recording there is replaced")->required();
+    recover->add_flag("--force", options->isForced, "Replace a file that is no recording, too");
+    const auto addSurfaceOptions = [&](CLI::App* sub) {
+        sub->add_option("--scene", options->scene, "Where the scene is that it was made on");
+        sub->add_option("--distance", options->distance,
+                        "How near the contact must come to count as touched [mm]; else the fingertip's radius, 5 for a "
+                        "point");
+    };
+    CLI::App* measure = add("measure", "Say what the hand did, in numbers", runMeasure);
+    measure->add_option("--json", options->json, "Write the measures as JSON; - for stdout, and nothing else there");
+    addSurfaceOptions(measure);
+    CLI::App* exporter = add("export", "Write its ticks, path and touched surface in other forms", runExport);
+    exporter->add_option("--csv", options->csv, "Write the ticks as CSV");
+    exporter->add_option("--vtp", options->vtp,
+                         "Write the path as VTP, and the touched surface beside it as NAME-surface.vtp");
+    addSurfaceOptions(exporter);
+}
+
+} // namespace palpate::app

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shared/LumpLayout.h"
+
+#include <palpate/study/StiffnessRatio.h>
+#include <palpate/ui/EngineTexts.h>
+#include <palpate/ui/FeltWords.h>
+
+#include <optional>
+
+using namespace palpate;
+using namespace palpate::ui;
+
+namespace {
+
+std::optional<study::StiffnessRatio> ratioOf(const StructureModel& model, int lump, int organ)
+{
+    return study::stiffnessRatio(model.structure(lump), model.structure(organ));
+}
+
+} // namespace
+
+LumpLayout::LumpLayout(const StructureModel& model, const study::Layering& layering, int first)
+    : m_model(model)
+{
+    std::vector<std::string> names;
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const auto i = static_cast<std::size_t>(row);
+        const bool isThere = !model.rows()[i].isRemoved;
+        names.push_back(readableName(model.structure(row).name).toStdString());
+        m_needsSentence.push_back(isThere && StructureModel::isFelt(model.structure(row)));
+        m_layers.push_back(isThere ? layering.structures[i].layer : model.structure(row).layer);
+        m_ways.push_back({row, m_layers.back()});
+        if (model.isTransmitted(row)) {
+            m_ways.back().layer.reset();
+            m_hasTransmittedLump = true;
+        }
+    }
+    const std::vector<bool> isFelt = m_needsSentence;
+    for (int row = first; row < model.rowCount(); ++row) {
+        const auto i = static_cast<std::size_t>(row);
+        const study::Layering::Structure& one = layering.structures[i];
+        if (!isFelt[i] || one.twin || !meshio::isLump(meshio::anatomyKind(model.structure(row).name))) {
+            continue;
+        }
+        if (const auto around = layering.palpableParent(i, isFelt)) {
+            assignLump(row, static_cast<int>(*around));
+        } else if (one.unreliableParent && isFelt[*one.unreliableParent]) {
+            m_lines << tr("%1 seems to lie in %2, whose surface is open or inside out: it is felt neither through nor "
+                          "below it")
+                           .arg(QString::fromStdString(names[i]), QString::fromStdString(names[*one.unreliableParent]));
+            m_needsSentence[i] = false;
+        }
+    }
+    for (const std::string& sentence : layering.sentences(names, m_needsSentence)) {
+        m_lines << engineText(sentence);
+    }
+}
+
+std::vector<TouchMode> LumpLayout::inLayers() const
+{
+    std::vector<TouchMode> ways = m_ways;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        ways[i].layer = m_layers[i];
+    }
+    return ways;
+}
+
+/// Lays out one lump. @param around  smallest palpable structure around the lump
+void LumpLayout::assignLump(int row, int around)
+{
+    const auto i = static_cast<std::size_t>(row);
+    const QString name = readableName(m_model.structure(row).name),
+                  aroundName = readableName(m_model.structure(around).name);
+    const QString why = reasonForLayer(row, around);
+    if (why.isEmpty()) {
+        m_ways[i].layer.reset();
+        m_hasTransmittedLump = true;
+        const std::optional<study::StiffnessRatio> ratio = ratioOf(m_model, row, around);
+        m_lines << tr("%1 lies inside %2, %3 times as stiff (%4), and is felt through it")
+                       .arg(name, aroundName, ratioRangeText(ratio), ratioSourceText(ratio->source));
+    } else {
+        m_lines << tr("%1 lies in %2 and is felt below it, as a layer: %3").arg(name, aroundName, why);
+    }
+    m_needsSentence[i] = false;
+}
+
+/// Reason why the lump cannot be palpated through the organ. @return empty if the model of buried lumps applies
+QString LumpLayout::reasonForLayer(int row, int around) const
+{
+    const StructureRow &lump = m_model.rows()[static_cast<std::size_t>(row)],
+                       &organ = m_model.rows()[static_cast<std::size_t>(around)];
+    const QString organName = readableName(organ.loaded.description.name);
+    if (!study::hasReliableInterior(lump.loaded.surface->report)) {
+        return tr("its surface is open or inside out");
+    }
+    if (meshio::isLump(meshio::anatomyKind(organ.loaded.description.name))) {
+        return tr("%1 is a lump itself").arg(organName);
+    }
+    if (transmittingOrgan(m_model, row) != around) {
+        return tr("a scene file could not name %1 alone").arg(organName);
+    }
+    if (!study::isWhollyInside(*lump.loaded.surface, *organ.touch)) {
+        return tr("it reaches out of %1").arg(organName);
+    }
+    if (!lump.loaded.maps.empty() || !organ.loaded.maps.empty()) {
+        return tr("a map varies how stiff it or %1 is").arg(organName);
+    }
+    const std::optional<study::StiffnessRatio> ratio = ratioOf(m_model, row, around);
+    if (!ratio) {
+        return tr("how many times as stiff as %1 is it? Type it in What can be felt (B)").arg(organName);
+    }
+    if (ratio->typical == 1.0) {
+        return tr("it is as stiff as %1").arg(organName);
+    }
+    return {};
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "window/SoundChoice.h"
+
+#include <palpate/ui/ActionList.h>
+#include <palpate/ui/TouchPanel.h>
+
+#include <QAction>
+#include <QMenu>
+#include <QSignalBlocker>
+
+namespace palpate::app {
+
+using namespace palpate::ui;
+
+SoundChoice::SoundChoice(ActionList& actions, QObject* parent)
+    : QObject(parent)
+    , m_action(actions.add("sound", ActionGroup::View, tr("Sound of touch"),
+                           tr("Hear a tone as high as the place is stiff, as loud as the force")))
+{
+    m_action->setCheckable(true);
+    connect(m_action, &QAction::toggled, this, &SoundChoice::setOn);
+    connect(&m_sound, &TouchSound::ended, this, [this] {
+        m_action->setChecked(false);
+        Q_EMIT said(tr("The sound of touch has ended: the loudspeaker is gone."));
+    });
+}
+
+void SoundChoice::follow(const TouchPanel& touch)
+{
+    connect(&touch, &TouchPanel::changed, this, [this, &touch] {
+        const TouchReading& reading = touch.reading();
+        m_sound.setTouch(reading.stiffnessRatio, reading.force_N, touch.forceLimit_N());
+    });
+}
+
+void SoundChoice::watch(const QMenu& menu)
+{
+    connect(&menu, &QMenu::aboutToShow, this,
+            [this] { offer(m_action->isChecked() ? QString() : TouchSound::whyNot()); });
+}
+
+void SoundChoice::setOn(bool isOn)
+{
+    if (m_sound.setOn(isOn) == isOn) {
+        return;
+    }
+    const QSignalBlocker blocker(m_action);
+    m_action->setChecked(false);
+    offer(TouchSound::whyNot());
+    Q_EMIT said(m_action->text());
+}
+
+void SoundChoice::offer(const QString& whyNot)
+{
+    m_action->setEnabled(whyNot.isEmpty());
+    m_action->setText(whyNot.isEmpty() ? tr("Sound of touch") : tr("Sound of touch (%1)").arg(whyNot));
+}
+
+} // namespace palpate::app
+
+#include "moc_SoundChoice.cpp"

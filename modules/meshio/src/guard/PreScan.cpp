@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "guard/PreScan.h"
+
+#include "text/Fault.h"
+
+#include <palpate/core/Numbers.h>
+
+#include <cctype>
+#include <cmath>
+
+namespace palpate::meshio::internal {
+
+void noteSpace(std::string_view value, PreScan& scan)
+{
+    if (value == "LPS") {
+        scan.frame = FileFrame::Lps;
+    } else if (value == "RAS") {
+        scan.frame = FileFrame::Ras;
+    } else {
+        scan.notes.push_back("the frame SPACE=" + inQuotes(value) + " is not known (LPS and RAS are): it is not used");
+    }
+}
+
+void noteSpaceTag(std::string_view text, PreScan& scan)
+{
+    constexpr std::string_view kTag = "SPACE=";
+    const std::size_t at = text.find(kTag);
+    if (at == std::string_view::npos) {
+        return;
+    }
+    std::string_view value = text.substr(at + kTag.size());
+    std::size_t length = 0;
+    while (length < value.size() && std::isalpha(static_cast<unsigned char>(value[length])) != 0) {
+        ++length;
+    }
+    noteSpace(value.substr(0, length), scan);
+}
+
+void noteScaleTag(std::string_view text, PreScan& scan)
+{
+    constexpr std::string_view kTag = ";SCALE=";
+    constexpr double kLeast = 1e-6, kMost = 1e6;
+    const std::size_t at = text.find(kTag);
+    if (at == std::string_view::npos) {
+        return;
+    }
+    const std::string_view rest = text.substr(at + kTag.size());
+    const std::string_view word = rest.substr(0, rest.find_first_not_of("0123456789+-.eE"));
+    const std::optional<double> scale = core::parseNumber(word);
+    if (scale && *scale >= kLeast && *scale <= kMost) {
+        scan.scale = scale;
+    } else {
+        scan.notes.push_back("SCALE=" + inQuotes(word) + " in the header is not used: expected 1e-06 to 1e+06");
+    }
+}
+
+std::string coordinateFault(double value, double unit_mm)
+{
+    if (!std::isfinite(value)) {
+        return "a coordinate is not a finite number";
+    }
+    if (std::abs(value) * unit_mm > kMostMm) {
+        return "a coordinate is farther than 10 km from the origin";
+    }
+    return {};
+}
+
+} // namespace palpate::meshio::internal

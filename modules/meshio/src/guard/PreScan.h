@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "guard/FileImage.h"
+
+#include "palpate/meshio/MeshFile.h"
+
+#include <palpate/core/Types.h>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpate::meshio::internal {
+
+/// Facts about a mesh file that the guard determines before VTK reads the file, so that VTK cannot fail unexpectedly or
+/// skip content silently.
+struct PreScan
+{
+    std::string format;
+    FileFrame frame = FileFrame::Untagged; ///< the user's choice, regardless of the tag
+    std::optional<double> scale;           ///< file units per mm, if stated in the file
+    std::uint64_t points = 0;              ///< expected from the reader
+    std::uint64_t cells = 0;               ///< polygons and strips expected from the reader
+    /// Points in double precision where VTK's reader would round to floats; otherwise empty.
+    std::vector<core::Vec3> exactPoints;
+    /// Names of the parts, and the part of each polygon. Both empty without parts, or when VTK's own arrays contain the
+    /// parts (VTP).
+    std::vector<std::string> partNames;
+    std::vector<std::uint32_t> partOfCell;
+    /// Scalar point and polygon arrays expected from the reader (VTP).
+    std::vector<std::string> pointArrays, cellArrays;
+    std::vector<std::string> notes; ///< ignored or assumed content, one sentence per entry
+    std::string loss;               ///< truncated part, "place: missing content"
+};
+
+/// File name for messages and number conventions of a pre-scan.
+struct ScanContext
+{
+    std::string file;                      ///< name in messages
+    double unit_mm = 1.0;                  ///< for the limit on coordinates
+    FileFrame frame = FileFrame::Untagged; ///< chosen by the user, overrides the tag
+    bool isPartial = false;                ///< keep the complete elements of a truncated file
+    /// Progress callback (0 to 1, by bytes). Return false to cancel. May be empty.
+    std::function<bool(double)> progress;
+};
+
+/// Limit per kind (point or polygon arrays); further arrays are skipped with a note.
+inline constexpr std::size_t kMostArrays = 16;
+inline constexpr double kMostMm = 1e7; ///< largest coordinate [mm]
+/// Points and cells of a file: indices are 32-bit inside.
+inline constexpr std::uint64_t kMostElements = std::numeric_limits<std::int32_t>::max();
+
+/// Stores 3D Slicer's `SPACE=LPS` or `SPACE=RAS` from a header or comment in `scan`.
+void noteSpaceTag(std::string_view text, PreScan& scan);
+/// Stores 3D Slicer's `SCALE=` from the header of an STL, the factor applied to the millimetres on writing.
+void noteScaleTag(std::string_view text, PreScan& scan);
+/// Same as `noteSpaceTag` for the value of the tag.
+void noteSpace(std::string_view value, PreScan& scan);
+
+/// @return empty text for a valid coordinate, or else the error
+[[nodiscard]] std::string coordinateFault(double value, double unit_mm);
+
+} // namespace palpate::meshio::internal

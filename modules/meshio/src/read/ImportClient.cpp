@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "text/Fault.h"
+#include "read/ImportServer.h"
+#include "read/MeshWire.h"
+
+#include <palpate/core/Numbers.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <functional>
+#include <poll.h>
+#include <string>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+namespace palpate::meshio {
+
+namespace internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+using Clock = std::chrono::steady_clock;
+
+/// The program's connection to the import server. Set once, before the program starts a second thread.
+struct Server
+{
+    Descriptor socket;
+    ImportLimits limits;
+};
+
+Server& server()
+{
+    static Server instance;
+    return instance;
+}
+
+struct Budget
+{
+    std::uint64_t memory_bytes;
+    double cpu_s;
+    double wall_s;
+};
+
+Budget budgetFor(const ImportLimits& limits, std::size_t fileSize)
+{
+    const auto size = static_cast<double>(fileSize);
+    const double more_s = limits.perMegabyte_s * size * 1e-6;
+    return {limits.memory_bytes + static_cast<std::uint64_t>(limits.memoryPerByte * size), limits.cpu_s + more_s,
+            limits.wall_s + more_s};
+}
+
+/// @return `value` in seconds, with three digits
+std::string inSeconds(double value)
+{
+    return core::shortNumber(value, 3) + " s";
+}
+
+/// Describes why a reader ended without a result.
+/// @param noun  "mesh" or "volume"
+Status death(int outcome, const std::string& file, const Budget& budget, const std::string& noun)
+{
+    const auto refused = [&file](StatusCode code, std::string found, std::string_view expected) {
+        return fault(code, file, "", found, expected);
+    };
+    if (outcome == -1) {
+        return refused(StatusCode::Internal, "the process to read it in could not be started",
+                       "room for one more process with some files and memory (ulimit -a lists the limits)");
+    }
+    if (WIFSIGNALED(outcome)) {
+        switch (const int signal = WTERMSIG(outcome); signal) {
+        case SIGXCPU:
+            return refused(StatusCode::OutOfRange,
+                           "reading it took more than " + inSeconds(budget.cpu_s) + " of processor time",
+                           "a " + noun + " that can be read sooner");
+        case SIGXFSZ:
+            return refused(StatusCode::OutOfRange,
+                           "its " + noun + " is larger than " + grouped(budget.memory_bytes >> 20) + " MiB",
+                           "a " + noun + " that fits its file's size");
+        case SIGKILL:
+            return refused(StatusCode::OutOfRange,
+                           "the system ended the process that read it, perhaps for want of memory",
+                           "a " + noun + " that fits");
+        default:
+            return refused(StatusCode::BadFormat,
+                           std::string("the process that read it crashed (") + ::strsignal(signal) + ")",
+                           "a file that can be read");
+        }
+    }
+    switch (WEXITSTATUS(outcome)) {
+    case kNotConfined:
+        return refused(StatusCode::OutOfRange,
+                       "the process that was to read it could not limit its own memory and time",
+                       "limits on this program that leave room for its own (ulimit -a lists them)");
+    case kNotHandedBack:
+        return refused(StatusCode::OutOfRange, "the process that read it had no room to hand the " + noun + " back",
+                       "enough memory and no lower limit on the size of files (ulimit -v, ulimit -f)");
+    default:
+        return refused(StatusCode::BadFormat,
+                       "the process that read it gave up (exit code " + std::to_string(WEXITSTATUS(outcome)) + ")",
+                       "a file that can be read");
+    }
+}
+
+enum class End : std::uint8_t
+{
+    Done,
+    Died,
+    Cancelled,
+    TooLate
+};
+
+/// Waits for the reader's final byte and reports progress meanwhile.
+End follow(int progress, const std::function<bool(double)>& told, Clock::time_point deadline)
+{
+    constexpr int kLook_ms = 50;    // maximum delay of a cancel
+    constexpr double kShare = 0.95; // share of the progress for reading; the rest is the transfer
+    std::uint8_t newest = 0;
+    while (true) {
+        pollfd event{progress, POLLIN, 0};
+        if (::poll(&event, 1, kLook_ms) > 0) {
+            std::array<std::uint8_t, 256> bytes;
+            const ssize_t got = ::read(progress, bytes.data(), bytes.size());
+            if (got > 0) {
+                newest = bytes[static_cast<std::size_t>(got) - 1];
+                if (newest == kDoneByte) {
+                    return End::Done;
+                }
+            } else if (got == 0) {
+                return End::Died;
+            }
+        }
+        if (told && !told(kShare * double(newest) / double(kDoneByte))) {
+            return End::Cancelled;
+        }
+        if (Clock::now() > deadline) {
+            return End::TooLate;
+        }
+    }
+}
+
+/// Sends the task and its file descriptors to the server. @return 0, or an errno
+int ask(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
+{
+    const std::string& name = path.native();
+    if (sizeof(task) + name.size() > kMostTask) {
+        return ENAMETOOLONG;
+    }
+    alignas(cmsghdr) char rights[CMSG_SPACE(sizeof(ends))] = {};
+    iovec parts[2] = {{const_cast<ImportTask*>(&task), sizeof(task)}, {const_cast<char*>(name.data()), name.size()}};
+    msghdr message = {};
+    message.msg_iov = parts;
+    message.msg_iovlen = 2;
+    message.msg_control = rights;
+    message.msg_controllen = sizeof(rights);
+    cmsghdr* head = CMSG_FIRSTHDR(&message);
+    head->cmsg_level = SOL_SOCKET;
+    head->cmsg_type = SCM_RIGHTS;
+    head->cmsg_len = CMSG_LEN(sizeof(ends));
+    std::memcpy(CMSG_DATA(head), &ends, sizeof(ends));
+    ssize_t sent = 0;
+    do {
+        sent = ::sendmsg(server().socket.value(), &message, MSG_NOSIGNAL);
+    } while (sent < 0 && errno == EINTR);
+    return sent < 0 ? errno : 0;
+}
+
+/// @return the reader's exit status as from waitpid; -1 if the reader could not be started
+int exitStatus(int control)
+{
+    constexpr int kLongest_ms = 5000; // the keeper only waits for the reader
+    int status = -1;
+    pollfd event{control, POLLIN, 0};
+    if (::poll(&event, 1, kLongest_ms) > 0 &&
+        ::recv(control, &status, sizeof(status), 0) != static_cast<ssize_t>(sizeof(status))) {
+        status = -1;
+    }
+    return status;
+}
+
+} // namespace
+
+bool hasImportServer()
+{
+    return server().socket.value() >= 0;
+}
+
+Status startImportServer(const ImportLimits& limits, ReaderHook hook)
+{
+    std::array<int, 2> ends = {-1, -1};
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+        return {StatusCode::Internal, std::string("no socket for the import server: ") + std::strerror(errno)};
+    }
+    Descriptor here(ends[0]);
+    const Descriptor there(ends[1]);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        serveImports(there.value(), hook);
+    }
+    if (child < 0) {
+        return {StatusCode::Internal, std::string("no process for the import server: ") + std::strerror(errno)};
+    }
+    server().socket = std::move(here);
+    server().limits = limits;
+    return {};
+}
+
+namespace {
+
+/// Reads a file in a child process and waits until the result is in a memory file.
+/// @param task  without limits; @param size  of the file or files, from which the limits follow [bytes]
+/// @param noun  "mesh" or "volume", for messages
+Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_t size,
+                             const std::filesystem::path& path, const std::function<bool(double)>& told,
+                             const std::string& noun)
+{
+    const std::string name = path.filename().string();
+    const auto unstarted = [&name](int error) {
+        return fault(StatusCode::Internal, name, "",
+                     std::string("the process to read it in cannot be started: ") + std::strerror(error),
+                     "room for one more process with some open files (ulimit -a lists the limits)");
+    };
+    std::array<int, 2> pipe = {-1, -1};
+    if (::pipe2(pipe.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
+        return unstarted(errno);
+    }
+    const Descriptor progress(pipe[0]);
+    Descriptor toldEnd(pipe[1]);
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, pipe.data()) != 0) {
+        return unstarted(errno);
+    }
+    const Descriptor control(pipe[0]); // closed on any return, which ends the reader
+    Descriptor keeper(pipe[1]);
+    Descriptor result(::memfd_create("palpate-import", MFD_CLOEXEC));
+    if (result.value() < 0) {
+        return unstarted(errno);
+    }
+    const Budget budget = budgetFor(server().limits, size);
+    const auto deadline =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(budget.wall_s));
+    task.memory_bytes = budget.memory_bytes;
+    task.cpu_s = static_cast<std::uint64_t>(std::ceil(budget.cpu_s));
+    task.files = server().limits.files;
+    if (const int error = ask(task, path, {file.descriptor.value(), result.value(), toldEnd.value(), keeper.value()});
+        error != 0) {
+        return unstarted(error);
+    }
+    toldEnd = Descriptor(); // now open only in the reader, so that the end of the reader closes the pipe
+    keeper = Descriptor();
+    switch (follow(progress.value(), told, deadline)) {
+    case End::Done:
+        break;
+    case End::Died:
+        return death(exitStatus(control.value()), name, budget, noun);
+    case End::Cancelled:
+        return Status(StatusCode::Cancelled, name + ": reading was cancelled");
+    case End::TooLate:
+        return fault(StatusCode::OutOfRange, name, "", "reading it took more than " + inSeconds(budget.wall_s),
+                     "a " + noun + " that can be read sooner");
+    }
+    return result;
+}
+
+/// @return the result, or Cancelled if the user cancelled during the transfer
+template<class T>
+Result<T> unlessCancelled(Result<T> outcome, const std::filesystem::path& path, const std::function<bool(double)>& told)
+{
+    if (outcome.isOk() && told && !told(1.0)) {
+        return Status(StatusCode::Cancelled, path.filename().string() + ": reading was cancelled");
+    }
+    return outcome;
+}
+
+} // namespace
+
+Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& path, const ReadOptions& options)
+{
+    ImportTask task;
+    task.unit_mm = options.unit_mm;
+    task.isPartial = options.isPartial;
+    task.frame = options.frame;
+    task.readsScale = options.readsScale;
+    const Result<Descriptor> result = outcomeOf(task, file, file.size, path, options.progress, "mesh");
+    // The reader releases its memory in the meantime.
+    return result.isOk() ? unlessCancelled(readOutcome(result.value().value(), path), path, options.progress)
+                         : result.status();
+}
+
+Result<VoxelGrid> readVolumeInChild(const OpenFile& file, const std::filesystem::path& path, core::FileFrame frame,
+                                    const std::function<bool(double)>& progress)
+{
+    ImportTask task;
+    task.kind = ImportKind::Volume;
+    task.frame = frame;
+    // The server's working directory is the one in which the program was started.
+    const std::filesystem::path whole = std::filesystem::absolute(path);
+    const Result<Descriptor> result = outcomeOf(task, file, volumeBytes(path), whole, progress, "volume");
+    return result.isOk() ? unlessCancelled(takeVolume(result.value().value(), path), path, progress) : result.status();
+}
+
+} // namespace internal
+
+core::Status startImportServer(const ImportLimits& limits)
+{
+    return internal::startImportServer(limits, nullptr);
+}
+
+} // namespace palpate::meshio

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "read/MeshWire.h"
+
+#include "text/Fault.h"
+#include "guard/PreScan.h"
+#include "read/Wire.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+using core::Vec3;
+using geometry::Triangle;
+
+// After the header follow, for each structure, the vertices, the triangles and the array values.
+static_assert(sizeof(Vec3) == 24 && sizeof(Triangle) == 12);
+
+WireHead headOf(const Result<MeshFile>& outcome)
+{
+    WireHead head;
+    head.put(outcome.status());
+    if (!outcome.isOk()) {
+        return head;
+    }
+    const MeshFile& file = outcome.value();
+    head.put(file.format);
+    head.put(file.loss);
+    head.put(static_cast<std::uint8_t>(file.frame));
+    head.put(file.unit_mm);
+    head.put(std::uint64_t{file.notes.size()});
+    for (const std::string& note : file.notes) {
+        head.put(note);
+    }
+    head.put(std::uint64_t{file.structures.size()});
+    for (const MeshStructure& structure : file.structures) {
+        head.put(structure.name);
+        head.put(std::uint8_t{structure.colour.has_value()});
+        head.put(structure.colour.value_or(std::array<double, 3>{}));
+        head.put(std::uint64_t{structure.mesh.vertices.size()});
+        head.put(std::uint64_t{structure.mesh.triangles.size()});
+        head.put(std::uint64_t{structure.mesh.arrays.size()});
+        for (const geometry::MeshArray& array : structure.mesh.arrays) {
+            head.put(array.name);
+            head.put(std::uint8_t{array.isPerTriangle});
+        }
+    }
+    return head;
+}
+
+} // namespace
+
+bool writeOutcome(int descriptor, Result<MeshFile> outcome)
+{
+    if (!headOf(outcome).write(descriptor)) {
+        return false;
+    }
+    if (!outcome.isOk()) {
+        return true;
+    }
+    for (MeshStructure& structure : outcome.value().structures) {
+        const geometry::TriangleMesh mesh = std::move(structure.mesh);
+        if (!writeAll(descriptor, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vec3)) ||
+            !writeAll(descriptor, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle))) {
+            return false;
+        }
+        for (const geometry::MeshArray& array : mesh.arrays) {
+            if (!writeAll(descriptor, array.values.data(), array.values.size() * sizeof(float))) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+namespace {
+
+struct MeshCounts
+{
+    std::uint64_t vertices, triangles;
+};
+
+/// Reads the meshes of the structures, which are stored consecutively. @param at  offset of the first
+/// @return the error; null if valid
+const char* moveMeshes(int descriptor, std::uint64_t at, const std::vector<MeshCounts>& counts, MeshFile& file)
+{
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        geometry::TriangleMesh& mesh = file.structures[i].mesh;
+        if (!moveItems(descriptor, at, counts[i].vertices, mesh.vertices,
+                       [](const Vec3& p) { return p.cwiseAbs().maxCoeff() <= kMostMm && p.allFinite(); })) {
+            return "an impossible coordinate";
+        }
+        const std::uint64_t vertices = counts[i].vertices;
+        if (!moveItems(descriptor, at, counts[i].triangles, mesh.triangles, [vertices](const Triangle& t) {
+                return t[0] < vertices && t[1] < vertices && t[2] < vertices;
+            })) {
+            return "an index out of range";
+        }
+        for (geometry::MeshArray& array : mesh.arrays) {
+            if (!moveItems(descriptor, at, array.isPerTriangle ? counts[i].triangles : counts[i].vertices, array.values,
+                           [](float) { return true; })) {
+                return "half an array";
+            }
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path)
+{
+    const std::string name = path.filename().string();
+    static constexpr std::string_view kExpected = "a checked mesh";
+    const auto nonsense = [&name](const char* what) {
+        return fault(StatusCode::Internal, name, "", std::string("the import process handed back ") + what, kExpected);
+    };
+    const WireOutcome outcome = readHead(descriptor, name, kExpected);
+    if (!outcome.status.isOk()) {
+        return outcome.status;
+    }
+    WireHeadReader head(outcome.head);
+    const std::uint64_t size = outcome.size;
+    MeshFile file;
+    file.path = path;
+    file.format = head.text();
+    file.loss = head.text();
+    const auto frame = head.take<std::uint8_t>();
+    if (frame > static_cast<std::uint8_t>(FileFrame::Ras)) {
+        return nonsense("an unknown frame");
+    }
+    file.frame = static_cast<FileFrame>(frame);
+    file.unit_mm = head.take<double>();
+    if (!(file.unit_mm > 0.0) || !std::isfinite(file.unit_mm)) {
+        return nonsense("an impossible unit");
+    }
+    for (auto notes = head.take<std::uint64_t>(); notes > 0 && head.isGood(); --notes) {
+        file.notes.push_back(head.text());
+    }
+    std::vector<MeshCounts> counts;
+    std::uint64_t end = outcome.begin;
+    for (auto structures = head.take<std::uint64_t>(); structures > 0 && head.isGood(); --structures) {
+        MeshStructure& structure = file.structures.emplace_back();
+        structure.name = head.text();
+        const bool hasColour = head.take<std::uint8_t>() != 0;
+        const auto colour = head.take<std::array<double, 3>>();
+        if (hasColour) {
+            if (!std::all_of(colour.begin(), colour.end(), [](double c) { return c >= 0.0 && c <= 1.0; })) {
+                return nonsense("an impossible colour");
+            }
+            structure.colour = colour;
+        }
+        MeshCounts& c = counts.emplace_back();
+        c.vertices = head.take<std::uint64_t>();
+        c.triangles = head.take<std::uint64_t>();
+        std::uint64_t ofVertex = sizeof(Vec3), ofTriangle = sizeof(Triangle); // bytes of one
+        for (auto arrays = head.take<std::uint64_t>(); arrays > 0 && head.isGood(); --arrays) {
+            geometry::MeshArray& array = structure.mesh.arrays.emplace_back();
+            array.name = head.text();
+            array.isPerTriangle = head.take<std::uint8_t>() != 0;
+            (array.isPerTriangle ? ofTriangle : ofVertex) += sizeof(float);
+        }
+        if (structure.mesh.arrays.size() > 2 * kMostArrays || c.vertices > size || c.triangles > size ||
+            c.triangles == 0 || c.vertices * ofVertex + c.triangles * ofTriangle > size - end) {
+            return nonsense("an impossible count");
+        }
+        end += c.vertices * ofVertex + c.triangles * ofTriangle;
+    }
+    if (!head.isAtEnd() || file.structures.empty() || end != size) {
+        return nonsense("counts that do not fit its size");
+    }
+    if (const char* wrong = moveMeshes(descriptor, outcome.begin, counts, file)) {
+        return nonsense(wrong);
+    }
+    return file;
+}
+
+} // namespace palpate::meshio::internal

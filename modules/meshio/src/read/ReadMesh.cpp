@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "read/ReadMesh.h"
+
+#include "text/Fault.h"
+#include "read/ImportServer.h"
+#include "text/JsonFields.h"
+#include "text/NumericLocale.h"
+#include "guard/PreScan.h"
+#include "read/TriangleSoup.h"
+#include "read/VtkRead.h"
+
+#include <cmath>
+#include <exception>
+#include <new>
+
+namespace palpate::meshio {
+
+namespace internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+
+// Shares of the time, measured on VTP and STL files of a million triangles.
+constexpr double kScanned = 0.3;
+constexpr double kRead = 0.8;
+
+} // namespace
+
+Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, const ReadOptions& options)
+{
+    ScanContext context;
+    context.file = path.filename().string();
+    context.unit_mm = options.unit_mm;
+    context.isPartial = options.isPartial;
+    context.frame = options.frame;
+    const auto share = [&options](double from, double to) -> std::function<bool(double)> {
+        if (!options.progress) {
+            return {};
+        }
+        return [&options, from, to](double done) { return options.progress(from + (to - from) * done); };
+    };
+    const Result<const MeshFormat*> format = formatOf(image.bytes(), path);
+    if (!format.isOk()) {
+        return format.status();
+    }
+    context.progress = share(0.0, kScanned);
+    Result<PreScan> scanned = format.value()->guard(image, context);
+    if (!scanned.isOk()) {
+        return scanned.status();
+    }
+    PreScan& scan = scanned.value();
+    if (scan.scale && *scan.scale != 1.0) {
+        const bool isUsed = options.readsScale && options.unit_mm == 1.0;
+        context.unit_mm = isUsed ? 1.0 / *scan.scale : options.unit_mm;
+        scan.notes.push_back("SCALE=" + brief(*scan.scale) + " in the header: " +
+                             (isUsed ? "a unit of the file is taken as " + brief(context.unit_mm) + " mm"
+                                     : "not used, as the unit was given"));
+    }
+    context.progress = share(kScanned, kRead);
+    Result<vtkSmartPointer<vtkPolyData>> data = readWithVtk(*format.value(), image, scan, context);
+    if (!data.isOk()) {
+        return data.status();
+    }
+    Result<TriangleSoup> soup = toTriangles(*data.value(), scan, context);
+    data.value() = nullptr;
+    if (!soup.isOk()) {
+        return soup.status();
+    }
+    Result<std::vector<MeshStructure>> structures = splitStructures(soup.value(), scan, context, path.stem().string());
+    if (!structures.isOk()) {
+        return structures.status();
+    }
+    if (options.progress && !options.progress(1.0)) {
+        return Status(StatusCode::Cancelled, context.file + ": reading was cancelled");
+    }
+    MeshFile file;
+    file.path = path;
+    file.format = scan.format;
+    file.frame = scan.frame;
+    file.unit_mm = context.unit_mm;
+    file.structures = std::move(structures).value();
+    file.notes = std::move(scan.notes);
+    if (!scan.loss.empty()) {
+        file.loss = context.file + ": " + scan.loss;
+    }
+    return file;
+}
+
+Result<MeshFile> readHere(const std::filesystem::path& path, const ReadOptions& options)
+{
+    Result<FileImage> image = FileImage::load(path);
+    return image.isOk() ? decodeMesh(std::move(image).value(), path, options) : image.status();
+}
+
+} // namespace internal
+
+core::Result<MeshFile> readMesh(const std::filesystem::path& path, const ReadOptions& options)
+{
+    const std::string name = path.filename().string();
+    if (!(options.unit_mm > 0.0) || !std::isfinite(options.unit_mm)) {
+        return internal::fault(core::StatusCode::BadCommandLine, name, "unit", "a factor that is not positive",
+                               "mm per unit");
+    }
+    try {
+        if (!internal::hasImportServer()) {
+            return internal::readHere(path, options);
+        }
+        const core::Result<internal::OpenFile> file = internal::openFile(path);
+        return file.isOk() ? internal::readInChild(file.value(), path, options) : file.status();
+    } catch (const std::bad_alloc&) {
+        return internal::fault(core::StatusCode::OutOfRange, name, "", "not enough memory to read it",
+                               "a mesh that fits");
+    }
+}
+
+} // namespace palpate::meshio

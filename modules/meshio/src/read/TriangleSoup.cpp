@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "read/TriangleSoup.h"
+
+#include "text/Fault.h"
+#include "formats/PolygonCutter.h"
+#include "guard/VtkMessages.h"
+
+#include <palpate/core/TissueMapping.h>
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+using geometry::Triangle;
+
+/// Reads the structure of each polygon from the array of a VTP file.
+class StructureIds
+{
+  public:
+    explicit StructureIds(vtkPolyData& data)
+        : m_ids(data.GetCellData()->GetArray("StructureId"))
+        , m_names(vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray("StructureNames")))
+        , m_colours(data.GetFieldData()->GetArray("StructureColours"))
+    {
+        const vtkIdType cells =
+            data.GetNumberOfVerts() + data.GetNumberOfLines() + data.GetNumberOfPolys() + data.GetNumberOfStrips();
+        if (m_ids != nullptr && (m_ids->GetNumberOfTuples() != cells || m_ids->GetNumberOfComponents() != 1)) {
+            m_ids = nullptr;
+        }
+    }
+    [[nodiscard]] bool isEmpty() const noexcept { return m_ids == nullptr; }
+
+    std::uint32_t partOf(vtkIdType cell, TriangleSoup& soup)
+    {
+        const auto id = static_cast<std::int64_t>(m_ids->GetComponent(cell, 0));
+        if (id == m_lastId && !soup.partNames.empty()) {
+            return m_lastPart;
+        }
+        const auto [found, isNew] = m_parts.emplace(id, static_cast<std::uint32_t>(soup.partNames.size()));
+        if (isNew) {
+            const bool isNamed = m_names != nullptr && id >= 0 && id < m_names->GetNumberOfValues();
+            std::string name = isNamed ? std::string(m_names->GetValue(id)) : std::string();
+            soup.partNames.push_back(name.empty() ? "structure " + std::to_string(id) : std::move(name));
+            soup.partColours.push_back(colourOf(id));
+        }
+        m_lastId = id;
+        m_lastPart = found->second;
+        return m_lastPart;
+    }
+
+  private:
+    [[nodiscard]] std::optional<std::array<double, 3>> colourOf(std::int64_t id) const
+    {
+        if (m_colours == nullptr || m_colours->GetNumberOfComponents() != 3 || id < 0 ||
+            id >= m_colours->GetNumberOfTuples()) {
+            return std::nullopt;
+        }
+        std::array<double, 3> colour = {};
+        m_colours->GetTuple(id, colour.data());
+        const bool isColour = std::all_of(colour.begin(), colour.end(), [](double c) { return c >= 0.0 && c <= 1.0; });
+        return isColour ? std::optional(colour) : std::nullopt;
+    }
+
+    vtkDataArray* m_ids;
+    vtkStringArray* m_names;
+    vtkDataArray* m_colours;
+    std::unordered_map<std::int64_t, std::uint32_t> m_parts;
+    std::int64_t m_lastId = 0;
+    std::uint32_t m_lastPart = 0;
+};
+
+/// @param most  maximum number of corners of the cell
+Status checkCorners(const vtkIdType* corners, vtkIdType count, vtkIdType most, vtkIdType points, std::uint64_t cell,
+                    const ScanContext& context)
+{
+    const std::string place = "polygon " + std::to_string(cell);
+    if (count < 3 || count > most) {
+        return fault(StatusCode::BadFormat, context.file, place, counted(static_cast<std::uint64_t>(count), "corner"),
+                     "3 to " + grouped(static_cast<std::uint64_t>(most)));
+    }
+    for (vtkIdType k = 0; k < count; ++k) {
+        if (corners[k] < 0 || corners[k] >= points) {
+            return fault(StatusCode::OutOfRange, context.file, place, "it uses point " + std::to_string(corners[k]),
+                         "0 to " + std::to_string(points - 1));
+        }
+    }
+    return {};
+}
+
+std::vector<core::Vec3> takePoints(vtkPoints& points)
+{
+    const auto count = static_cast<std::size_t>(points.GetNumberOfPoints());
+    std::vector<core::Vec3> out(count);
+    if (auto* floats = vtkFloatArray::SafeDownCast(points.GetData()); floats != nullptr) {
+        const float* p = floats->GetPointer(0);
+        for (std::size_t i = 0; i < count; ++i) {
+            out[i] = core::Vec3(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
+        }
+        return out;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        points.GetPoint(static_cast<vtkIdType>(i), out[i].data());
+    }
+    return out;
+}
+
+void takeFieldData(vtkPolyData& data, PreScan& scan)
+{
+    auto* space = vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray("SPACE"));
+    if (space != nullptr && space->GetNumberOfValues() > 0) {
+        noteSpace(std::string(space->GetValue(0)), scan);
+    }
+}
+
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+/// Converts a VTK number for storage: values outside the range of float become unknown.
+float known(double value)
+{
+    return std::abs(value) <= double{std::numeric_limits<float>::max()} ? static_cast<float>(value) : kUnknown;
+}
+
+/// Takes over the single-component arrays that VTK has read.
+/// @param cellOf  for each triangle, the index of the cell in VTK's cell data
+void takeArrays(vtkPolyData& data, const PreScan& scan, const std::vector<std::uint32_t>& cellOf,
+                std::vector<geometry::MeshArray>& out)
+{
+    const auto points = static_cast<std::size_t>(data.GetNumberOfPoints());
+    // Written by the probe filters of VTK and 3D Slicer: 0 marks points outside the sampled data.
+    vtkDataArray* valid = data.GetPointData()->GetArray("vtkValidPointMask");
+    for (const std::string& name : scan.pointArrays) {
+        vtkDataArray* array = data.GetPointData()->GetArray(name.c_str());
+        if (array == nullptr || array == valid || array->GetNumberOfComponents() != 1 ||
+            static_cast<std::size_t>(array->GetNumberOfTuples()) != points) {
+            continue;
+        }
+        geometry::MeshArray& taken = out.emplace_back(geometry::MeshArray{name, false, {}});
+        taken.values.reserve(points);
+        for (std::size_t i = 0; i < points; ++i) {
+            const auto at = static_cast<vtkIdType>(i);
+            const bool isValid = valid == nullptr || valid->GetComponent(at, 0) != 0.0;
+            taken.values.push_back(isValid ? known(array->GetComponent(at, 0)) : kUnknown);
+        }
+    }
+    for (const std::string& name : scan.cellArrays) {
+        vtkDataArray* array = data.GetCellData()->GetArray(name.c_str());
+        if (array == nullptr || array->GetNumberOfComponents() != 1 ||
+            array->GetNumberOfTuples() < data.GetNumberOfCells()) {
+            continue;
+        }
+        geometry::MeshArray& taken = out.emplace_back(geometry::MeshArray{name, true, {}});
+        taken.values.reserve(cellOf.size());
+        for (const std::uint32_t cell : cellOf) {
+            taken.values.push_back(known(array->GetComponent(static_cast<vtkIdType>(cell), 0)));
+        }
+    }
+}
+
+/// Omits arrays beyond the maximum per mesh.
+void bound(std::vector<std::string>& names, const char* each, PreScan& scan)
+{
+    // Arrays with a known meaning come first.
+    std::stable_partition(names.begin(), names.end(), [](const std::string& name) {
+        return std::any_of(core::kKnownMaps.begin(), core::kKnownMaps.end(),
+                           [&](const core::KnownMap& map) { return map.array == name; });
+    });
+    if (names.size() > kMostArrays) {
+        scan.notes.push_back(counted(names.size() - kMostArrays, "array") + " of the " + each + " left out: at most " +
+                             std::to_string(kMostArrays) + " are used");
+        names.resize(kMostArrays);
+    }
+}
+
+} // namespace
+
+Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanContext& context)
+{
+    const VtkMessages messages;
+    TriangleSoup soup;
+    takeFieldData(data, scan);
+    soup.mesh.vertices = scan.exactPoints.empty() ? takePoints(*data.GetPoints()) : std::move(scan.exactPoints);
+    soup.partNames = scan.partNames;
+    std::vector<Triangle>& triangles = soup.mesh.triangles;
+    triangles.reserve(scan.cells);
+
+    StructureIds ids(data);
+    const bool hasParts = !ids.isEmpty() || scan.partNames.size() > 1;
+    const vtkIdType points = data.GetNumberOfPoints();
+    const vtkIdType firstCell = data.GetNumberOfVerts() + data.GetNumberOfLines();
+    PolygonCutter cutter;
+    std::vector<std::uint32_t> polygon;
+    bound(scan.pointArrays, "points", scan);
+    bound(scan.cellArrays, "polygons", scan);
+    std::vector<std::uint32_t> cellOf; // for each triangle
+    std::uint64_t cell = 0;            // over polygons, then strips
+    for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips()}) {
+        const bool isStrip = cells == data.GetStrips();
+        const auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+        for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell(), ++cell) {
+            vtkIdType count = 0;
+            const vtkIdType* corners = nullptr;
+            iterator->GetCurrentCell(count, corners);
+            const vtkIdType most =
+                isStrip ? std::numeric_limits<std::int32_t>::max() : vtkIdType{PolygonCutter::kMostCorners};
+            if (Status status = checkCorners(corners, count, most, points, cell, context); !status.isOk()) {
+                return status;
+            }
+            if (isStrip) {
+                for (vtkIdType k = 0; k + 2 < count; ++k) { // the winding alternates along a strip
+                    const vtkIdType odd = k % 2;
+                    triangles.push_back({static_cast<std::uint32_t>(corners[k]),
+                                         static_cast<std::uint32_t>(corners[k + 1 + odd]),
+                                         static_cast<std::uint32_t>(corners[k + 2 - odd])});
+                }
+            } else if (count == 3) {
+                triangles.push_back({static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[1]),
+                                     static_cast<std::uint32_t>(corners[2])});
+            } else {
+                polygon.assign(corners, corners + count);
+                cutter.cut(soup.mesh.vertices, polygon, triangles);
+            }
+            if (!scan.cellArrays.empty()) {
+                cellOf.resize(triangles.size(),
+                              static_cast<std::uint32_t>(firstCell) + static_cast<std::uint32_t>(cell));
+            }
+            if (hasParts) {
+                const std::uint32_t part =
+                    ids.isEmpty() ? scan.partOfCell[cell] : ids.partOf(firstCell + static_cast<vtkIdType>(cell), soup);
+                soup.part.resize(triangles.size(), part);
+            }
+        }
+    }
+    if (cutter.crossing() > 0) {
+        scan.notes.push_back(counted(cutter.crossing(), "polygon") + " without a simple outline");
+    }
+    takeArrays(data, scan, cellOf, soup.mesh.arrays);
+    if (soup.partNames.empty()) {
+        soup.partNames.emplace_back();
+    }
+    return soup;
+}
+
+} // namespace palpate::meshio::internal

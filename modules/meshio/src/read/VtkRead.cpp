@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "read/VtkRead.h"
+
+#include "text/Fault.h"
+#include "text/NumericLocale.h"
+#include "guard/VtkMessages.h"
+#include "guard/VtkProgress.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCellArray.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+
+#include <exception>
+#include <mutex>
+#include <new>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+
+} // namespace
+
+Result<vtkSmartPointer<vtkPolyData>> readWithVtk(const MeshFormat& format, const FileImage& image, const PreScan& scan,
+                                                 const ScanContext& context)
+{
+    // One reader per process at a time: VTK's PLY reader uses a single global heap (vtkPLY.cxx). With an import server
+    // each file has a separate process, so nothing waits here.
+    static std::mutex oneAtATime;
+    const std::scoped_lock lock(oneAtATime);
+    const NumericLocale locale;
+    const VtkMessages messages;
+    vtkNew<ProgressObserver> observer;
+    observer->report = context.progress;
+    vtkSmartPointer<vtkPolyData> mesh;
+    try {
+        const vtkSmartPointer<vtkAlgorithm> reader = format.reader(image.openPath(), scan);
+        reader->AddObserver(vtkCommand::ProgressEvent, observer);
+        reader->Update();
+        mesh = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        return fault(StatusCode::BadFormat, context.file, "", std::string("VTK could not read it: ") + error.what(),
+                     "a readable " + scan.format + " file");
+    }
+    if (observer->isCancelled) {
+        return Status(StatusCode::Cancelled, context.file + ": reading was cancelled");
+    }
+    if (!messages.firstError().empty() || mesh == nullptr) {
+        return fault(StatusCode::BadFormat, context.file, "", "VTK could not read it: " + messages.firstError(),
+                     "a readable " + scan.format + " file");
+    }
+    const auto points = static_cast<std::uint64_t>(mesh->GetNumberOfPoints());
+    const auto cells = static_cast<std::uint64_t>(mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips());
+    if (points != scan.points || cells != scan.cells) {
+        return fault(StatusCode::BadFormat, context.file, "",
+                     "VTK read " + counted(points, "point") + " and " + counted(cells, "polygon"),
+                     grouped(scan.points) + " and " + grouped(scan.cells));
+    }
+    return mesh;
+}
+
+} // namespace palpate::meshio::internal

@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/meshio/SceneFile.h"
+
+#include "text/Fault.h"
+#include "guard/FileImage.h"
+#include "text/JsonFields.h"
+#include "text/RepeatedField.h"
+#include "scene/SceneLaw.h"
+#include "text/TextScan.h"
+
+#include <palpate/core/Text.h>
+#include <palpate/core/VisibleText.h>
+
+#include <QCryptographicHash>
+#include <QDateTime>
+#include <QFile>
+#include <QJsonDocument>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace palpate::meshio {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+using core::Vec3;
+using internal::JsonFields;
+
+constexpr double kMostMm = 1e7;
+
+std::optional<Vec3> point(JsonFields& fields, const char* name)
+{
+    const auto values = fields.numbers(name, 3, -kMostMm, kMostMm);
+    return values ? std::optional(Vec3((*values)[0], (*values)[1], (*values)[2])) : std::nullopt;
+}
+
+/// Limits of moduli [kPa] and of the ratio of moduli.
+constexpr double kLeastModulus = 1e-4, kMostModulusRatio = 1e4, kMostYoung_kPa = 1e9;
+constexpr double kLeastRadius_mm = 0.1, kMostRadius_mm = 30.0; ///< limits of the fingertip radius
+
+/// Reads an optional number; `value` stays empty if the field is absent.
+void readIfThere(JsonFields& fields, const char* name, std::optional<double>& value, double low = 0.0,
+                 double high = kMostMm)
+{
+    if (fields.has(name)) {
+        fields.read(name, value.emplace(), low, high);
+    }
+}
+
+/// Reads a 4 x 4 matrix, row by row, last row 0 0 0 1; must be a rotation and a translation.
+void readPose(JsonFields& fields, const char* name, core::Transform& pose)
+{
+    const auto values = fields.numbers(name, 16, -kMostMm, kMostMm);
+    if (!values) {
+        return;
+    }
+    const Eigen::Matrix4d m = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values->data());
+    const Eigen::Matrix3d r = m.topLeftCorner<3, 3>();
+    const bool isRigid = (r * r.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-9 &&
+                         r.determinant() > 0.0 && m.row(3) == Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0);
+    if (!isRigid) {
+        fields.fail(name, "a matrix that is not rigid", "a rotation and a translation, row by row");
+        return;
+    }
+    pose.matrix() = m;
+}
+
+void readTissue(JsonFields& fields, core::Tissue& tissue)
+{
+    for (const core::TissueTerm& term : core::kTissueTerms) {
+        if (term.group.empty()) {
+            fields.read(term.key.data(), tissue.*term.member, 0.0, term.most);
+        }
+    }
+    if (auto friction = fields.fieldsOf("friction")) {
+        for (const core::TissueTerm& term : core::kTissueTerms) {
+            if (term.group == "friction") {
+                friction->read(term.field.data(), tissue.*term.member, 0.0, term.most);
+            }
+        }
+        if (tissue.friction_dynamic > tissue.friction_static) {
+            friction->fail("dynamic", internal::brief(tissue.friction_dynamic),
+                           "at most `static`, which is " + internal::brief(tissue.friction_static));
+        }
+        fields.keepUnknown("friction", friction->unknown());
+    }
+}
+
+/// Reads a name from a fixed list and returns the index.
+template<class Enum, std::size_t N>
+void readName(JsonFields& fields, const char* name, const std::array<std::string_view, N>& names, Enum& value)
+{
+    std::string text(names[static_cast<std::size_t>(value)]);
+    fields.read(name, text);
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found != names.end()) {
+        value = static_cast<Enum>(found - names.begin());
+        return;
+    }
+    std::string expected;
+    for (const std::string_view known : names) {
+        expected.append(expected.empty() ? "" : ", ").append(known);
+    }
+    fields.fail(name, internal::inQuotes(text), "one of " + expected);
+}
+
+core::TissueMapping readMapping(JsonFields& fields, const std::filesystem::path& folder)
+{
+    core::TissueMapping map;
+    readName(fields, "quantity", core::kQuantityNames, map.quantity);
+    map.unit = map.quantity == core::MappedQuantity::Damping ? core::MapUnit::NsPerMm : core::MapUnit::Scale;
+    fields.read("array", map.array);
+    std::string file;
+    fields.read("file", file);
+    if (map.array.empty() == file.empty()) {
+        fields.fail("array", map.array.empty() ? "neither `array` nor `file`" : "`array` and `file`", "one of them");
+    }
+    if (!file.empty()) {
+        map.file = (folder / std::filesystem::path(file)).lexically_normal().string();
+    }
+    const auto known = std::find_if(core::kKnownMaps.begin(), core::kKnownMaps.end(),
+                                    [&](const core::KnownMap& k) { return k.array == map.array; });
+    if (known != core::kKnownMaps.end() && known->quantity == map.quantity) {
+        map.unit = known->unit;
+    } else if (!fields.has("unit") && map.quantity == core::MappedQuantity::Stiffness) {
+        // Young's modulus, shear modulus or a scale: a wrong guess is an error by a factor of three or more.
+        fields.fail("unit", "nothing", "scale, N_per_mm, young_kPa or shear_kPa: what the numbers are");
+    }
+    readName(fields, "unit", core::kMapUnitNames, map.unit);
+    if (!core::fits(map.quantity, map.unit)) {
+        fields.fail("unit", internal::inQuotes(core::kMapUnitNames[static_cast<std::size_t>(map.unit)]),
+                    "a unit of " + std::string(core::kQuantityNames[static_cast<std::size_t>(map.quantity)]));
+    }
+    fields.read("contact_radius_mm", map.contactRadius_mm, 1e-3, 1e3);
+    if (const auto clamp = fields.numbers("clamp", 2, 0.0, 1e12)) {
+        map.clamp = {(*clamp)[0], (*clamp)[1]};
+        if ((*clamp)[0] > (*clamp)[1]) {
+            fields.fail("clamp", "a larger number before a smaller", "the least, then the most");
+        }
+    }
+    return map;
+}
+
+/// Reads the fields of lumps and of organs with lumps.
+void readBuried(JsonFields& fields, SceneStructure& s)
+{
+    fields.read("inside", s.inside);
+    if (!s.inside.empty() && s.layer > 0) {
+        fields.fail("layer", std::to_string(s.layer) + " beside `inside`",
+                    "one of them: what is felt through its organ has no layer of its own");
+    }
+    if (s.inside == s.name && !s.inside.empty()) {
+        fields.fail("inside", "its own name", "the name of the organ around it");
+    }
+    readIfThere(fields, "young_ratio", s.young_ratio, kLeastModulus, kMostModulusRatio);
+    readIfThere(fields, "young_kPa", s.young_kPa, kLeastModulus, kMostYoung_kPa);
+    readIfThere(fields, "felt_contact_radius_mm", s.felt_contact_radius_mm, kLeastRadius_mm, kMostRadius_mm);
+}
+
+SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& folder)
+{
+    SceneStructure s;
+    std::string mesh;
+    fields.read("mesh", mesh);
+    if (mesh.empty()) {
+        fields.fail("mesh", fields.has("mesh") ? "\"\"" : "nothing", "the path of a mesh file");
+    }
+    s.mesh = (folder / std::filesystem::path(mesh)).lexically_normal();
+    fields.read("sha256", s.sha256);
+    fields.read("part", s.part);
+    fields.read("unit_mm", s.unit_mm, 1e-6, 1e6);
+    if (fields.has("frame")) {
+        std::string frame;
+        fields.read("frame", frame);
+        if (const auto named = core::frameNamed(frame)) {
+            s.frame = *named;
+        } else {
+            fields.fail("frame", internal::inQuotes(frame), "LPS, RAS or Y-up");
+        }
+    }
+    s.name = s.part.empty() ? s.mesh.stem().string() : s.part;
+    fields.read("name", s.name);
+    if (const auto colour = fields.numbers("colour", 3, 0.0, 1.0)) {
+        s.colour = {(*colour)[0], (*colour)[1], (*colour)[2]};
+    }
+    fields.read("opacity", s.opacity, 0.0, 1.0);
+    fields.read("visible", s.visible);
+    fields.read("palpable", s.palpable);
+    fields.read("flipped", s.flipped);
+    fields.read("outwards", s.outwards);
+    readName(fields, "surface", kSurfaceNames, s.surface);
+    fields.read("smoothing", s.smoothing, 0.0, 1.0);
+    readTissue(fields, s.tissue);
+    if (fields.has("maps")) {
+        s.maps.emplace();
+        for (JsonFields& map : fields.listOf("maps")) {
+            s.maps->push_back(readMapping(map, folder));
+        }
+    }
+    internal::readLaw(fields, folder, s.tissue.law);
+    double layer = 0.0;
+    fields.read("layer", layer, 0.0, 63.0);
+    if (layer != std::floor(layer)) {
+        fields.fail("layer", "a fraction", "a whole number");
+    }
+    s.layer = static_cast<std::uint32_t>(layer);
+    readBuried(fields, s);
+    readPose(fields, "pose", s.X_WM);
+    s.extra = fields.unknown();
+    return s;
+}
+
+void readView(JsonFields& fields, core::ViewPose& camera)
+{
+    camera.position_W = point(fields, "position").value_or(camera.position_W);
+    camera.focus_W = point(fields, "focus").value_or(camera.focus_W);
+    camera.up_W = point(fields, "up").value_or(camera.up_W);
+    fields.read("viewAngle_deg", camera.viewAngle_deg, 0.1, 179.0);
+}
+
+/// Reads a SHA-256: empty or 64 hex digits.
+void readHash(JsonFields& fields, const char* name, std::string& hash)
+{
+    fields.read(name, hash);
+    const bool isHex = hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (!hash.empty() && (hash.size() != 64 || !isHex)) {
+        fields.fail(name, core::inQuotes(hash), "64 hex digits");
+    }
+}
+
+core::RecordedMoment readMoment(JsonFields& fields, const std::filesystem::path& folder)
+{
+    core::RecordedMoment moment;
+    std::string file;
+    fields.read("file", file);
+    if (file.empty()) {
+        fields.fail("file", fields.has("file") ? "\"\"" : "nothing", "the path of a recording");
+    }
+    moment.file = (folder / std::filesystem::path(file)).lexically_normal().string();
+    readHash(fields, "sha256", moment.sha256);
+    constexpr double kLast = 9007199254740992.0; // 2^53: integers up to here are exact in a double
+    double tick = 0.0;
+    fields.read("tick", tick, -kLast, kLast);
+    if (tick != std::floor(tick)) {
+        fields.fail("tick", "a fraction", "a whole number");
+    }
+    moment.tick = static_cast<std::int64_t>(tick);
+    fields.read("time_s", moment.time_s, 0.0, 1e9);
+    return moment;
+}
+
+void readTouch(JsonFields& entry, core::Finding& finding)
+{
+    readIfThere(entry, "force_N", finding.force_N);
+    readIfThere(entry, "depth_mm", finding.depth_mm);
+    for (JsonFields& layer : entry.listOf("layers")) {
+        core::FindingLayer& out = finding.layers.emplace_back();
+        layer.read("structure", out.structure);
+        layer.read("force_N", out.force_N, 0.0, 1e9);
+        layer.read("depth_mm", out.depth_mm, 0.0, 1e9);
+    }
+}
+
+core::Finding readFinding(JsonFields& entry, const std::filesystem::path& folder)
+{
+    core::Finding finding;
+    entry.read("id", finding.id);
+    entry.read("name", finding.name);
+    readName(entry, "type", core::kFindingTypeNames, finding.type);
+    entry.read("note", finding.note);
+    entry.read("structure", finding.structure);
+    finding.hasPlace = entry.has("position");
+    finding.p_W = point(entry, "position").value_or(finding.p_W);
+    readIfThere(entry, "size_mm", finding.size_mm);
+    readTouch(entry, finding);
+    if (auto camera = entry.fieldsOf("camera")) {
+        readView(*camera, finding.camera.emplace());
+        entry.keepUnknown("camera", camera->unknown());
+    }
+    if (auto moment = entry.fieldsOf("recording")) {
+        finding.recording = readMoment(*moment, folder);
+        entry.keepUnknown("recording", moment->unknown());
+    }
+    entry.read("marked_utc", finding.marked_utc);
+    if (!finding.marked_utc.empty() &&
+        !QDateTime::fromString(QString::fromStdString(finding.marked_utc), Qt::ISODate).isValid()) {
+        entry.fail("marked_utc", core::inQuotes(finding.marked_utc), "a time as 2026-11-23T08:30:00Z");
+    }
+    finding.extra = entry.unknown();
+    return finding;
+}
+
+/// Names the format of a JSON file that is not a scene; ok if the file may be a scene.
+Status anotherPrograms(const QJsonObject& document, const std::string& file)
+{
+    if (document.contains(QLatin1String("markups"))) {
+        return {StatusCode::Unsupported, file +
+                                             ": is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, "
+                                             "then take the marks in with File > Import findings"};
+    }
+    if (!document.contains(QLatin1String("version")) && !document.contains(QLatin1String("structures"))) {
+        return {StatusCode::Unsupported, file + ": is not a Palpate scene: found neither `version` nor `structures`; "
+                                                "expected a file that Palpate saved (.palpate.json)"};
+    }
+    return {};
+}
+
+/// In older files the note contains the name of the touched structure.
+void takeOldNotes(SceneFile& scene)
+{
+    for (core::Finding& finding : scene.findings) {
+        const bool isName = std::any_of(scene.structures.begin(), scene.structures.end(),
+                                        [&](const SceneStructure& one) { return one.name == finding.note; });
+        if (finding.structure.empty() && !finding.note.empty() && isName) {
+            finding.structure = std::exchange(finding.note, {});
+        }
+    }
+}
+
+bool hasStructure(const SceneFile& scene, const std::string& name)
+{
+    return std::any_of(scene.structures.begin(), scene.structures.end(),
+                       [&name](const SceneStructure& one) { return one.name == name; });
+}
+
+void readShownMap(JsonFields& fields, SceneFile& scene)
+{
+    if (auto entry = fields.fieldsOf("shown_map")) {
+        ShownMap& shown = scene.shownMap.emplace();
+        entry->read("structure", shown.structure);
+        entry->read("numbers", shown.numbers);
+        if (!hasStructure(scene, shown.structure)) {
+            entry->fail("structure", core::inQuotes(shown.structure), "the name of a structure of this scene");
+        }
+        if (!shown.numbers.starts_with("felt:") && !shown.numbers.starts_with("array:")) {
+            entry->fail("numbers", core::inQuotes(shown.numbers), "felt: and a quantity, or array: and its name");
+        }
+    }
+}
+
+/// The organ of a lump must be a structure of the scene that is not inside another: the response of a lump is
+/// transmitted to the outermost surface.
+void checkOrgans(const SceneFile& scene, JsonFields& fields)
+{
+    std::map<std::string_view, std::vector<const SceneStructure*>> named;
+    for (const SceneStructure& one : scene.structures) {
+        named[one.name].push_back(&one);
+    }
+    for (std::size_t i = 0; i < scene.structures.size(); ++i) {
+        const std::string& organ = scene.structures[i].inside;
+        if (organ.empty()) {
+            continue;
+        }
+        const std::string field = "structures[" + std::to_string(i) + "].inside";
+        const std::vector<const SceneStructure*>& found = named[organ];
+        if (found.empty()) {
+            fields.fail(field.c_str(), core::inQuotes(organ), "the name of a structure of this scene");
+        } else if (found.size() > 1) {
+            fields.fail(field.c_str(),
+                        core::inQuotes(organ) + ", the name of " + std::to_string(found.size()) + " structures",
+                        "a name that one structure has: rename the others");
+        } else if (!found.front()->inside.empty()) {
+            fields.fail(field.c_str(),
+                        core::inQuotes(organ) + ", which lies inside " + core::inQuotes(found.front()->inside),
+                        "the outermost structure around it");
+        }
+    }
+}
+
+} // namespace
+
+bool isSceneFile(const std::filesystem::path& path)
+{
+    return internal::sameWord(path.extension().string(), ".json");
+}
+
+std::string fileHash(const std::filesystem::path& path)
+{
+    QFile file(QString::fromStdU16String(path.u16string()));
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result().toHex().toStdString() : std::string();
+}
+
+core::Result<SceneFile> readScene(const std::filesystem::path& path)
+{
+    const std::string file = path.filename().string();
+    const Result<internal::FileImage> image = internal::FileImage::load(path);
+    if (!image.isOk()) {
+        return image.status();
+    }
+    const std::string_view bytes = image.value().bytes();
+    QJsonParseError error;
+    const QJsonDocument document =
+        QJsonDocument::fromJson(QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())), &error);
+    if (!document.isObject()) {
+        return internal::fault(StatusCode::BadFormat, file, internal::atByte(static_cast<std::uint64_t>(error.offset)),
+                               bytes.empty()                             ? "the file is empty"
+                               : error.error == QJsonParseError::NoError ? "no JSON object"
+                                                                         : error.errorString().toStdString(),
+                               "a scene as a JSON object");
+    }
+    if (Status other = anotherPrograms(document.object(), file); !other.isOk()) {
+        return other;
+    }
+    if (const auto field = internal::repeatedField(bytes)) {
+        return Status(StatusCode::BadFormat, file + ": " + core::visible(*field) + ": found twice, expected it once");
+    }
+    Status status;
+    SceneFile scene;
+    JsonFields fields(document.object(), file, "", status);
+    if (!fields.has("version")) {
+        fields.fail("version", "nothing", "1");
+    }
+    double version = SceneFile::kVersion;
+    fields.read("version", version, 1.0, 1e9);
+    if (status.isOk() && version > SceneFile::kVersion) {
+        return Status(StatusCode::Mismatch, file + ": version: found " + std::to_string(static_cast<int>(version)) +
+                                                ", expected at most " + std::to_string(SceneFile::kVersion) +
+                                                ": it was made by a newer Palpate");
+    }
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+    std::size_t i = 0;
+    for (const QJsonObject& object : fields.objects("structures")) {
+        JsonFields entry(object, file, "structures[" + std::to_string(i++) + "]", status);
+        scene.structures.push_back(readStructure(entry, folder));
+    }
+    if (const auto object = fields.object("camera")) {
+        JsonFields camera(*object, file, "camera", status);
+        readView(camera, scene.camera.emplace());
+        scene.camera->extra = camera.unknown();
+    }
+    readShownMap(fields, scene);
+    for (JsonFields& entry : fields.listOf("findings")) {
+        scene.findings.push_back(readFinding(entry, folder));
+    }
+    takeOldNotes(scene);
+    readName(fields, "buried", kBuriedNames, scene.buried);
+    checkOrgans(scene, fields);
+    scene.extra = fields.unknown();
+    scene.sha256 = QCryptographicHash::hash(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())),
+                                            QCryptographicHash::Sha256)
+                       .toHex()
+                       .toStdString();
+    return status.isOk() ? Result<SceneFile>(std::move(scene)) : Result<SceneFile>(status);
+}
+
+} // namespace palpate::meshio

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "read/TriangleSoup.h"
+
+#include "text/Fault.h"
+#include "text/TextScan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::Result;
+using core::Status;
+using core::StatusCode;
+using core::Vec3;
+using geometry::Triangle;
+
+/// True for placeholder names that programs write for unnamed parts.
+bool isPlaceholder(std::string_view name)
+{
+    static constexpr std::array<std::string_view, 12> kBegins{"default", "mesh",   "object",  "group",
+                                                              "solid",   "ascii",  "unnamed", "untitled",
+                                                              "model",   "noname", "no_name", "polydata"};
+    constexpr std::size_t kLongest = 80;
+    return name.empty() || name.size() > kLongest || (name.front() >= '0' && name.front() <= '9') ||
+           name.find("SPACE=") != std::string_view::npos ||
+           std::any_of(kBegins.begin(), kBegins.end(), [&](std::string_view begin) {
+               return name.size() >= begin.size() && sameWord(name.substr(0, begin.size()), begin);
+           });
+}
+
+/// Converts the points of the file to LPS and mm; the first invalid point is an error.
+Result<std::vector<Vec3>> toWorld(const std::vector<Vec3>& points, FileFrame frame, const ScanContext& context)
+{
+    std::vector<Vec3> out(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        out[i] = core::toLps(frame, points[i]) * context.unit_mm;
+        if (!(out[i].cwiseAbs().maxCoeff() <= kMostMm) || !out[i].allFinite()) {
+            return fault(StatusCode::NonFinite, context.file, "point " + std::to_string(i),
+                         out[i].allFinite() ? "it is farther than 10 km from the origin"
+                                            : "its coordinates are not numbers",
+                         "finite coordinates within 10 km");
+        }
+    }
+    return out;
+}
+
+bool hasArea(const std::vector<Vec3>& p, const std::vector<Triangle>& triangles)
+{
+    return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+        const Vec3 a = p[t[1]] - p[t[0]];
+        const Vec3 b = p[t[2]] - p[t[0]];
+        // Relative to the edge lengths: the cross product of parallel edges has a rounding residue.
+        return a.cross(b).norm() > 1e-14 * a.norm() * b.norm();
+    });
+}
+
+/// Adds the values of one vertex, or of one triangle, to a structure's arrays.
+void takeValues(const std::vector<geometry::MeshArray>& from, bool isPerTriangle, std::uint32_t i,
+                std::vector<geometry::MeshArray>& to)
+{
+    for (std::size_t k = 0; k < from.size(); ++k) {
+        if (from[k].isPerTriangle == isPerTriangle) {
+            to[k].values.push_back(from[k].values[i]);
+        }
+    }
+}
+
+} // namespace
+
+Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, const PreScan& scan,
+                                                   const ScanContext& context, const std::string& fallbackName)
+{
+    const Result<std::vector<Vec3>> world =
+        toWorld(soup.mesh.vertices, core::resolvedFrame(context.frame, scan.frame), context);
+    if (!world.isOk()) {
+        return world.status();
+    }
+    const std::vector<Vec3>& points = world.value();
+    const std::vector<Triangle>& triangles = soup.mesh.triangles;
+    if (!hasArea(points, triangles)) {
+        return fault(StatusCode::Empty, context.file, "",
+                     "none of " + counted(triangles.size(), "triangle") + " has an area", "at least one that has");
+    }
+
+    // Triangles sorted by part; within a part in file order.
+    const std::size_t parts = soup.partNames.size();
+    std::vector<std::size_t> begin(parts + 1, 0);
+    std::vector<std::uint32_t> order(triangles.size());
+    if (soup.part.empty()) {
+        begin[parts] = triangles.size();
+        std::fill(begin.begin() + 1, begin.end(), triangles.size());
+        std::iota(order.begin(), order.end(), 0U);
+    } else {
+        for (const std::uint32_t part : soup.part) {
+            ++begin[part + 1];
+        }
+        std::partial_sum(begin.begin(), begin.end(), begin.begin());
+        std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            order[next[soup.part[i]]++] = static_cast<std::uint32_t>(i);
+        }
+    }
+
+    constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> user(points.size(), kNobody); // the last part that used a vertex
+    std::vector<std::uint32_t> place(points.size());         // index of the vertex in that part
+    std::vector<MeshStructure> structures;
+    for (std::uint32_t part = 0; part < parts; ++part) {
+        if (begin[part] == begin[part + 1]) {
+            continue;
+        }
+        MeshStructure& structure = structures.emplace_back();
+        structure.name = soup.partNames[part];
+        if (part < soup.partColours.size()) {
+            structure.colour = soup.partColours[part];
+        }
+        geometry::TriangleMesh& mesh = structure.mesh;
+        mesh.triangles.reserve(begin[part + 1] - begin[part]);
+        for (const geometry::MeshArray& array : soup.mesh.arrays) {
+            mesh.arrays.push_back({array.name, array.isPerTriangle, {}});
+        }
+        for (std::size_t i = begin[part]; i < begin[part + 1]; ++i) {
+            Triangle triangle = triangles[order[i]];
+            for (std::uint32_t& corner : triangle) {
+                if (user[corner] != part) {
+                    user[corner] = part;
+                    place[corner] = static_cast<std::uint32_t>(mesh.vertices.size());
+                    mesh.vertices.push_back(points[corner]);
+                    takeValues(soup.mesh.arrays, false, corner, mesh.arrays);
+                }
+                corner = place[corner];
+            }
+            mesh.triangles.push_back(triangle);
+            takeValues(soup.mesh.arrays, true, order[i], mesh.arrays);
+        }
+    }
+    if (structures.size() == 1 && isPlaceholder(structures.front().name)) {
+        structures.front().name = fallbackName;
+    }
+    for (MeshStructure& structure : structures) {
+        if (structure.name.empty()) {
+            structure.name = fallbackName;
+        }
+    }
+    return structures;
+}
+
+} // namespace palpate::meshio::internal

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "text/TextScan.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <system_error>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+bool isBlank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
+}
+
+char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+} // namespace
+
+bool LineReader::next()
+{
+    if (m_next >= m_text.size()) {
+        return false;
+    }
+    m_begin = m_next;
+    const std::size_t feed = m_text.find('\n', m_begin);
+    const std::size_t stop = feed == std::string_view::npos ? m_text.size() : feed;
+    m_next = feed == std::string_view::npos ? m_text.size() : feed + 1;
+    m_line = m_text.substr(m_begin, stop - m_begin);
+    if (!m_line.empty() && m_line.back() == '\r') {
+        m_line.remove_suffix(1);
+    }
+    ++m_number;
+    return true;
+}
+
+std::string_view takeWord(std::string_view& rest)
+{
+    std::size_t from = 0;
+    while (from < rest.size() && isBlank(rest[from])) {
+        ++from;
+    }
+    std::size_t to = from;
+    while (to < rest.size() && !isBlank(rest[to])) {
+        ++to;
+    }
+    const std::string_view word = rest.substr(from, to - from);
+    rest.remove_prefix(to);
+    return word;
+}
+
+std::string_view trimmed(std::string_view text)
+{
+    while (!text.empty() && isBlank(text.front())) {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && isBlank(text.back())) {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+bool sameWord(std::string_view a, std::string_view b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+}
+
+std::optional<double> wordToNumber(std::string_view word)
+{
+    if (word.size() > 1 && word.front() == '+' && word[1] != '-') {
+        word.remove_prefix(1);
+    }
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (word.empty() || end != word.data() + word.size()) {
+        return std::nullopt;
+    }
+    if (error == std::errc::result_out_of_range) {
+        return word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos
+                   ? 0.0
+                   : std::numeric_limits<double>::infinity();
+    }
+    return error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+std::optional<std::int64_t> wordToInteger(std::string_view word)
+{
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (word.empty() || error != std::errc() || end != word.data() + word.size()) {
+        return std::nullopt;
+    }
+    return value;
+}
+
+} // namespace palpate::meshio::internal

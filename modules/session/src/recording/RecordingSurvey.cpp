@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "recording/RecordingSurvey.h"
+
+#include "store/MapRows.h"
+
+#include <utility>
+
+namespace palpate::session::internal {
+
+Survey survey(const RecordingTables& tables, const MetaTable& meta)
+{
+    Survey result;
+    const auto note = [&result](const core::Status& status) {
+        if (!status.isOk()) {
+            result.faults.push_back(status.message());
+        }
+    };
+    std::vector<SceneRecord> scenes;
+    Events events;
+    note(tables.readScenes(scenes));
+    note(tables.readEvents(events));
+    for (const SceneRecord& scene : scenes) {
+        for (const StructureRecord& structure : scene.structures) {
+            if (mapsText(structure.tissueMaps) != structure.maps) {
+                result.faults.push_back("structure \"" + oneLine(structure.name) +
+                                        "\": a map of its tissue is not there, or damaged");
+            }
+        }
+    }
+    CheckedLines lines(tables, meta, scenes, events);
+    note(lines.read());
+    for (std::size_t i = 0; i < lines.blocks().size(); ++i) {
+        if (lines.block(i)->isIntact) {
+            result.blocks.push_back(lines.blocks()[i]);
+        }
+    }
+    result.covered = lines.covered();
+    result.faults.insert(result.faults.end(), lines.faults().begin(), lines.faults().end());
+    for (const std::string& hash : tables.embeddedHashes()) {
+        const auto read = tables.readEmbedded(hash);
+        if (read.isOk()) {
+            result.embedded.push_back(hash);
+        }
+        note(read.status());
+    }
+    return result;
+}
+
+} // namespace palpate::session::internal

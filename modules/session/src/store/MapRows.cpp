@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "store/MapRows.h"
+
+#include "tables/Packing.h"
+
+#include <QByteArray>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+namespace palpate::session::internal {
+
+namespace {
+
+struct NamedMap
+{
+    const char* quantity;
+    bool isAboveZero; ///< zero is not allowed
+};
+/// In the order of `TissueMaps::all`.
+constexpr std::array kMaps{NamedMap{"stiffness", true}, NamedMap{"damping", false},  NamedMap{"friction", false},
+                           NamedMap{"felt_0_mm", true}, NamedMap{"felt_2_mm", true}, NamedMap{"felt_4_mm", true},
+                           NamedMap{"felt_8_mm", true}};
+static_assert(kMaps.size() == std::tuple_size_v<decltype(haptics::TissueMaps().all())>);
+
+using Corners = std::vector<std::array<float, 3>>;
+
+std::string_view bytesOf(const haptics::TissueMap& map)
+{
+    return {reinterpret_cast<const char*>(map.corners->data()), map.corners->size() * sizeof(Corners::value_type)};
+}
+
+std::string hashOf(std::string_view bytes)
+{
+    const std::string hash = sha256(bytes);
+    return QByteArray(hash.data(), static_cast<qsizetype>(hash.size())).toHex().toStdString();
+}
+
+/// Returns the error in the values of a map; null if valid.
+const char* faultIn(const Corners& corners, double factor, bool isAboveZero)
+{
+    const bool isPossible = std::all_of(corners.begin(), corners.end(), [isAboveZero](const std::array<float, 3>& at) {
+        return std::all_of(at.begin(), at.end(),
+                           [isAboveZero](float v) { return std::isfinite(v) && (isAboveZero ? v > 0.0F : v >= 0.0F); });
+    });
+    return !isPossible                                 ? "numbers out of range"
+           : !(factor > 0.0) || !std::isfinite(factor) ? "a factor that is not positive"
+                                                       : nullptr;
+}
+
+} // namespace
+
+std::string mapsText(const haptics::TissueMaps& maps)
+{
+    QJsonArray out;
+    for (std::size_t i = 0; i < kMaps.size(); ++i) {
+        const haptics::TissueMap& map = *maps.all()[i];
+        if (!map.isEmpty()) {
+            out.append(QJsonObject{{"quantity", kMaps[i].quantity},
+                                   {"factor", map.factor},
+                                   {"sha256", QString::fromStdString(hashOf(bytesOf(map)))}});
+        }
+    }
+    return out.isEmpty() ? std::string() : QJsonDocument(out).toJson(QJsonDocument::Compact).toStdString();
+}
+
+void forEachMap(const haptics::TissueMaps& maps,
+                const std::function<void(const std::string& sha256, std::string_view bytes)>& take)
+{
+    for (const haptics::TissueMap* map : maps.all()) {
+        if (!map->isEmpty()) {
+            take(hashOf(bytesOf(*map)), bytesOf(*map));
+        }
+    }
+}
+
+haptics::TissueMaps mapsOf(const std::string& text,
+                           const std::function<std::optional<std::string>(const std::string&)>& find,
+                           std::string& wrong)
+{
+    haptics::TissueMaps maps;
+    const std::array all = maps.all();
+    for (const QJsonValue& entry : QJsonDocument::fromJson(QByteArray::fromStdString(text)).array()) {
+        const QString quantity = entry["quantity"].toString();
+        const auto* const named = std::find_if(
+            kMaps.begin(), kMaps.end(), [&](const NamedMap& n) { return quantity == QLatin1String(n.quantity); });
+        const std::string hash = entry["sha256"].toString().toStdString();
+        const std::optional<std::string> bytes = find(hash);
+        const std::string name = "map of " + quantity.toStdString() + " " + hash.substr(0, 12) + "...: ";
+        if (named == kMaps.end() || !bytes) {
+            wrong = name + "is not in the recording";
+            continue;
+        }
+        if (hashOf(*bytes) != hash || bytes->size() % sizeof(Corners::value_type) != 0) {
+            wrong = name + "found other bits than were written (checksum)";
+            continue;
+        }
+        auto corners = std::make_shared<Corners>(bytes->size() / sizeof(Corners::value_type));
+        if (!bytes->empty()) {
+            std::memcpy(static_cast<void*>(corners->data()), bytes->data(), bytes->size());
+        }
+        const double factor = entry["factor"].toDouble();
+        if (const char* fault = faultIn(*corners, factor, named->isAboveZero)) {
+            wrong = name + "found " + fault;
+            continue;
+        }
+        *all[static_cast<std::size_t>(named - kMaps.begin())] = {std::move(corners), factor};
+    }
+    return maps;
+}
+
+} // namespace palpate::session::internal

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/session/TickCsv.h"
+
+#include "tables/TickColumns.h"
+
+#include <palpate/core/CsvCell.h>
+#include <palpate/core/Numbers.h>
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <concepts>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace palpate::session {
+
+namespace {
+
+/// Returns the CSV columns in order.
+const std::vector<internal::TickColumn>& shownColumns()
+{
+    static const std::vector<internal::TickColumn> kShown = [] {
+        std::vector<internal::TickColumn> columns;
+        std::copy_if(std::begin(internal::kTickColumns), std::end(internal::kTickColumns), std::back_inserter(columns),
+                     [](const internal::TickColumn& column) { return column.csv > 0; });
+        std::sort(columns.begin(), columns.end(), [](const auto& a, const auto& b) { return a.csv < b.csv; });
+        return columns;
+    }();
+    return kShown;
+}
+
+void appendValue(std::string& line, const core::Vec3& v)
+{
+    for (int i = 0; i < 3; ++i) {
+        line += i > 0 ? "," : "";
+        core::appendNumber(line, v[i]);
+    }
+}
+
+void appendValue(std::string& line, double value)
+{
+    core::appendNumber(line, value);
+}
+
+void appendValue(std::string& line, std::integral auto value)
+{
+    line += std::to_string(value);
+}
+
+void appendValue(std::string&, const haptics::TickResult&)
+{
+    // `layers` needs structure names: see `appendLayers`.
+}
+
+/// Formats the column `slides`.
+const char* slides(haptics::Friction friction)
+{
+    switch (friction) {
+    case haptics::Friction::Slides:
+        return "1";
+    case haptics::Friction::Holds:
+        return "0";
+    case haptics::Friction::None:
+        break;
+    }
+    return "";
+}
+
+/// Appends a list item within a cell. Separators, '%' and characters that would start a formula at the beginning of a
+/// cell are percent-encoded as in a URL.
+void appendEscaped(std::string& line, std::string_view text, bool isAtStart, std::string_view also = {})
+{
+    constexpr char kDigits[] = "0123456789ABCDEF";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < ' ' || (std::exchange(isAtStart, false) && core::looksLikeFormula({&c, 1})) ||
+            std::string_view("%;=,\"").find(c) != std::string_view::npos || also.find(c) != std::string_view::npos) {
+            line += {'%', kDigits[byte / 16], kDigits[byte % 16]};
+        } else {
+            line += c;
+        }
+    }
+}
+
+/// Appends `name=force_N=depth_mm` for each structure in contact.
+void appendLayers(std::string& line, const haptics::TickResult& felt, const StructureNames& names)
+{
+    for (std::size_t i = 0; i < felt.contactCount; ++i) {
+        const haptics::Contact& contact = felt.contacts[i];
+        line += i > 0 ? ";" : "";
+        appendEscaped(line, names(contact.structure), i == 0);
+        line += '=';
+        core::appendNumber(line, contact.f_W.norm());
+        line += '=';
+        core::appendNumber(line, contact.depth_mm);
+    }
+}
+
+/// Returns the subject of an event: text of a note, name of a finding or of a structure; empty for other kinds.
+std::string subjectOf(const RecordingEvent& event)
+{
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(event.json)).object();
+    for (const char* key : {"text", "name", "structure", "what"}) {
+        if (const QJsonValue value = json[QLatin1String(key)]; value.isString()) {
+            return value.toString().toStdString();
+        }
+    }
+    return {};
+}
+
+/// Appends `kind` or `kind=subject` for each event.
+void appendEvents(std::string& line, std::span<const RecordingEvent> events)
+{
+    bool isFirst = true;
+    for (const RecordingEvent& event : events) {
+        line += isFirst ? "" : "|";
+        appendEscaped(line, event.kind, std::exchange(isFirst, false), "|");
+        if (const std::string subject = subjectOf(event); !subject.empty()) {
+            line += '=';
+            appendEscaped(line, subject, false, "|");
+        }
+    }
+}
+
+/// Appends a value of `kCsvColumns`.
+void appendCsvColumn(std::string& line, std::string_view column, const servo::TickRecord& tick,
+                     const StructureNames& names, std::span<const RecordingEvent> events)
+{
+    const bool isTouching = tick.felt.structure >= 0;
+    const double depth_mm = isTouching ? (tick.felt.p_WG - tick.p_WH).norm() : 0.0;
+    if (column == "slides") {
+        line += slides(tick.felt.friction());
+    } else if (column == "layers") {
+        appendLayers(line, tick.felt, names);
+    } else if (column == "time_s") {
+        core::appendNumber(line, static_cast<double>(tick.time_ns) * 1e-9);
+    } else if (column.starts_with("sent_")) {
+        core::appendNumber(line, tick.fSent_W[column[5] - 'x']);
+    } else if (column == "force_N") {
+        core::appendNumber(line, tick.felt.f_W.norm());
+    } else if (column == "depth_mm") {
+        core::appendNumber(line, depth_mm);
+    } else if (column == "felt_N_per_mm" && depth_mm > 0.0) {
+        core::appendNumber(line, tick.felt.f_W.norm() / depth_mm);
+    } else if (column == "events") {
+        appendEvents(line, events);
+    }
+}
+
+bool isIn(const internal::CsvColumn& column, TickCsv::Rows rows)
+{
+    return column.in == internal::InCsv::All ||
+           rows == (column.in == internal::InCsv::OfSession ? TickCsv::Rows::Session : TickCsv::Rows::Device);
+}
+
+} // namespace
+
+TickCsv::TickCsv(core::AtomicFile file, Rows rows)
+    : m_file(std::move(file))
+    , m_rows(rows)
+{
+}
+
+core::Result<TickCsv> TickCsv::create(const std::filesystem::path& path, Rows rows)
+{
+    auto file = core::AtomicFile::create(path);
+    if (!file.isOk()) {
+        return file.status();
+    }
+    TickCsv csv(std::move(file).value(), rows);
+    for (const internal::TickColumn& column : shownColumns()) {
+        for (const std::string& name : internal::columnNames(column)) {
+            csv.m_line += (csv.m_line.empty() ? "" : ",") + name;
+        }
+    }
+    for (const internal::CsvColumn& column : internal::kCsvColumns) {
+        if (isIn(column, rows)) {
+            csv.m_line.append(",").append(column.name);
+        }
+    }
+    csv.m_line += '\n';
+    csv.m_file.write(csv.m_line);
+    return csv;
+}
+
+void TickCsv::write(const servo::TickRecord& tick, const StructureNames& names, std::span<const RecordingEvent> events)
+{
+    m_line.clear();
+    const bool isEmpty = m_rows == Rows::Session && (tick.flags & servo::kNoHand) != 0;
+    for (const internal::TickColumn& column : shownColumns()) {
+        m_line += m_line.empty() ? "" : ",";
+        if (isEmpty && column.name != "tick") {
+            m_line.append(internal::columnNames(column).size() - 1, ',');
+        } else if (column.name == "structure") {
+            m_line += tick.felt.structure < 0 ? std::string()
+                                              : core::csvCell(names(static_cast<std::uint32_t>(tick.felt.structure)));
+        } else {
+            internal::useValue(column, tick, [this](const auto& value) { appendValue(m_line, value); });
+        }
+    }
+    for (const internal::CsvColumn& column : internal::kCsvColumns) {
+        if (!isIn(column, m_rows)) {
+            continue;
+        }
+        m_line += ',';
+        if (!isEmpty || column.isWithoutHand) {
+            appendCsvColumn(m_line, column.name, tick, names, events);
+        }
+    }
+    m_line += '\n';
+    m_file.write(m_line);
+}
+
+core::Status TickCsv::finish()
+{
+    return m_file.finish();
+}
+
+} // namespace palpate::session
