@@ -136,6 +136,47 @@ class CarryOver : public QObject
         }
     }
 
+    /// A ball that starts too near to two surfaces stays where it is when both are replaced by the same shapes.
+    void aBallThatWasTooNearAlreadyIsNotMoved()
+    {
+        const auto ceiling = [](int n) { return box(Vec3(-50, -50, 15.2), Vec3(50, 50, 50), n); };
+        const double radius_mm = 8.0;
+        const Scene before = sceneOf({structure(gridBlock(4)), structure(ceiling(4))}, radius_mm);
+        const Scene after = sceneOf({structure(gridBlock(5)), structure(ceiling(3))}, radius_mm);
+        Palpator palpator;
+        palpator.setScene(before.get());
+        const Vec3 start(10, 2, 7.5); // 0.5 mm too near to one, 0.3 mm to the other
+        (void)palpator.step(start, kTick_s);
+        QVERIFY(!palpator.setScene(after.get()));
+        QCOMPARE(palpator.state().layers[0].p_WG, start);
+    }
+
+    /// A floor rises by 0.2 mm under a ball that also touches an overhang of 45 degrees, which does not change.
+    void isNotLiftedIntoASurfaceThatStays()
+    {
+        const double radius_mm = 8.0, r2 = std::sqrt(0.5);
+        // The overhang contains the positions with x + z >= 20 near the floor.
+        const auto overhang = transformed(box(Vec3(0, -50, -100), Vec3(60, 50, 100), 4), [&](const Vec3& p) {
+            return Vec3(20 + r2 * (p.x() - p.z()), p.y(), r2 * (p.x() + p.z()));
+        });
+        const HapticStructure stays = structure(overhang, "overhang");
+        const Scene before = sceneOf({structure(gridBlock(), "floor"), stays}, radius_mm);
+        const Scene after =
+            sceneOf({structure(transformed(gridBlock(), moved(Vec3(0, 0, 0.2))), "floor"), stays}, radius_mm);
+        Palpator palpator;
+        palpator.setScene(before.get());
+        for (int i = 0; i <= 100; ++i) {
+            (void)palpator.step(Vec3(-20 + 0.4 * i, 2, 9 - 0.05 * i), kTick_s);
+        }
+        const Vec3 was = palpator.state().layers[0].p_WG;
+        QVERIFY(std::abs(was.z() - radius_mm) < 1e-6);
+        QVERIFY(std::abs(r2 * (20 - was.x() - was.z()) - radius_mm) < 1e-6);
+        QVERIFY(!palpator.setScene(after.get()));
+        const Vec3 is = palpator.state().layers[0].p_WG;
+        QVERIFY2((is - was - Vec3(-0.2, 0, 0.2)).norm() < 1e-6,
+                 qPrintable(QString("%1 %2").arg(is.x() - was.x()).arg(is.z() - was.z())));
+    }
+
     /// A surface with another mesh, as after smoothing at another density: no triangle correspondence.
     void isPutInFrontOfASurfaceOfAnotherMesh()
     {

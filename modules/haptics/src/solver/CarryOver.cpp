@@ -3,6 +3,7 @@
 
 #include "palpate/haptics/Palpator.h"
 #include "probe/BallProbe.h"
+#include "probe/ConstrainedPoint.h"
 
 #include <palpate/geometry/internal/BoxHierarchySwept.h>
 
@@ -17,7 +18,8 @@ namespace {
 constexpr double kFarthest_mm = 1.0; // maximum distance that a god-object is moved off a surface
 constexpr std::uint32_t kMaxTested = 4096;
 constexpr std::uint32_t kSearched = 512; // search range in the index, before and after the previous position
-constexpr int kRounds = 4;               // iterations in a corner of several surfaces
+constexpr int kRounds = 4;               // over all surfaces
+constexpr std::size_t kPlanes = 4;       // that constrainedPoint takes
 constexpr double kAbove = 2.0;           // skins: just out of contact
 constexpr double kTurned = 0.5;          // cosine of the maximum turn
 
@@ -175,34 +177,36 @@ Vec3 ridden(const HapticScene& before, const HapticScene& after, const GodObject
     return god.p_WG;
 }
 
-/// Side of the previous surface. +1: the god-object is in front, -1: behind a two-sided surface; 0: not to be kept out,
-/// or unknown.
-struct Side
+/// Where the god-object was, relative to a surface of the previous scene.
+struct Before
 {
-    int side = 0;
-    Vec3 n; ///< normal of the facet that determined the side
+    int side = 0; ///< +1: in front, -1: behind a two-sided surface, 0: not to be kept out, or unknown
+    Vec3 n;       ///< normal of the facet that determined the side
+    double clearance_mm =
+        0.0; ///< distance to be kept: the fingertip's radius, or less where the ball was nearer already
 };
 
-Side sideBefore(const geometry::SurfaceIndex& surface, std::uint32_t structure, const GodObjectState& god,
+Before beforeAt(const geometry::SurfaceIndex& surface, std::uint32_t structure, const GodObjectState& god,
                 double fingertip_mm) noexcept
 {
     for (std::size_t k = 0; k < god.constraints; ++k) {
         if (god.structure[k] == structure) {
-            return {god.side[k], Facet::of(surface, structure, god.triangle[k]).n};
+            return {god.side[k], Facet::of(surface, structure, god.triangle[k]).n, fingertip_mm};
         }
     }
     const auto was = nearestWithin(surface, structure, god.p_WG, kFarthest_mm + fingertip_mm);
     if (!was || (was->height_mm < 0.0 && !was->facet.isTwoSided)) {
         return {};
     }
-    return {was->height_mm < 0.0 ? -1 : 1, was->facet.n};
+    return {was->height_mm < 0.0 ? -1 : 1, was->facet.n, std::min(fingertip_mm, std::abs(was->height_mm))};
 }
 
-/// Returns the nearest position in front of the surface, if `p` is not in front and the position is near enough.
-std::optional<Vec3> lifted(const geometry::SurfaceIndex& surface, std::uint32_t structure, const Vec3& p, Side before,
-                           double fingertip_mm) noexcept
+/// Returns the half-space of positions p with the required distance from the surface, as `n . (p - at)`, if `at` lacks
+/// it and a position near enough has it.
+std::optional<HalfSpace> inFront(const geometry::SurfaceIndex& surface, std::uint32_t structure, const Vec3& at,
+                                 const Before& before, double fingertip_mm) noexcept
 {
-    const auto is = nearestWithin(surface, structure, p, kFarthest_mm + fingertip_mm);
+    const auto is = nearestWithin(surface, structure, at, kFarthest_mm + fingertip_mm);
     if (before.side == 0 || !is) {
         return {};
     }
@@ -213,14 +217,48 @@ std::optional<Vec3> lifted(const geometry::SurfaceIndex& surface, std::uint32_t 
         }
         side = -side;
     }
-    const double skin_mm = is->facet.skin_mm, height_mm = side * is->height_mm;
-    if (height_mm >= fingertip_mm || fingertip_mm - height_mm > kFarthest_mm) {
+    const double above_mm = kAbove * is->facet.skin_mm, height_mm = side * is->height_mm;
+    const double missing_mm = before.clearance_mm - height_mm;
+    // A ball keeps its distance within the tolerance of a contact; a point in front of the surface is legal at any
+    // height.
+    if (missing_mm <= (before.clearance_mm > 0.0 ? above_mm : 0.0) || missing_mm > kFarthest_mm) {
         return {};
     }
-    const bool isOffEdge = std::abs(height_mm) > kAbove * skin_mm;
-    const Vec3 up = isOffEdge ? Vec3((p - is->q) / height_mm) : Vec3(side * is->facet.n);
-    return is->q + (fingertip_mm + kAbove * skin_mm) * up;
+    const bool isOffEdge = std::abs(height_mm) > above_mm;
+    const Vec3 up = isOffEdge ? Vec3((at - is->q) / height_mm) : Vec3(side * is->facet.n);
+    return HalfSpace{up, missing_mm + above_mm};
 }
+
+/// The active half-spaces on the way to a position in front of all surfaces.
+class Lift
+{
+  public:
+    explicit Lift(const Vec3& from) noexcept
+        : m_from(from)
+    {
+    }
+    [[nodiscard]] Vec3 p() const noexcept { return m_from + m_u; }
+    [[nodiscard]] bool isMoved() const noexcept { return m_count > 0; }
+    /// Adds a half-space relative to p().
+    void add(const HalfSpace& plane, double allowance_mm) noexcept
+    {
+        m_planes[m_count] = {plane.n, plane.offset_mm + plane.n.dot(m_u)};
+        const auto nearest = constrainedPoint(Vec3::Zero(), {m_planes.data(), m_count + 1}, allowance_mm);
+        m_u = nearest.u;
+        std::array<HalfSpace, kPlanes> active;
+        m_count = static_cast<std::size_t>(nearest.count);
+        for (std::size_t i = 0; i < m_count; ++i) {
+            active[i] = m_planes[nearest.active[i]];
+        }
+        m_planes = active;
+    }
+
+  private:
+    Vec3 m_from;
+    Vec3 m_u = Vec3::Zero();
+    std::array<HalfSpace, kPlanes> m_planes;
+    std::size_t m_count = 0; ///< at most three between calls
+};
 
 } // namespace
 
@@ -272,24 +310,34 @@ LostContact lostContact(const HapticScene& before, const HapticScene* after, con
 Vec3 carryOverPosition(const HapticScene& before, const HapticScene& after, const HapticLayer& layer,
                        const GodObjectState& god, const Vec3& p_WH) noexcept PALPATE_NONBLOCKING
 {
-    Vec3 p_WG = ridden(before, after, god, p_WH, layer.fingertip_mm);
-    bool isMoved = true;
-    for (int round = 0; round < kRounds && isMoved; ++round) {
-        isMoved = false;
+    Lift lift(ridden(before, after, god, p_WH, layer.fingertip_mm));
+    const bool isRidden = lift.p() != god.p_WG;
+    Vec3 best = lift.p(); // a position that violates the surfaces less than those before it
+    double least_mm = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < kRounds; ++round) {
+        const Vec3 start = lift.p();
+        double worst_mm = 0.0;
         for (const std::uint32_t structure : layer.structures) {
             const geometry::SurfaceIndex* from = predecessor(before, after, structure);
             const geometry::SurfaceIndex& to = layer.surface(structure);
-            if (from == nullptr || from == &to) {
+            if (from == nullptr || (from == &to && !isRidden && !lift.isMoved())) {
                 continue;
             }
-            const Side side = sideBefore(*from, structure, god, layer.fingertip_mm);
-            if (const auto place = lifted(to, structure, p_WG, side, layer.fingertip_mm)) {
-                p_WG = *place;
-                isMoved = true;
+            const Before was = beforeAt(*from, structure, god, layer.fingertip_mm);
+            if (const auto plane = inFront(to, structure, lift.p(), was, layer.fingertip_mm)) {
+                worst_mm = std::max(worst_mm, plane->offset_mm);
+                lift.add(*plane, to.skin_mm());
             }
         }
+        if (worst_mm < least_mm) {
+            least_mm = worst_mm;
+            best = start;
+        }
+        if (worst_mm == 0.0) {
+            break;
+        }
     }
-    return p_WG;
+    return best;
 }
 
 } // namespace palpate::haptics::internal

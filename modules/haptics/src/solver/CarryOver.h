@@ -32,11 +32,13 @@ namespace palpate::haptics::internal {
 ///
 /// The god-object follows the touched triangle, which is identified by its index in the mesh: rigid motion, scaling and
 /// shear are followed exactly up to rounding. This requires that, relative to the triangle, the hand is within
-/// Palpator::kNear_mm of its previous position, and that the triangle turned by less than 60 degrees. After that, or if
-/// the triangle is not found, a position that would now be behind the replaced surface, or inside for a ball, is moved
-/// to the nearest position in front, by at most 1 mm. The front is the side of the previous surface that the god-object
-/// was on. A god-object behind the surface stays there and may leave freely; so does a god-object inside a structure
-/// that has no predecessor.
+/// Palpator::kNear_mm of its previous position, and that the triangle turned by less than 60 degrees. A contact that is
+/// still in the same place is not followed.
+///
+/// After that, the god-object is moved to the nearest position, within 1 mm, that is on its previous side of every
+/// surface and keeps the distance it had, up to the fingertip's radius: of replaced surfaces, and of the others once it
+/// moves. If there is no such position, the one found with the smallest error is taken. A god-object behind a surface
+/// stays there and may leave freely; so does a god-object inside a structure that has no predecessor.
 /// @param before,after  the scenes; the predecessor of a structure has the same index and name
 /// @param layer  layer of `after`
 /// @param god  state of the god-object
