@@ -5,6 +5,7 @@
 
 #include <palpate/haptics/Palpator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -133,6 +134,34 @@ class CarryOver : public QObject
                 QVERIFY2(std::abs(tick.f_W.norm() - kStiffness_N_per_mm * depth_mm) <= turn,
                          qPrintable(QString("%1 N, radius %2").arg(tick.f_W.norm()).arg(radius_mm)));
             }
+        }
+    }
+
+    /// A point in a groove of 60 degrees, whose faces' normals are 120 degrees apart, and the same triangles reversed.
+    void aSharpGrooveKeepsItsSide()
+    {
+        for (const bool isTurned : {false, true}) {
+            auto groove = transformed(sheet(50.0, 4), [](const Vec3& p) {
+                return Vec3(0.5 * p.x(), p.y(), std::sqrt(0.75) * std::abs(p.x()));
+            });
+            if (isTurned) {
+                groove = insideOut(groove);
+            }
+            auto reversed = groove;
+            std::reverse(reversed.triangles.begin(), reversed.triangles.end());
+            const Scene before = sceneOf({structure(groove)}), after = sceneOf({structure(reversed)});
+            Palpator palpator;
+            palpator.setScene(before.get());
+            const auto press = [&](double z) { return palpator.step(Vec3(0.1, 2, z), kTick_s); };
+            for (int i = 0; i <= 80; ++i) {
+                (void)press(4.0 - 0.1 * i);
+            }
+            const auto was = press(-4.0);
+            QCOMPARE(was.constraints, 2U);
+            QVERIFY(!palpator.setScene(after.get()));
+            QCOMPARE(palpator.state().layers[0].p_WG, was.p_WG);
+            const auto is = press(-4.0);
+            QVERIFY2((is.p_WG - was.p_WG).norm() < 1e-9, qPrintable(QString::number(is.p_WG.z())));
         }
     }
 

@@ -8,8 +8,10 @@
 #include <palpate/geometry/internal/BoxHierarchySwept.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace palpate::haptics::internal {
 
@@ -38,11 +40,12 @@ struct Against
     Facet facet;      ///< nearest facet; of several, the one with the position most nearly along its normal
     Vec3 q;           ///< closest point [mm]
     double height_mm; ///< signed distance; < 0: behind
+    double agreement; ///< maximum cosine between the normals of the nearest facets and the given ones; -1 without those
 };
 
 /// Returns nothing if no triangle is within `reach_mm`, or too many are.
 std::optional<Against> nearestWithin(const geometry::SurfaceIndex& surface, std::uint32_t structure, const Vec3& p,
-                                     double reach_mm) noexcept
+                                     double reach_mm, std::span<const Vec3> normals = {}) noexcept
 {
     if (surface.bounds().squaredExteriorDistance(p) > reach_mm * reach_mm) {
         return {};
@@ -66,16 +69,25 @@ std::optional<Against> nearestWithin(const geometry::SurfaceIndex& surface, std:
     }
     asked = 0;
     std::optional<Against> against;
-    double most = -1.0;
+    double most = -1.0, agreement = -1.0;
     // At an edge or a corner several facets are nearest. The sign is taken from the facet with the position most nearly
-    // along its normal.
+    // along its normal: by the angle, because their distances differ by as much as a contact's.
     eachNear([&](const Facet& facet, const Vec3& q, double distance) {
-        const double along = facet.n.dot(p - q);
-        if (distance <= least + facet.skin_mm && std::abs(along) > most) {
-            most = std::abs(along);
-            against = {facet, q, along < 0.0 ? -distance : distance};
+        if (!(distance <= least + facet.skin_mm)) {
+            return;
+        }
+        for (const Vec3& n : normals) {
+            agreement = std::max(agreement, n.dot(facet.n));
+        }
+        const double along = facet.n.dot(p - q), cosine = distance > 0.0 ? std::abs(along) / distance : 1.0;
+        if (cosine > most) {
+            most = cosine;
+            against = {facet, q, along < 0.0 ? -distance : distance, -1.0};
         }
     });
+    if (against) {
+        against->agreement = agreement;
+    }
     return against;
 }
 
@@ -181,7 +193,8 @@ Vec3 ridden(const HapticScene& before, const HapticScene& after, const GodObject
 struct Before
 {
     int side = 0; ///< +1: in front, -1: behind a two-sided surface, 0: not to be kept out, or unknown
-    Vec3 n;       ///< normal of the facet that determined the side
+    std::array<Vec3, kPlanes> normals{}; ///< of the touched facets, or of the facet that determined the side
+    std::size_t count = 0;               ///< of these normals
     double clearance_mm =
         0.0; ///< distance to be kept: the fingertip's radius, or less where the ball was nearer already
 };
@@ -189,16 +202,24 @@ struct Before
 Before beforeAt(const geometry::SurfaceIndex& surface, std::uint32_t structure, const GodObjectState& god,
                 double fingertip_mm) noexcept
 {
-    for (std::size_t k = 0; k < god.constraints; ++k) {
+    Before before;
+    for (std::size_t k = 0; k < god.constraints && before.count < kPlanes; ++k) {
         if (god.structure[k] == structure) {
-            return {god.side[k], Facet::of(surface, structure, god.triangle[k]).n, fingertip_mm};
+            before.side = god.side[k];
+            before.normals[before.count++] = Facet::of(surface, structure, god.triangle[k]).n;
+            before.clearance_mm = fingertip_mm;
         }
     }
-    const auto was = nearestWithin(surface, structure, god.p_WG, kFarthest_mm + fingertip_mm);
-    if (!was || (was->height_mm < 0.0 && !was->facet.isTwoSided)) {
-        return {};
+    if (before.count > 0) {
+        return before;
     }
-    return {was->height_mm < 0.0 ? -1 : 1, was->facet.n, std::min(fingertip_mm, std::abs(was->height_mm))};
+    const auto was = nearestWithin(surface, structure, god.p_WG, kFarthest_mm + fingertip_mm);
+    if (was && (was->height_mm >= 0.0 || was->facet.isTwoSided)) {
+        before.side = was->height_mm < 0.0 ? -1 : 1;
+        before.normals[before.count++] = was->facet.n;
+        before.clearance_mm = std::min(fingertip_mm, std::abs(was->height_mm));
+    }
+    return before;
 }
 
 /// Returns the half-space of positions p with the required distance from the surface, as `n . (p - at)`, if `at` lacks
@@ -206,12 +227,16 @@ Before beforeAt(const geometry::SurfaceIndex& surface, std::uint32_t structure, 
 std::optional<HalfSpace> inFront(const geometry::SurfaceIndex& surface, std::uint32_t structure, const Vec3& at,
                                  const Before& before, double fingertip_mm) noexcept
 {
-    const auto is = nearestWithin(surface, structure, at, kFarthest_mm + fingertip_mm);
-    if (before.side == 0 || !is) {
+    if (before.side == 0) {
+        return {};
+    }
+    const auto is = nearestWithin(surface, structure, at, kFarthest_mm + fingertip_mm,
+                                  std::span(before.normals).first(before.count));
+    if (!is) {
         return {};
     }
     int side = before.side;
-    if (before.n.dot(is->facet.n) < 0.0) { // turned inside out
+    if (is->agreement < 0.0) { // turned inside out
         if (!is->facet.isTwoSided) {
             return {};
         }
