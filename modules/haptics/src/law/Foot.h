@@ -23,7 +23,7 @@ class Foot
 
     [[nodiscard]] PALPATE_ALWAYS_INLINE double numberOf(const TissueMap& map) const noexcept
     {
-        return m_place.risesOf(map).value;
+        return m_place.numberOf(map);
     }
     [[nodiscard]] PALPATE_ALWAYS_INLINE MapSample valueOf(const TissueMap& map) const noexcept
     {

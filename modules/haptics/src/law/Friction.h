@@ -87,8 +87,6 @@ class CoulombFriction
     }
 
   private:
-    void raise(const HapticStructure& on, const Facet& facet, const Vec3& foot, double lambda_mm, double& atRest,
-               double& sliding) const noexcept;
     void share(const Facet& facet, const Vec3& foot, double lambda_mm, double atRest, double sliding) noexcept;
 
     /// A contact and its friction coefficients.
@@ -97,6 +95,7 @@ class CoulombFriction
         const Facet* facet;
         Vec3 foot;
         double lambda_mm, atRest, sliding;
+        double force_N; ///< normal force; < 0: not computed
     };
 
     const HapticLayer& m_layer;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "law/MapBasis.h"
+#include "law/MapBends.h"
 #include "palpate/haptics/HapticScene.h"
 #include "probe/BallProbe.h"
 
@@ -71,14 +71,27 @@ class MapPlace
         }
     }
 
-    using Rises = MapBasis::Rises;
+    using Rises = MapBends::Rises;
     [[nodiscard]] Rises risesOf(const TissueMap& map) const noexcept
     {
-        const std::array<float, 3>& at = (*map.corners)[m_facet.triangle];
-        const double d1 = map.factor * (double{at[1]} - double{at[0]}),
-                     d2 = map.factor * (double{at[2]} - double{at[0]});
-        const Rises linear{map.factor * double{at[0]} + m_b1 * d1 + m_b2 * d2, d1, d2};
-        return map.bends == nullptr ? linear : bent(linear, map);
+        const Rises linear = linearOf(map);
+        if (!bends(map)) {
+            return linear;
+        }
+        const Rises more = m_bends.of((*map.bends)[m_facet.triangle]);
+        const Rises bent{linear.value + map.factor * more.value, linear.toSecond + map.factor * more.toSecond,
+                         linear.toThird + map.factor * more.toThird};
+        return bent.value > 0.0 ? bent : linear; // keeps the stiffness positive even for steep maps
+    }
+    /// Computes only the value of `risesOf`, bitwise identical.
+    [[nodiscard]] double numberOf(const TissueMap& map) const noexcept
+    {
+        const double linear = linearOf(map).value;
+        if (!bends(map)) {
+            return linear;
+        }
+        const double bent = linear + map.factor * m_bends.valueOf((*map.bends)[m_facet.triangle]);
+        return bent > 0.0 ? bent : linear;
     }
     [[nodiscard]] const FacetSlopes& slopes() const noexcept { return m_slopes; }
     [[nodiscard]] MapSample valueOf(const TissueMap& map) const noexcept
@@ -88,26 +101,31 @@ class MapPlace
     }
 
   private:
-    [[nodiscard]] Rises bent(const Rises& linear, const TissueMap& map) const noexcept
+    [[nodiscard]] Rises linearOf(const TissueMap& map) const noexcept
     {
-        if (!map.bendsOn(m_facet.triangle)) {
-            return linear;
+        const std::array<float, 3>& at = (*map.corners)[m_facet.triangle];
+        const double d1 = map.factor * (double{at[1]} - double{at[0]}),
+                     d2 = map.factor * (double{at[2]} - double{at[0]});
+        return {map.factor * double{at[0]} + m_b1 * d1 + m_b2 * d2, d1, d2};
+    }
+    /// Returns true if the map bends on the triangle; m_bends is then computed.
+    [[nodiscard]] bool bends(const TissueMap& map) const noexcept
+    {
+        if (map.bends == nullptr || !map.bendsOn(m_facet.triangle)) {
+            return false;
         }
-        if (!m_hasBasis) {
-            m_basis = MapBasis(m_facet, m_b1, m_b2);
-            m_hasBasis = true;
+        if (!m_hasBends) {
+            m_bends = MapBends(m_facet, m_b1, m_b2);
+            m_hasBends = true;
         }
-        const Rises more = m_basis.sum((*map.bends)[m_facet.triangle]);
-        const Rises bent{linear.value + map.factor * more.value, linear.toSecond + map.factor * more.toSecond,
-                         linear.toThird + map.factor * more.toThird};
-        return bent.value > 0.0 ? bent : linear; // keeps the stiffness positive even for steep maps
+        return true;
     }
 
     const internal::Facet& m_facet;
     FacetSlopes m_slopes;
     double m_b1, m_b2;
-    mutable MapBasis m_basis; ///< shared by all maps; computed when the first map with bends is evaluated
-    mutable bool m_hasBasis = false;
+    mutable MapBends m_bends; ///< shared by all maps; computed when the first map with bends is evaluated
+    mutable bool m_hasBends = false;
 };
 
 } // namespace palpate::haptics::law

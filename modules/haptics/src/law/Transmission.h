@@ -26,7 +26,7 @@ struct Transmission
     [[nodiscard]] PALPATE_ALWAYS_INLINE static double scaleAt(const MapPlace& place, const HapticStructure& on,
                                                               double depth_mm) noexcept
     {
-        return FeltPress::scaleAt(depth_mm, [&](std::size_t j) { return place.risesOf(on.maps.felt[j]).value; });
+        return FeltPress::scaleAt(depth_mm, [&](std::size_t j) { return place.numberOf(on.maps.felt[j]); });
     }
     /// Computes all members.
     /// @param place  position of the foot
