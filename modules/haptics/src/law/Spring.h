@@ -35,8 +35,8 @@ struct LawSpring
 /// stiffness map at the god-object's foot x: `f_W = -grad U = s F(d) n - W(d) P grad s` [N], with n from the HIP to the
 /// god-object and P the projector on the directions in which the contact leaves the foot free to move.
 ///
-/// With friction the foot does not follow the HIP, so the last term is omitted; law/Friction.h compensates for the
-/// missing term.
+/// With friction the foot does not follow the HIP, so the last term is omitted; goal/CoulombFriction.h compensates for
+/// the missing term.
 /// @par Source resources/docs/laws.md, "One energy".
 struct MapSpring
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "law/Friction.h"
+#include "goal/CoulombFriction.h"
 #include "nearby/NearBall.h"
 #include "nearby/TickWork.h"
 #include "solver/ActiveSet.h"

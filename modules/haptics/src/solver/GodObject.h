@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "law/Friction.h"
+#include "goal/CoulombFriction.h"
 #include "nearby/NearBall.h"
 #include "nearby/NearPoint.h"
 #include "palpate/haptics/Palpator.h"
@@ -32,7 +32,7 @@ class GodObject
     /// Minimises 0.5 |x - p_WH|^2 subject to n_i . (x - a_i) >= skin for the k <= 3 active constraints, which are found
     /// by sweeping the god-object against the surfaces: k = 0 free space, 1 face, 2 edge, 3 corner.
     ///
-    /// With friction each move is shortened as law/Friction.h describes.
+    /// With friction each move is shortened as goal/CoulombFriction.h describes.
     /// @param p_WH  HIP [mm], within HapticScene::reaches
     /// @param dt_s  time since the previous tick [s], > 0; used by the drag of friction
     /// @param layer  surfaces of the layer; only read

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "law/Friction.h"
+#include "goal/CoulombFriction.h"
 
 #include "law/MapSample.h"
 #include "law/Transmission.h"
