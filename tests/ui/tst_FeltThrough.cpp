@@ -8,8 +8,16 @@
 #include <palpate/ui/StructurePanel.h>
 #include <palpate/ui/TouchMode.h>
 
+#include <palpate/study/BuriedLumps.h>
+#include <palpate/study/HapticCopy.h>
+#include <palpate/study/Layers.h>
+
 #include <QComboBox>
 #include <QSignalSpy>
+
+#include <functional>
+#include <utility>
+#include <vector>
 
 using namespace palpate;
 using meshio::BuriedTouch;
@@ -19,6 +27,55 @@ namespace {
 
 const haptics::Tissue kAny{5.0, 0.02};
 constexpr int kLimit_ms = 30000;
+
+using Rows = std::vector<ui::StructureRow>;
+using Change = std::function<void(Rows&)>;
+using EditRows = std::function<void(StructureModel&)>;
+
+/// Determines the structure around each row, as the window does after loading.
+void nest(Rows& rows)
+{
+    std::vector<study::LayeredSurface> surfaces;
+    for (const ui::StructureRow& row : rows) {
+        surfaces.push_back({row.loaded.surface.get(), row.touch.get()});
+    }
+    const study::Layering layers = study::layering(surfaces);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto in = layers.structures[i].in;
+        rows[i].in = in ? std::optional(static_cast<int>(*in)) : std::nullopt;
+    }
+}
+
+/// The open scene as a file would describe it.
+meshio::LoadedScene asLoaded(const StructureModel& model)
+{
+    meshio::LoadedScene scene;
+    scene.scene.buried = model.buried();
+    for (const ui::StructureRow& row : model.rows()) {
+        if (!row.isRemoved) {
+            meshio::LoadedStructure one;
+            one.description = row.loaded.description;
+            one.surface = row.loaded.surface;
+            scene.structures.push_back(std::move(one));
+        }
+    }
+    return scene;
+}
+
+bool isSame(const haptics::TissueMap& a, const haptics::TissueMap& b)
+{
+    return a.isEmpty() == b.isEmpty() && (a.isEmpty() || *a.corners == *b.corners);
+}
+
+void hide(StructureModel& model, int row)
+{
+    QVERIFY(model.setData(model.index(row, StructureModel::Shown), Qt::Unchecked, Qt::CheckStateRole));
+}
+
+void ignore(StructureModel& model, int row)
+{
+    QVERIFY(model.setData(model.index(row, StructureModel::Felt), Qt::Unchecked, Qt::CheckStateRole));
+}
 
 } // namespace
 
@@ -241,6 +298,142 @@ class FeltThrough : public QObject
         model.edit(1, lump);
         QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
         QVERIFY(!isLumpTouched(model));
+    }
+
+    void windowAndCommandLineAgree_data()
+    {
+        QTest::addColumn<Change>("change"); // of the scene before it is opened: liver, lump in it, cyst in the lump
+        QTest::addColumn<EditRows>("edit"); // in the window
+        QTest::addColumn<int>("through");   // number of lumps that are felt through an organ
+        const EditRows none = [](StructureModel&) {};
+        const Change asItIs = [](Rows&) {};
+        const auto add = [](const char* name, const Change& change, const EditRows& edit, int through) {
+            QTest::newRow(name) << change << edit << through;
+        };
+        const auto named = [](std::size_t row, const char* organ) {
+            return [row, organ](Rows& rows) { rows[row].loaded.description.inside = organ; };
+        };
+        const auto remeshed = [](std::size_t row, const geometry::TriangleMesh& mesh) {
+            return [row, mesh](Rows& rows) {
+                const meshio::SceneStructure is = rows[row].loaded.description;
+                rows[row] = test::row(is.name.c_str(), mesh);
+                rows[row].loaded.description = is;
+            };
+        };
+        const auto opened = [](geometry::TriangleMesh mesh) {
+            mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4);
+            return mesh;
+        };
+        const auto turned = [](geometry::TriangleMesh mesh) {
+            for (geometry::Triangle& one : mesh.triangles) {
+                std::swap(one[0], one[1]);
+            }
+            return mesh;
+        };
+        add("nested lumps", asItIs, none, 2);
+        add(
+            "hidden lump", asItIs, [](StructureModel& m) { hide(m, 1); }, 1);
+        add(
+            "hidden cyst", asItIs, [](StructureModel& m) { hide(m, 2); }, 1);
+        add(
+            "hidden organ", asItIs, [](StructureModel& m) { hide(m, 0); }, 1); // the cyst in the lump
+        add(
+            "organ that is not palpable", asItIs, [](StructureModel& m) { ignore(m, 0); }, 1);
+        add(
+            "lump that is not palpable", asItIs, [](StructureModel& m) { ignore(m, 1); }, 1);
+        add(
+            "removed organ", asItIs, [](StructureModel& m) { m.removeRows({0}); }, 1);
+        add(
+            "removed lump", asItIs, [](StructureModel& m) { m.removeRows({1}); }, 1);
+        add(
+            "removed and brought back", asItIs,
+            [](StructureModel& m) {
+                m.removeRows({0});
+                m.undoStack().undo();
+            },
+            2);
+        add(
+            "hidden in the file", [](Rows& rows) { rows[1].loaded.description.visible = false; }, none, 1);
+        add(
+            "shown again", [](Rows& rows) { rows[1].loaded.description.visible = false; },
+            [](StructureModel& m) {
+                QVERIFY(m.setData(m.index(1, StructureModel::Shown), Qt::Checked, Qt::CheckStateRole));
+            },
+            2);
+        add("one is named", named(1, "liver"), none, 1);
+        add(
+            "named and hidden organ", named(1, "liver"), [](StructureModel& m) { hide(m, 0); }, 0);
+        add(
+            "named and removed organ", named(1, "liver"), [](StructureModel& m) { m.removeRows({0}); }, 0);
+        add("named organ that is not there", named(1, "spleen"), none, 0);
+        add(
+            "named lump is removed", named(1, "liver"), [](StructureModel& m) { m.removeRows({1}); }, 1);
+        add("open organ", remeshed(0, opened(test::ball(20.0, 2))), none, 1);
+        add("organ inside out", remeshed(0, turned(test::ball(20.0, 2))), none, 1);
+        add(
+            "open organ that is named",
+            [=](Rows& rows) {
+                remeshed(0, opened(test::ball(20.0, 2)))(rows);
+                named(1, "liver")(rows);
+            },
+            none, 0);
+        add("open lump", remeshed(1, opened(test::ball(10.0, 2))), none, 1);
+        add(
+            "renamed to anatomy", asItIs,
+            [](StructureModel& m) {
+                QVERIFY(m.setData(m.index(1, StructureModel::Name), QStringLiteral("portal vein"), Qt::EditRole));
+            },
+            1);
+        add(
+            "in separate layers", asItIs,
+            [](StructureModel& m) {
+                ui::feel(m, {{1, 1}, {2, 2}}, QStringLiteral("Below"));
+            },
+            0);
+    }
+    void windowAndCommandLineAgree()
+    {
+        QFETCH(const Change, change);
+        QFETCH(const EditRows, edit);
+        QFETCH(const int, through);
+        Rows rows;
+        rows.push_back(test::row("liver", test::ball(20.0, 2)));
+        rows.push_back(test::row("lump", test::ball(10.0, 2)));
+        rows.push_back(test::row("cyst", test::ball(5.0, 1)));
+        rows[0].loaded.description.tissue.stiffness_N_per_mm = 0.1;
+        rows[1].loaded.description.tissue.stiffness_N_per_mm = 0.4;
+        rows[2].loaded.description.tissue.stiffness_N_per_mm = 0.8;
+        change(rows);
+        nest(rows);
+        StructureModel model;
+        ui::LumpMaps maps(model);
+        model.setRows(std::move(rows), BuriedTouch::Felt);
+        edit(model);
+        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate() && !maps.isBusy(), kLimit_ms);
+
+        meshio::LoadedScene scene = asLoaded(model);
+        QVERIFY(study::applyBuriedLumps(scene).isOk());
+        const auto line = study::hapticScene(scene);
+        const auto window = model.hapticStructures(kAny);
+        std::size_t i = 0;
+        int felt = 0;
+        for (std::size_t row = 0; row < window.size(); ++row) {
+            if (model.rows()[row].isRemoved) {
+                QVERIFY(window[row].surface == nullptr);
+                continue;
+            }
+            const haptics::HapticStructure &a = window[row], &b = line->structures()[i];
+            const std::string& name = a.name;
+            QCOMPARE(a.name, b.name);
+            QVERIFY2((a.surface == nullptr) == (b.surface == nullptr), name.c_str());
+            QVERIFY2(a.surface == nullptr || a.layer == b.layer, name.c_str());
+            for (std::size_t j = 0; j < a.maps.felt.size(); ++j) {
+                QVERIFY2(isSame(a.maps.felt[j], b.maps.felt[j]), name.c_str());
+            }
+            felt += scene.structures[i].isTransmitted ? 1 : 0;
+            ++i;
+        }
+        QCOMPARE(felt, through);
     }
 
     void thePanelOffersAllThree()

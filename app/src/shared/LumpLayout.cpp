@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shared/LumpLayout.h"
 
+#include <palpate/study/HapticCopy.h>
 #include <palpate/study/StiffnessRatio.h>
 #include <palpate/ui/EngineTexts.h>
 #include <palpate/ui/FeltWords.h>
@@ -27,7 +28,7 @@ LumpLayout::LumpLayout(const StructureModel& model, const study::Layering& layer
         const auto i = static_cast<std::size_t>(row);
         const bool isThere = !model.rows()[i].isRemoved;
         names.push_back(readableName(model.structure(row).name).toStdString());
-        m_needsSentence.push_back(isThere && StructureModel::isFelt(model.structure(row)));
+        m_needsSentence.push_back(isThere && study::canBeFelt(model.structure(row)));
         m_layers.push_back(isThere ? layering.structures[i].layer : model.structure(row).layer);
         m_ways.push_back({row, m_layers.back()});
         if (model.isTransmitted(row)) {
@@ -43,7 +44,7 @@ LumpLayout::LumpLayout(const StructureModel& model, const study::Layering& layer
             continue;
         }
         if (const auto around = layering.palpableParent(i, isFelt)) {
-            assignLump(row, static_cast<int>(*around));
+            assignLump(row, model.organAround(row).value_or(static_cast<int>(*around)));
         } else if (one.unreliableParent && isFelt[*one.unreliableParent]) {
             m_lines << tr("%1 seems to lie in %2, whose surface is open or inside out: it is felt neither through nor "
                           "below it")
@@ -65,7 +66,7 @@ std::vector<TouchMode> LumpLayout::inLayers() const
     return ways;
 }
 
-/// Lays out one lump. @param around  smallest palpable structure around the lump
+/// Lays out one lump. @param around  its organ, else the smallest palpable structure around it
 void LumpLayout::assignLump(int row, int around)
 {
     const auto i = static_cast<std::size_t>(row);

@@ -4,6 +4,8 @@
 #include "shared/LumpLayout.h"
 #include "window/MainWindow.h"
 
+#include <palpate/study/HapticCopy.h>
+
 using namespace palpate;
 using namespace palpate::ui;
 
@@ -69,7 +71,7 @@ void MainWindow::offerLayers(const study::Layering& layering)
     std::vector<bool> isFelt;
     std::vector<std::uint32_t> layers;
     for (int row = 0; row < m_model.rowCount(); ++row) {
-        isFelt.push_back(StructureModel::isFelt(m_model.structure(row)));
+        isFelt.push_back(study::canBeFelt(m_model.structure(row)));
         layers.push_back(layering.structures[static_cast<std::size_t>(row)].layer);
     }
     for (std::size_t row = 0; row < isFelt.size(); ++row) {

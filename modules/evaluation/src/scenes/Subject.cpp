@@ -130,7 +130,7 @@ std::shared_ptr<const Subject> subjectOf(std::string name, const meshio::LoadedS
     std::vector<Part> parts;
     for (const meshio::LoadedStructure& structure : scene.structures) {
         const meshio::SceneStructure& d = structure.description;
-        if (d.palpable && structure.surface != nullptr && !structure.surface->mesh.triangles.empty()) {
+        if (study::canBeFelt(d) && structure.surface != nullptr && !structure.surface->mesh.triangles.empty()) {
             parts.push_back({structure.surface.get(), d});
         }
     }

@@ -3,6 +3,7 @@
 
 #include "palpate/study/HapticCopy.h"
 #include "palpate/study/Layers.h"
+#include "palpate/study/LumpRule.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,27 +17,37 @@ using core::Result;
 using core::Status;
 using core::StatusCode;
 
-/// Computes the nesting of the palpable structures from their geometry.
+bool hasTriangles(const meshio::LoadedStructure& one)
+{
+    return one.surface != nullptr && !one.surface->mesh.triangles.empty();
+}
+
+/// Computes the nesting of the structures that can be felt from their geometry.
 Layering layeringOf(const meshio::LoadedScene& scene)
 {
     std::vector<std::shared_ptr<const geometry::SurfaceIndex>> indices;
     std::vector<LayeredSurface> surfaces;
     for (const meshio::LoadedStructure& one : scene.structures) {
-        const bool isThere = one.description.palpable && one.surface != nullptr && !one.surface->mesh.triangles.empty();
+        const bool isThere = canBeFelt(one.description) && hasTriangles(one);
         indices.push_back(isThere ? indexed(*one.surface) : nullptr);
         surfaces.push_back({isThere ? one.surface.get() : nullptr, indices.back().get()});
     }
     return layering(surfaces);
 }
 
-std::optional<std::size_t> named(const meshio::LoadedScene& scene, const std::string& name)
+LumpRule ruleOf(const meshio::LoadedScene& scene, const Layering& layers, const std::map<std::string, double>& ratios)
 {
+    std::vector<PlacedStructure> structures;
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
-        if (scene.structures[i].description.name == name) {
-            return i;
-        }
+        const meshio::LoadedStructure& one = scene.structures[i];
+        structures.push_back(
+            {&one.description, hasTriangles(one) ? one.surface.get() : nullptr, layers.structures[i].in});
     }
-    return std::nullopt;
+    std::set<std::string> lumps;
+    for (const auto& [name, ratio] : ratios) {
+        lumps.insert(name);
+    }
+    return LumpRule(std::move(structures), std::move(lumps));
 }
 
 /// Returns a clause for each structure that would be a lump if the surrounding organ were closed.
@@ -69,26 +80,54 @@ SceneLump lumpOf(const meshio::LoadedScene& scene, std::size_t lump, std::size_t
     return {lump, stiffnessRatio(of, in, given != ratios.end() ? std::optional(given->second) : std::nullopt)};
 }
 
-/// Returns the organ of a lump; empty if the structure is not a lump.
-std::optional<std::size_t> organOfLump(const meshio::LoadedScene& scene, const Layering& layers, std::size_t structure,
-                                       const std::map<std::string, double>& ratios)
+/// Finds the organs of a scene.
+/// @param rule  of the scene
+std::vector<OrganWithLumps> organsBy(const LumpRule& rule, const meshio::LoadedScene& scene,
+                                     const std::map<std::string, double>& ratios)
 {
-    const meshio::SceneStructure& one = scene.structures[structure].description;
-    if (!one.inside.empty()) {
-        return named(scene, one.inside);
+    std::map<std::size_t, OrganWithLumps> organs;
+    for (std::size_t i = 0; i < scene.structures.size(); ++i) {
+        const LumpRule::Organ found = rule.organOf(i);
+        if (!found) {
+            continue;
+        }
+        const std::size_t organ = *found.organ;
+        const double radius_mm =
+            scene.structures[organ].description.felt_contact_radius_mm.value_or(kDefaultContactRadius_mm);
+        OrganWithLumps& to = organs.try_emplace(organ, OrganWithLumps{organ, radius_mm, {}}).first->second;
+        to.lumps.push_back(lumpOf(scene, i, organ, ratios));
     }
-    const auto isLumpByShape = [&](std::size_t i) {
-        const meshio::SceneStructure& of = scene.structures[i].description;
-        return ratios.count(of.name) > 0 || isLumpCandidate(of);
-    };
-    std::optional<std::size_t> organ = layers.structures[structure].in;
-    if (!organ || !isLumpByShape(structure)) {
-        return std::nullopt;
+    std::vector<OrganWithLumps> found;
+    for (auto& [number, organ] : organs) {
+        found.push_back(std::move(organ));
     }
-    while (layers.structures[*organ].in && isLumpByShape(*organ)) {
-        organ = layers.structures[*organ].in;
+    return found;
+}
+
+/// Checks the result of organsBy. @return as organsWithLumps
+Status statusOf(const std::vector<OrganWithLumps>& organs, const meshio::LoadedScene& scene, const Layering& layers,
+                const std::map<std::string, double>& ratios)
+{
+    std::set<std::string> lumps;
+    for (const OrganWithLumps& organ : organs) {
+        for (const SceneLump& lump : organ.lumps) {
+            lumps.insert(scene.structures[lump.structure].description.name);
+        }
     }
-    return organ;
+    for (const auto& [name, ratio] : ratios) {
+        if (lumps.count(name) == 0) {
+            return Status(StatusCode::NotFound, "ratio of \"" + name +
+                                                    "\": found no such lump, expected a structure that lies in another "
+                                                    "one" +
+                                                    lumpsInOpenOrgans(scene, layers));
+        }
+    }
+    if (organs.empty()) {
+        return Status(StatusCode::Empty, "found no lump, expected a palpable structure inside another one's closed "
+                                         "surface, or one whose `inside` names its organ" +
+                                             lumpsInOpenOrgans(scene, layers));
+    }
+    return {};
 }
 
 } // namespace
@@ -110,38 +149,11 @@ Result<std::vector<OrganWithLumps>> organsWithLumps(const meshio::LoadedScene& s
                                                     const std::map<std::string, double>& ratios)
 {
     const Layering layers = layeringOf(scene);
-    std::map<std::size_t, OrganWithLumps> organs;
-    std::set<std::string> lumps;
-    for (std::size_t i = 0; i < scene.structures.size(); ++i) {
-        const meshio::LoadedStructure& one = scene.structures[i];
-        const std::optional<std::size_t> organ = organOfLump(scene, layers, i, ratios);
-        if (!organ || *organ == i || one.surface == nullptr || scene.structures[*organ].surface == nullptr) {
-            continue;
-        }
-        const double radius_mm =
-            scene.structures[*organ].description.felt_contact_radius_mm.value_or(kDefaultContactRadius_mm);
-        OrganWithLumps& to = organs.try_emplace(*organ, OrganWithLumps{*organ, radius_mm, {}}).first->second;
-        to.lumps.push_back(lumpOf(scene, i, *organ, ratios));
-        lumps.insert(one.description.name);
+    std::vector<OrganWithLumps> organs = organsBy(ruleOf(scene, layers, ratios), scene, ratios);
+    if (Status status = statusOf(organs, scene, layers, ratios); !status.isOk()) {
+        return status;
     }
-    for (const auto& [name, ratio] : ratios) {
-        if (lumps.count(name) == 0) {
-            return Status(StatusCode::NotFound, "ratio of \"" + name +
-                                                    "\": found no such lump, expected a structure that lies in another "
-                                                    "one" +
-                                                    lumpsInOpenOrgans(scene, layers));
-        }
-    }
-    if (organs.empty()) {
-        return Status(StatusCode::Empty, "found no lump, expected a palpable structure inside another one's closed "
-                                         "surface, or one whose `inside` names its organ" +
-                                             lumpsInOpenOrgans(scene, layers));
-    }
-    std::vector<OrganWithLumps> found;
-    for (auto& [number, organ] : organs) {
-        found.push_back(std::move(organ));
-    }
-    return found;
+    return organs;
 }
 
 bool isLumpCandidate(const meshio::SceneStructure& structure)
@@ -206,18 +218,15 @@ Status applyBuriedLumps(meshio::LoadedScene& scene, const std::function<bool(dou
     if (scene.scene.buried != meshio::BuriedTouch::Felt) {
         return {};
     }
-    const auto organs = organsWithLumps(scene);
-    if (!organs.isOk()) {
-        scene.warnings.push_back("lumps felt through their organ: " + organs.status().message());
+    const Layering layers = layeringOf(scene);
+    const LumpRule rule = ruleOf(scene, layers, {});
+    std::vector<OrganWithLumps> organs = organsBy(rule, scene, {});
+    if (const Status status = statusOf(organs, scene, layers, {}); !status.isOk()) {
+        scene.warnings.push_back("lumps felt through their organ: " + status.message());
         return {};
     }
-    const bool areNamed = std::any_of(scene.structures.begin(), scene.structures.end(),
-                                      [](const auto& one) { return !one.description.inside.empty(); });
-    const auto isThrough = [&](std::size_t structure) {
-        const meshio::SceneStructure& lump = scene.structures[structure].description;
-        return lump.palpable && (!areNamed || !lump.inside.empty());
-    };
-    for (const OrganWithLumps& organ : filterLumps(organs.value(), isThrough)) {
+    const auto isThrough = [&](std::size_t structure) { return static_cast<bool>(rule.feltThrough(structure)); };
+    for (const OrganWithLumps& organ : filterLumps(std::move(organs), isThrough)) {
         auto felt = feltSurface(scene, organ, usualOptions(organ, progress));
         if (!felt.isOk()) {
             if (felt.status().code() == StatusCode::Cancelled) {
@@ -248,6 +257,11 @@ Status applyBuriedLumps(meshio::LoadedScene& scene, const std::function<bool(dou
         }
         if (kept != nullptr) {
             kept->push_back({organ, std::move(felt).value()});
+        }
+    }
+    for (std::size_t i = 0; i < scene.structures.size(); ++i) {
+        if (isThrough(i) && !scene.structures[i].isTransmitted) {
+            scene.structures[i].description.layer = rule.layerWithin(i); // otherwise its organ would hide it
         }
     }
     return {};

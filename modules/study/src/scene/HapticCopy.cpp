@@ -10,6 +10,11 @@
 
 namespace palpate::study {
 
+bool canBeFelt(const meshio::SceneStructure& structure) noexcept
+{
+    return structure.palpable && structure.visible;
+}
+
 haptics::HapticStructure hapticStructure(const meshio::SceneStructure& description,
                                          std::shared_ptr<const geometry::SurfaceIndex> surface)
 {
@@ -62,7 +67,7 @@ std::shared_ptr<const haptics::HapticScene> hapticScene(const meshio::LoadedScen
     std::vector<haptics::HapticStructure> structures;
     structures.reserve(scene.structures.size());
     for (const meshio::LoadedStructure& structure : scene.structures) {
-        const bool isFelt = structure.description.palpable && !structure.isTransmitted &&
+        const bool isFelt = canBeFelt(structure.description) && !structure.isTransmitted &&
                             structure.surface != nullptr && !structure.surface->mesh.triangles.empty();
         structures.push_back(hapticStructure(structure.description, isFelt ? indexed(*structure.surface) : nullptr));
         if (isFelt) {

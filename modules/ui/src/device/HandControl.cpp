@@ -4,6 +4,7 @@
 #include "palpate/ui/EngineTexts.h"
 
 #include <palpate/geometry/Inside.h>
+#include <palpate/study/HapticCopy.h>
 
 #include <QLocale>
 #include <QSettings>
@@ -261,7 +262,7 @@ QString HandControl::inside() const
         return {};
     }
     for (const StructureRow& one : m_model.rows()) {
-        if (one.touch != nullptr && !one.isRemoved && StructureModel::isFelt(one.loaded.description) &&
+        if (one.touch != nullptr && !one.isRemoved && study::canBeFelt(one.loaded.description) &&
             one.loaded.surface->report.isClosed() && geometry::isInside(*one.touch, tick.p_WH)) {
             return readableName(one.loaded.description.name);
         }

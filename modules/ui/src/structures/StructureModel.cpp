@@ -8,7 +8,6 @@
 #include <palpate/study/BuriedLumps.h>
 #include <palpate/study/DeviceLimit.h>
 #include <palpate/study/HapticCopy.h>
-#include <palpate/study/Layers.h>
 #include <palpate/study/StructureSources.h>
 
 #include <QElapsedTimer>
@@ -191,54 +190,32 @@ void StructureModel::setLayers(const std::vector<std::uint32_t>& layers, const Q
     editAll(std::move(edits), text);
 }
 
-bool StructureModel::isTransmitted(int row) const
+study::LumpRule StructureModel::lumpRule() const
 {
-    const StructureRow& one = m_rows[static_cast<std::size_t>(row)];
-    const meshio::SceneStructure& lump = one.loaded.description;
-    return m_buried == meshio::BuriedTouch::Felt && !one.isRemoved && isFelt(lump) &&
-           (areLumpsNamed() ? !lump.inside.empty() : study::isLumpCandidate(lump) && organAround(row).has_value());
+    std::vector<study::PlacedStructure> structures;
+    for (const StructureRow& row : m_rows) {
+        const auto& surface = row.loaded.surface;
+        const bool isThere = !row.isRemoved && surface != nullptr && !surface->mesh.triangles.empty();
+        structures.push_back({&row.loaded.description, isThere ? surface.get() : nullptr,
+                              row.in ? std::optional(static_cast<std::size_t>(*row.in)) : std::nullopt});
+    }
+    return study::LumpRule(std::move(structures));
 }
 
-bool StructureModel::areLumpsNamed() const
+bool StructureModel::isTransmitted(int row) const
 {
-    return std::any_of(m_rows.begin(), m_rows.end(), [](const StructureRow& one) {
-        return !one.isRemoved && !one.loaded.description.inside.empty();
-    });
+    return m_buried == meshio::BuriedTouch::Felt && lumpRule().feltThrough(static_cast<std::size_t>(row));
 }
 
 std::optional<int> StructureModel::organAround(int row) const
 {
-    const std::string& name = structure(row).inside;
-    for (int other = 0; !name.empty() && other < rowCount(); ++other) {
-        if (other != row && !m_rows[static_cast<std::size_t>(other)].isRemoved && structure(other).name == name) {
-            return other;
-        }
-    }
-    const bool isByShape = m_buried == meshio::BuriedTouch::Felt && !areLumpsNamed();
-    std::optional<int> organ;
-    for (std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in; in && (isByShape || !organ);
-         in = m_rows[static_cast<std::size_t>(*in)].in) {
-        const StructureRow& around = m_rows[static_cast<std::size_t>(*in)];
-        if (!around.isRemoved && isFelt(around.loaded.description) && around.loaded.surface != nullptr &&
-            study::hasReliableInterior(around.loaded.surface->report)) {
-            organ = in;
-            if (isByShape && !study::isLumpCandidate(around.loaded.description)) {
-                break; // an organ, regardless of further containers
-            }
-        }
-    }
-    return organ;
+    const auto organ = lumpRule().organAround(static_cast<std::size_t>(row)).organ;
+    return organ ? std::optional(static_cast<int>(*organ)) : std::nullopt;
 }
 
 std::uint32_t StructureModel::layerWithin(int row) const
 {
-    std::uint32_t around = 0;
-    for (std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in; in;
-         in = m_rows[static_cast<std::size_t>(*in)].in) {
-        const StructureRow& one = m_rows[static_cast<std::size_t>(*in)];
-        around += !one.isRemoved && isFelt(one.loaded.description) ? 1 : 0;
-    }
-    return std::min<std::uint32_t>(around, haptics::kMaxLayers - 1);
+    return lumpRule().layerWithin(static_cast<std::size_t>(row));
 }
 
 /// Clears the maps of lumps no longer in transmitted mode. Returns the rows with changed touch.
@@ -425,8 +402,8 @@ void StructureModel::tell(int row, const meshio::SceneStructure& before, bool ha
     const bool hasOtherLump = before.inside != now.inside || before.young_ratio != now.young_ratio ||
                               before.young_kPa != now.young_kPa ||
                               before.felt_contact_radius_mm != now.felt_contact_radius_mm;
-    if (isFelt(before) != isFelt(now) || before.tissue != now.tissue || before.layer != now.layer || hasOtherMaps ||
-        isRenamed || hasOtherLump) {
+    if (study::canBeFelt(before) != study::canBeFelt(now) || before.tissue != now.tissue || before.layer != now.layer ||
+        hasOtherMaps || isRenamed || hasOtherLump) {
         Q_EMIT edited(row, Change::Touch);
     }
 }
@@ -641,11 +618,6 @@ bool StructureModel::isDefective(int row) const
            (one.staircase && !one.smoothing);
 }
 
-bool StructureModel::isFelt(const meshio::SceneStructure& structure) noexcept
-{
-    return structure.palpable && structure.visible;
-}
-
 view::Appearance StructureModel::appearanceOf(const meshio::SceneStructure& structure)
 {
     return {structure.colour, structure.opacity, structure.visible};
@@ -665,7 +637,7 @@ std::vector<haptics::HapticStructure> StructureModel::hapticStructures(const hap
     for (const StructureRow& row : m_rows) {
         const meshio::SceneStructure& from = row.loaded.description;
         structures.push_back(study::hapticStructure(
-            from, isFelt(from) && !row.loaded.isTransmitted && !row.isRemoved ? row.touch : nullptr));
+            from, study::canBeFelt(from) && !row.loaded.isTransmitted && !row.isRemoved ? row.touch : nullptr));
         if (structures.back().surface != nullptr) {
             structures.back().maps = row.felt;
             if (const int number = static_cast<int>(structures.size()) - 1; isTransmitted(number)) {

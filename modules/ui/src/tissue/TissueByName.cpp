@@ -3,6 +3,7 @@
 
 #include "palpate/ui/TissuePresets.h"
 
+#include <palpate/study/HapticCopy.h>
 #include <palpate/study/StiffnessRatio.h>
 
 #include <algorithm>
@@ -43,8 +44,8 @@ std::vector<StructureModel::Edited> tissueByName(const StructureModel& model, co
     std::vector<bool> holds(model.rows().size());
     for (const StructureRow& row : model.rows()) {
         const meshio::SceneStructure& one = row.loaded.description;
-        isAnyFelt = isAnyFelt ||
-                    (!row.isRemoved && StructureModel::isFelt(one) && !isPassedThrough(meshio::anatomyKind(one.name)));
+        isAnyFelt =
+            isAnyFelt || (!row.isRemoved && study::canBeFelt(one) && !isPassedThrough(meshio::anatomyKind(one.name)));
     }
     for (const study::Layering::Structure& one : layering.structures) {
         for (const std::optional<std::size_t>& around : {one.in, one.unreliableParent}) {

@@ -47,9 +47,7 @@ struct OrganPalpability
 /// refers to a lump or to unknown anatomy, or the scene gives a stiffness ratio.
 [[nodiscard]] bool isLumpCandidate(const meshio::SceneStructure& structure);
 
-/// Finds the lumps of a scene. These are the structures that the scene places inside an organ, and palpable candidates
-/// (see isLumpCandidate) that lie geometrically in a palpable closed surface (see Layers.h). A lump inside another lump
-/// belongs to the organ around both.
+/// Finds the lumps of a scene and their organs by LumpRule.
 /// @param ratios  stiffness ratios by structure name; override the ratios in the scene
 /// @return NotFound if a name in `ratios` is not a lump; Empty if the scene has no lumps
 [[nodiscard]] core::Result<std::vector<OrganWithLumps>>
@@ -73,8 +71,9 @@ computePalpability(const meshio::LoadedScene& scene, std::vector<OrganPalpabilit
 
 /// Computes the effect of buried lumps on their organs, for scenes with lumps transmitted through the organ. The
 /// surface of such a lump is removed from contact in any layer. Scenes with lumps in separate layers stay unchanged;
-/// notes become warnings. If any structure names its organ in the scene file, only such structures are transmitted. A
-/// lump with an unknown stiffness ratio stays unchanged and causes a warning.
+/// notes become warnings. LumpRule::feltThrough decides which lumps are transmitted. If the effect of one of them
+/// cannot be computed, because its stiffness ratio is unknown or the model does not apply, it becomes a layer below the
+/// structures around it, and a warning gives the reason.
 /// @param progress  progress callback (0 to 1). Return false to cancel. May be empty
 /// @param felt  receives the computed results; may be null
 /// @return Cancelled; Ok for a scene without lumps

@@ -10,6 +10,10 @@
 
 namespace palpate::study {
 
+/// Returns true if a structure can be felt: it is palpable and visible. A hidden structure must not be an invisible
+/// wall.
+[[nodiscard]] bool canBeFelt(const meshio::SceneStructure& structure) noexcept;
+
 /// Creates a haptic structure with the name, tissue and layer of a description.
 /// @param surface  surface index; null if the structure is not palpable
 [[nodiscard]] haptics::HapticStructure hapticStructure(const meshio::SceneStructure& description,

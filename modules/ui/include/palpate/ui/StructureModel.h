@@ -5,6 +5,7 @@
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/session/Recording.h>
+#include <palpate/study/LumpRule.h>
 #include <palpate/view/StructureActor.h>
 
 #include <QAbstractTableModel>
@@ -98,13 +99,9 @@ class StructureModel : public QAbstractTableModel
     /// True for a lump in transmitted mode, felt through its organ (see study::applyBuriedLumps). Until the map is
     /// computed, `loaded.isTransmitted` is false and the lump is a separate layer.
     [[nodiscard]] bool isTransmitted(int row) const;
-    /// Organ through which a lump is or would be felt: the organ named by the lump, else the smallest surrounding
-    /// structure that is palpable and closed. In transmitted mode without any named organ, the search continues
-    /// outwards to the first structure that cannot be a lump, else to the outermost. Empty without a palpable and
-    /// closed structure around the lump.
+    /// Organ through which a structure is or would be felt (study::LumpRule::organAround).
     [[nodiscard]] std::optional<int> organAround(int row) const;
-    /// Number of palpable structures around a structure, limited to the innermost layer: the layer used until the map
-    /// is computed.
+    /// Layer of a transmitted lump until the map is computed (study::LumpRule::layerWithin).
     [[nodiscard]] std::uint32_t layerWithin(int row) const;
     /// Effect of an organ's lumps on the organ's surface: for each haptics::kFeltPress_mm one number per vertex.
     struct TransmittedMap
@@ -149,8 +146,6 @@ class StructureModel : public QAbstractTableModel
 
     /// Appearance in the view; removed structures are hidden.
     [[nodiscard]] view::Appearance appearanceOf(int row) const;
-    /// True for palpable and visible structures: a hidden structure must not be an invisible wall.
-    [[nodiscard]] static bool isFelt(const meshio::SceneStructure& structure) noexcept;
     [[nodiscard]] static view::Appearance appearanceOf(const meshio::SceneStructure& structure);
     /// Builds the haptic scene; structure numbers equal rows.
     /// @param fingertip_mm  radius of the probe sphere, 0: a point
@@ -188,7 +183,7 @@ class StructureModel : public QAbstractTableModel
     void apply(const std::vector<Edited>& edits, std::optional<meshio::BuriedTouch> buried);
     [[nodiscard]] std::vector<int> clearTransmittedMaps();
     [[nodiscard]] static QStringList surfaceTexts(const meshio::LoadedStructure& one);
-    [[nodiscard]] bool areLumpsNamed() const;
+    [[nodiscard]] study::LumpRule lumpRule() const;
     void setRemoved(const std::vector<int>& rows, bool isRemoved);
     void tell(int row, const meshio::SceneStructure& before, bool hasOtherMaps);
     void resolveMaps(int row);
