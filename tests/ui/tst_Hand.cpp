@@ -181,9 +181,9 @@ class Hand : public QObject
         status.filled = QStringLiteral("liver");
         status.force_N = 1.25;
         panel.show(status);
-        QVERIFY(mentions(panel, QStringLiteral("This device can show tissue up to 0.40 N/mm.")));
+        QVERIFY(mentions(panel, QStringLiteral("This device can render tissue up to 0.40 N/mm.")));
         QVERIFY(mentions(panel, QStringLiteral("Force on the hand 1.25 N of 3.3 N")));
-        QVERIFY(mentions(panel, QStringLiteral("liver fills the hand's space: 1 mm of the device is 1.5 mm")));
+        QVERIFY(mentions(panel, QStringLiteral("liver fills the workspace: 1 mm of the device is 1.5 mm")));
         QCOMPARE(panel.findChild<QDoubleSpinBox*>()->value(), 1.5);
         QVERIFY(!panel.findChild<QCheckBox*>()->isHidden());
         status.clutch = ui::HandStatus::Clutch::Asked;
