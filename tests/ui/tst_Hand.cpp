@@ -191,7 +191,7 @@ class Hand : public QObject
         QVERIFY(mentions(panel, QStringLiteral("Lifted")));
         status.clutch = ui::HandStatus::Clutch::AtEdge;
         panel.show(status);
-        QVERIFY(mentions(panel, QStringLiteral("At the edge")));
+        QVERIFY(mentions(panel, QStringLiteral("Edge of the workspace")));
         status.clutch = ui::HandStatus::Clutch::None;
         status.inside = QStringLiteral("liver");
         panel.show(status);
@@ -268,7 +268,7 @@ class Hand : public QObject
         QVERIFY(live.useDevice(std::make_unique<Late>()).isOk());
         QVERIFY(live.start().isOk());
         QCOMPARE(live.heldStiffness_N_per_mm(), 5.0);
-        QVERIFY(live.limitText().contains(QStringLiteral("makers")));
+        QVERIFY(live.limitText().contains(QStringLiteral("manufacturer")));
         QSignalSpy changed(&live, &ui::LiveTouch::greatestChanged);
         QTRY_COMPARE(live.delayTicks(), 3);
         QVERIFY(live.heldStiffness_N_per_mm() < 3.0);

@@ -70,7 +70,7 @@ struct Panel
     [[nodiscard]] QString refusal() const
     {
         for (const QLabel* one : panel.findChildren<QLabel*>()) {
-            if (one->accessibleDescription().contains(QStringLiteral("refused"))) {
+            if (one->accessibleDescription().contains(QStringLiteral("rejecting"))) {
                 return one->isVisible() ? one->text() : QString();
             }
         }
@@ -342,7 +342,7 @@ class LawEditor : public QObject
             QVERIFY(core::check(preset.tissue.law).isOk());
             const QString source = QString::fromUtf8(preset.source);
             const QRegularExpression publication(QStringLiteral("PMC|\\b20\\d\\d\\b")); // an archive number or a year
-            QVERIFY(source.contains(QStringLiteral("chosen")) || source.contains(publication));
+            QVERIFY(source.contains(QStringLiteral("assumed")) || source.contains(publication));
             bool isSaid = false;
             for (const QLabel* one : p.panel.findChildren<QLabel*>()) {
                 isSaid = isSaid || (one->isVisible() && one->text().contains(source));

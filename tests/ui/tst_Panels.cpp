@@ -284,7 +284,7 @@ class Panels : public QObject
         panel.setGreatest({0.8, 0.004}, QStringLiteral("The arm holds 0.8 N/mm."));
         QLabel* refusal = nullptr;
         for (QLabel* label : panel.findChildren<QLabel*>()) {
-            refusal = label->accessibleDescription().contains(QStringLiteral("refused")) ? label : refusal;
+            refusal = label->accessibleDescription().contains(QStringLiteral("rejecting")) ? label : refusal;
         }
         QVERIFY(refusal != nullptr && refusal->isHidden());
         auto* stiffness = panel.findChildren<QDoubleSpinBox*>().first();
@@ -564,7 +564,7 @@ class Panels : public QObject
         ui::StructurePanel panel(model);
         const auto warning = [&panel] {
             for (const QLabel* one : panel.findChildren<QLabel*>()) {
-                if (one->accessibleDescription().contains(QLatin1String("refused"))) {
+                if (one->accessibleDescription().contains(QLatin1String("rejecting"))) {
                     return one->palette().color(one->foregroundRole());
                 }
             }

@@ -127,7 +127,7 @@ class StructureTable : public QObject
         QCOMPARE(model.defects(0), QStringList{QStringLiteral("The mesh is open: feels like a sheet")});
         QVERIFY(badge(1).isValid());
         const QString tip = model.data(model.index(1, StructureModel::Health), Qt::ToolTipRole).toString();
-        QVERIFY2(tip.contains(QStringLiteral("broken")) && tip.contains(QStringLiteral("mended")), qPrintable(tip));
+        QVERIFY2(tip.contains(QStringLiteral("broken")) && tip.contains(QStringLiteral("repaired")), qPrintable(tip));
     }
     void aMeshIsSpokenOfAsItFeels()
     {
