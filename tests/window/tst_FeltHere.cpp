@@ -290,7 +290,7 @@ class FeltHere : public QObject
         named<QDoubleSpinBox>(QStringLiteral("Young's modulus of the organ [kPa]")).setValue(5.0);
         QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
         QCOMPARE(cell(0, FeltPanel::Ratio), QStringLiteral("4\nfrom the moduli"));
-        choose(source.findText(QStringLiteral("By tissues"), Qt::MatchStartsWith));
+        choose(source.findText(QStringLiteral("From tissues"), Qt::MatchStartsWith));
         QCOMPARE(cell(0, FeltPanel::Ratio), QStringLiteral("3\nfrom the tissues' stiffness"));
     }
 

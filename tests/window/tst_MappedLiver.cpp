@@ -155,7 +155,7 @@ class MappedLiver : public QObject
         QCOMPARE(title(), QStringLiteral("ball\nStiffnessScale"));
         choose(QStringLiteral("Show"), QStringLiteral("felt stiffness, N/mm"));
         QVERIFY(save());
-        QCOMPARE(title(), QStringLiteral("ball\nstiffness felt, N/mm"));
+        QCOMPARE(title(), QStringLiteral("ball\nfelt stiffness, N/mm"));
         box(QStringLiteral("Show"))->setCurrentIndex(0); // plain colour
         Q_EMIT box(QStringLiteral("Show"))->activated(0);
         QVERIFY(save());
@@ -196,7 +196,7 @@ class MappedLiver : public QObject
             const QString line = inPanel();
             return line.contains(QStringLiteral("simulated hand at (")) &&
                    line.contains(QStringLiteral("The sideways force jumps by")) &&
-                   line.contains(QStringLiteral("Spread the step over more millimetres"));
+                   line.contains(QStringLiteral("Spread the step over a longer distance"));
         };
         QSignalSpy ready(m_window.get(), &MainWindow::ready);
         m_window->open({m_folder.filePath("ball.vtp").toStdString()});
@@ -255,7 +255,7 @@ class MappedLiver : public QObject
         choose(QStringLiteral("Show"), QStringLiteral("felt stiffness, N/mm"));
         QVERIFY(view.legend().isShown());
         const auto texts = view.legend().texts();
-        QCOMPARE(QString::fromStdString(texts[0]), QStringLiteral("liver\nstiffness felt, N/mm"));
+        QCOMPARE(QString::fromStdString(texts[0]), QStringLiteral("liver\nfelt stiffness, N/mm"));
         QCOMPARE(QString::fromStdString(texts[1]), QStringLiteral("1"));
         QCOMPARE(QString::fromStdString(texts[3]), QStringLiteral("0.25"));
         QVERIFY(!texts[4].empty()); // unknown values are grey and named

@@ -55,7 +55,7 @@ class Measures : public QObject
         dialog.show();
         auto* text = dialog.findChild<QTextBrowser*>();
         QVERIFY(text->toPlainText().contains(QStringLiteral("Measuring")));
-        QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("examined")), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("Examined")), 60'000);
         for (const char* part : {"Duration", "Late samples", "Lost samples", "Touch", "liver", "Time spent [s]",
                                  "95th percentile [N]", "Peak [N]", "Maximum depth [mm]", "Searching", "within 5 mm",
                                  "698.2", "Longest time at one point [s]", "not a diagnosis"}) {
@@ -122,7 +122,7 @@ class Measures : public QObject
         QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
         old.close();
         dialog->exportTo(MeasuresDialog::Export::Csv, folder.filePath("ticks").toStdString());
-        QVERIFY(line(*dialog)->text().contains("ticks.csv is there already"));
+        QVERIFY(line(*dialog)->text().contains("ticks.csv already exists"));
         QCOMPARE(QFileInfo(old).size(), qint64{3});
         QVERIFY(!std::filesystem::exists(path));
         dialog->exportTo(MeasuresDialog::Export::Json, "/nowhere/results.json");

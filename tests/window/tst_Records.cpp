@@ -250,7 +250,7 @@ class Records : public QObject
         QString asked;
         answer("Continue recording", asked);
         QVERIFY(!m_desk->window().close());
-        QVERIFY(asked.startsWith(QStringLiteral("A recording is running")));
+        QVERIFY(asked.startsWith(QStringLiteral("Recording in progress")));
         QVERIFY(m_desk->window().isVisible());
         QCOMPARE(m_desk->command("record").text(), QStringLiteral("Stop"));
         answer("Stop recording", asked);
@@ -342,7 +342,7 @@ class Records : public QObject
                 .isOk());
         QVERIFY(writer.value()->finish().isOk());
         QVERIFY(m_desk->open({file}));
-        QCOMPARE(fingertip(), QStringLiteral("Ball of 3 mm radius"));
+        QCOMPARE(fingertip(), QStringLiteral("Ball, radius 3 mm"));
         QVERIFY(!QSettings().contains(QStringLiteral("fingertip_mm")));
         QVERIFY(m_desk->open({folder / "phantom.palpate.json"}));
         QCOMPARE(fingertip(), QStringLiteral("Point"));
