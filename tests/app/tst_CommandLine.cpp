@@ -398,10 +398,10 @@ class CommandLine : public QObject
         writeMappedBox("mapped.vtp");
         const Outcome told = run({"info", "mapped.vtp"});
         QCOMPARE(told.exitCode, 0);
-        QVERIFY2(told.out.contains("    array \"StiffnessScale\" (point): 1.5 to 2.5; 1 of 56 not known\n"),
+        QVERIFY2(told.out.contains("    array \"StiffnessScale\" (point): 1.5 to 2.5; 1 of 56 missing\n"),
                  told.out.constData());
         QVERIFY2(told.out.contains("    map: stiffness by the array \"StiffnessScale\" (scale): felt as 0.75 to 1.25 "
-                                   "N/mm; 1 of 56 places say nothing: 0.5 is felt there\n"),
+                                   "N/mm; 1 of 56 values missing: 0.5 is used there\n"),
                  told.out.constData());
         const QJsonObject json = QJsonDocument::fromJson(run({"info", "mapped.vtp", "--json"}).out)
                                      .array()[0]

@@ -171,7 +171,7 @@ class SurfaceOptions : public QObject
     void examinationComesAfterTouch()
     {
         const QByteArray out = run({"info", "organ.stl"}).out;
-        QVERIFY(out.indexOf("touch: ") > 0 && out.indexOf("touch: ") < out.indexOf("cross each other"));
+        QVERIFY(out.indexOf("touch: ") > 0 && out.indexOf("touch: ") < out.indexOf("crossing triangles"));
     }
 };
 

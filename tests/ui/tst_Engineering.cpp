@@ -59,9 +59,9 @@ class Engineering : public QObject
         reading.refused = 1;
         ui::EngineeringPanel panel;
         panel.show(reading);
-        for (const char* text : {"2", "half below 0.9 µs, 99 % below 3.3 µs", "1.99 kHz", "99.9 % below 997 µs",
-                                 "6 of 6752, 7 left out", "4", "2.69 mJ", "0.25 N", "1.5 ms",
-                                 "half below 1.25 ms, 99 % below 1.53 ms", "500, 1 refused, lost 0 times"}) {
+        for (const char* text :
+             {"2", "median 0.9 µs, 99 % below 3.3 µs", "1.99 kHz", "99.9 % below 997 µs", "6 of 6752, 7 skipped", "4",
+              "2.69 mJ", "0.25 N", "1.5 ms", "median 1.25 ms, 99 % below 1.53 ms", "500, 1 rejected, 0 dropouts"}) {
             QVERIFY2(says(panel, text), text);
         }
         reading.hasMotors = false;
@@ -95,7 +95,7 @@ class Engineering : public QObject
         reading.measured_Hz = 1880.0;
         QVERIFY(!ui::runningState(reading).isWell);
         QCOMPARE(ui::runningState(reading).text, QStringLiteral("computer too busy"));
-        QVERIFY(ui::runningState(reading).tip.contains(QStringLiteral("1880 times a second instead of 2000")));
+        QVERIFY(ui::runningState(reading).tip.contains(QStringLiteral("1880 updates per second instead of 2000")));
         reading = good();
         reading.realtime.isRealtime = false;
         QCOMPARE(ui::runningState(reading).text, QStringLiteral("force may stutter"));

@@ -441,7 +441,7 @@ class FeltThrough : public QObject
         StructureModel model;
         ui::StructurePanel panel(model);
         model.setRows(liverWithLump());
-        auto* felt = test::boxNamed(panel, "Felt, in order from outside");
+        auto* felt = test::boxNamed(panel, "Depth order, from outside");
         panel.select(0);
         QCOMPARE(felt->currentText(), QStringLiteral("outermost"));
         QVERIFY(felt->findText(QStringLiteral("through"), Qt::MatchStartsWith) < 0);
@@ -453,13 +453,13 @@ class FeltThrough : public QObject
             Q_EMIT felt->activated(index);
             QCOMPARE(felt->currentText(), text);
         };
-        QCOMPARE(felt->currentText(), QStringLiteral("on its own surface, outermost"));
+        QCOMPARE(felt->currentText(), QStringLiteral("own surface, outermost"));
         choose(QStringLiteral("through liver (felt from above)"));
         QVERIFY(model.isTransmitted(1));
         choose(QStringLiteral("as a layer, below liver"));
         QVERIFY(model.buried() == BuriedTouch::Layers && model.structure(1).layer == 1);
         QVERIFY(model.structure(1).inside.empty()); // a file may not contain both
-        choose(QStringLiteral("on its own surface, outermost"));
+        choose(QStringLiteral("own surface, outermost"));
         QCOMPARE(model.undoStack().count(), 3);
         model.undoStack().undo();
         model.undoStack().undo();

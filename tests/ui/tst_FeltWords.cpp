@@ -61,18 +61,18 @@ class FeltWords : public QObject
 
     void aPlaceIsSaidInWords()
     {
-        QCOMPARE(said(0, 0), QStringLiteral("lump a: 6 mm below, +8 % (5 … 14 %): below what a trained hand tells; "
+        QCOMPARE(said(0, 0), QStringLiteral("lump a: 6 mm below, +8 % (5 … 14 %): too little for a trained hand; "
                                             "+48 % when pressed 8 mm"));
         QCOMPARE(said(0, 2), QStringLiteral("lump a: 6 mm below, +48 % (30 … 70 %): plainly felt"));
-        QCOMPARE(said(1, 0), QStringLiteral("no lump is felt here"));
+        QCOMPARE(said(1, 0), QStringLiteral("no palpable lump here"));
         QCOMPARE(said(3, 0),
-                 QStringLiteral("cyst: 4 mm below, -15 % (-20 … -10 %): a trained hand tells it; -23 % when "
+                 QStringLiteral("cyst: 4 mm below, -15 % (-20 … -10 %): felt by a trained hand; -23 % when "
                                 "pressed 2 mm")); // a change of 30 %: clear wording
     }
 
     void whatIsNotJudgedHasNoNumber()
     {
-        QCOMPARE(said(2, 0), QStringLiteral("not judged here: the surface bends too much, the organ is too thin"));
+        QCOMPARE(said(2, 0), QStringLiteral("not judged here: surface too curved, organ too thin"));
     }
 
     /// Window and engine use the same English texts.
@@ -88,7 +88,7 @@ class FeltWords : public QObject
                  QStringLiteral("by a trained hand (at 2.5: not by hand; at 10: plainly)"));
         press.verdictAtLow = press.verdictAtHigh = press.verdict;
         QCOMPARE(ui::verdictRangeText(press, range), QStringLiteral("by a trained hand"));
-        QCOMPARE(ui::ratioRangeText(std::nullopt), QStringLiteral("not known"));
+        QCOMPARE(ui::ratioRangeText(std::nullopt), QStringLiteral("unknown"));
         for (const study::PublishedRatio& one : study::publishedRatios()) {
             QCOMPARE(ui::publishedName(one), QString::fromUtf8(one.name.data()));
         }

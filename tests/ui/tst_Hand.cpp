@@ -181,9 +181,9 @@ class Hand : public QObject
         status.filled = QStringLiteral("liver");
         status.force_N = 1.25;
         panel.show(status);
-        QVERIFY(mentions(panel, QStringLiteral("This device can show tissue up to 0.40 N/mm.")));
+        QVERIFY(mentions(panel, QStringLiteral("This device can render tissue up to 0.40 N/mm.")));
         QVERIFY(mentions(panel, QStringLiteral("Force on the hand 1.25 N of 3.3 N")));
-        QVERIFY(mentions(panel, QStringLiteral("liver fills the hand's space: 1 mm of the device is 1.5 mm")));
+        QVERIFY(mentions(panel, QStringLiteral("liver fills the workspace: 1 mm of the device is 1.5 mm")));
         QCOMPARE(panel.findChild<QDoubleSpinBox*>()->value(), 1.5);
         QVERIFY(!panel.findChild<QCheckBox*>()->isHidden());
         status.clutch = ui::HandStatus::Clutch::Asked;
@@ -191,7 +191,7 @@ class Hand : public QObject
         QVERIFY(mentions(panel, QStringLiteral("Lifted")));
         status.clutch = ui::HandStatus::Clutch::AtEdge;
         panel.show(status);
-        QVERIFY(mentions(panel, QStringLiteral("At the edge")));
+        QVERIFY(mentions(panel, QStringLiteral("Edge of the workspace")));
         status.clutch = ui::HandStatus::Clutch::None;
         status.inside = QStringLiteral("liver");
         panel.show(status);
@@ -268,7 +268,7 @@ class Hand : public QObject
         QVERIFY(live.useDevice(std::make_unique<Late>()).isOk());
         QVERIFY(live.start().isOk());
         QCOMPARE(live.heldStiffness_N_per_mm(), 5.0);
-        QVERIFY(live.limitText().contains(QStringLiteral("makers")));
+        QVERIFY(live.limitText().contains(QStringLiteral("manufacturer")));
         QSignalSpy changed(&live, &ui::LiveTouch::greatestChanged);
         QTRY_COMPARE(live.delayTicks(), 3);
         QVERIFY(live.heldStiffness_N_per_mm() < 3.0);

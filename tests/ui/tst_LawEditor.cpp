@@ -55,8 +55,8 @@ struct Panel
     }
     void choose(LawKind kind) const
     {
-        box(QStringLiteral("Law"))->setCurrentIndex(static_cast<int>(kind));
-        Q_EMIT box(QStringLiteral("Law"))->activated(static_cast<int>(kind));
+        box(QStringLiteral("Force law"))->setCurrentIndex(static_cast<int>(kind));
+        Q_EMIT box(QStringLiteral("Force law"))->activated(static_cast<int>(kind));
     }
     [[nodiscard]] QDoubleSpinBox* number(const QString& name) const
     {
@@ -70,7 +70,7 @@ struct Panel
     [[nodiscard]] QString refusal() const
     {
         for (const QLabel* one : panel.findChildren<QLabel*>()) {
-            if (one->accessibleDescription().contains(QStringLiteral("refused"))) {
+            if (one->accessibleDescription().contains(QStringLiteral("rejecting"))) {
                 return one->isVisible() ? one->text() : QString();
             }
         }
@@ -144,7 +144,7 @@ class LawEditor : public QObject
         p.keep("layer");
         p.model.undoStack().undo();
         QCOMPARE(p.tissue().law.kind, LawKind::Exponential);
-        QCOMPARE(p.box(QStringLiteral("Law"))->currentIndex(), static_cast<int>(LawKind::Exponential));
+        QCOMPARE(p.box(QStringLiteral("Force law"))->currentIndex(), static_cast<int>(LawKind::Exponential));
         p.model.undoStack().undo();
         QVERIFY(p.tissue() == before);
     }
@@ -153,17 +153,16 @@ class LawEditor : public QObject
         Panel p;
         p.choose(LawKind::Exponential);
         const core::Tissue before = p.tissue();
-        p.number(QStringLiteral("Greatest stiffness"))->setValue(3.0);
+        p.number(QStringLiteral("Maximum stiffness"))->setValue(3.0);
         QVERIFY(p.tissue() == before);
-        QVERIFY2(p.refusal().contains(QStringLiteral("rises by 3 N/mm where it is steepest is refused")),
-                 qPrintable(p.refusal()));
-        QVERIFY(p.refusal().contains(QStringLiteral("2.00 N/mm or less")));
-        QCOMPARE(p.number(QStringLiteral("Greatest stiffness"))->value(), 2.0);
-        p.number(QStringLiteral("Stiffness at first touch"))->setValue(0.0);
+        QVERIFY2(p.refusal().contains(QStringLiteral("too steep: up to 3 N/mm")), qPrintable(p.refusal()));
+        QVERIFY(p.refusal().contains(QStringLiteral("at most 2.00 N/mm")));
+        QCOMPARE(p.number(QStringLiteral("Maximum stiffness"))->value(), 2.0);
+        p.number(QStringLiteral("Initial stiffness"))->setValue(0.0);
         QVERIFY(p.tissue() == before);
-        QVERIFY2(p.refusal().contains(QStringLiteral("Stiffness at first touch: found 0")), qPrintable(p.refusal()));
+        QVERIFY2(p.refusal().contains(QStringLiteral("Initial stiffness: found 0")), qPrintable(p.refusal()));
         p.keep("refused");
-        p.number(QStringLiteral("Stiffness at first touch"))->setValue(0.2);
+        p.number(QStringLiteral("Initial stiffness"))->setValue(0.2);
         QVERIFY(p.refusal().isEmpty());
         QCOMPARE(p.tissue().law.numbers[0], 0.2);
     }
@@ -185,7 +184,7 @@ class LawEditor : public QObject
         QVERIFY(scene->structures()[1].law == nullptr);
         bool isSaid = false;
         for (const QLabel* one : p.panel.findChildren<QLabel*>()) {
-            isSaid = isSaid || (one->isVisible() && one->text().contains(QStringLiteral("felt as 2 N/mm")));
+            isSaid = isSaid || (one->isVisible() && one->text().contains(QStringLiteral("limited to 2 N/mm")));
         }
         QVERIFY(isSaid);
     }
@@ -235,7 +234,7 @@ class LawEditor : public QObject
         QTest::mouseMove(plot, steep);
         QTest::mouseRelease(plot, Qt::LeftButton, {}, steep);
         QVERIFY(p.tissue().law.points == before); // above the stable stiffness: moved back
-        QVERIFY(p.refusal().contains(QStringLiteral("is refused")));
+        QVERIFY(p.refusal().contains(QStringLiteral("too steep")));
         p.panel.setGreatest(core::unbounded(), {});
         QTest::qWait(20); // the line is gone and the layout shifted
         const QPoint start = plot->placeOf(before[3][0], before[3][1]).toPoint();
@@ -343,7 +342,7 @@ class LawEditor : public QObject
             QVERIFY(core::check(preset.tissue.law).isOk());
             const QString source = QString::fromUtf8(preset.source);
             const QRegularExpression publication(QStringLiteral("PMC|\\b20\\d\\d\\b")); // an archive number or a year
-            QVERIFY(source.contains(QStringLiteral("chosen")) || source.contains(publication));
+            QVERIFY(source.contains(QStringLiteral("assumed")) || source.contains(publication));
             bool isSaid = false;
             for (const QLabel* one : p.panel.findChildren<QLabel*>()) {
                 isSaid = isSaid || (one->isVisible() && one->text().contains(source));

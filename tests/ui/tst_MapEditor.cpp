@@ -147,21 +147,21 @@ class MapEditor : public QObject
     void aModulusIsShearOrYoungsByThePersonsWord()
     {
         MapPanel p;
-        p.choose("Map", "By hand");
+        p.choose("Map", "Manual");
         QCOMPARE(p.maps()->size(), std::size_t{1}); // continues from the map found by name
-        p.choose("By", "mre");
-        QVERIFY2(p.isSaid("Say what the numbers of mre are: shear and Young's modulus differ by a factor of three."),
+        p.choose("Source", "mre");
+        QVERIFY2(p.isSaid("Choose the unit of mre: shear modulus and Young's modulus differ by a factor of three."),
                  "asked");
-        QCOMPARE(p.box("In")->currentIndex(), -1);
+        QCOMPARE(p.box("Unit")->currentIndex(), -1);
         QVERIFY(p.maps()->at(0).array == "StiffnessScale"); // no guess
         p.keep("panel-asked");
-        p.choose("In", "Shear modulus, kPa");
+        p.choose("Unit", "Shear modulus, kPa");
         QVERIFY(p.maps()->at(0).array == "mre" && p.maps()->at(0).unit == MapUnit::ShearKPa);
         QVERIFY(isFeltAs(p.felt().first, 8.0 * 5.0 * 2.3e-3));
         QVERIFY(isFeltAs(p.felt().second, 0.5)); // the tissue's own stiffness where values are missing
-        QVERIFY(p.isSaid("mre: 12 of 642 places say nothing. The tissue's own is felt there."));
+        QVERIFY(p.isSaid("mre: 12 of 642 places have no value. The tissue value is used there."));
         p.keep("panel-shear");
-        p.choose("In", "Young's modulus, kPa");
+        p.choose("Unit", "Young's modulus, kPa");
         QVERIFY(isFeltAs(p.felt().first, 8.0 / 3.0 * 5.0 * 2.3e-3));
         for (QDoubleSpinBox* one : p.panel.findChildren<QDoubleSpinBox*>()) {
             if (one->accessibleName().startsWith(QLatin1String("Contact radius"))) {
@@ -170,26 +170,26 @@ class MapEditor : public QObject
         }
         QCOMPARE(p.maps()->at(0).contactRadius_mm, 10.0);
         for (QCheckBox* one : p.panel.findChildren<QCheckBox*>()) {
-            if (one->text() == QLatin1String("Keep numbers within")) {
+            if (one->text() == QLatin1String("Limit the values")) {
                 one->setChecked(true);
             }
         }
         QVERIFY(p.maps()->at(0).clamp.has_value());
         QVERIFY(std::abs((*p.maps()->at(0).clamp)[1] - 10.1) < 1e-3);
-        p.choose("By", "Nothing");
+        p.choose("Source", "Nothing");
         QVERIFY(p.maps()->empty());
     }
     void frictionAndDampingNeedNoWord()
     {
         MapPanel p;
-        p.choose("Map", "By hand");
-        p.choose("Varies", "Friction");
-        p.choose("By", "mre");
+        p.choose("Map", "Manual");
+        p.choose("Property", "Friction");
+        p.choose("Source", "mre");
         QCOMPARE(p.maps()->size(), std::size_t{2});
         QVERIFY(p.maps()->at(1).quantity == MappedQuantity::Friction && p.maps()->at(1).unit == MapUnit::Scale);
-        p.choose("Varies", "Resists fast movement");
-        QCOMPARE(p.box("By")->currentText(), QStringLiteral("Nothing"));
-        p.choose("By", "mre");
+        p.choose("Property", "Damping");
+        QCOMPARE(p.box("Source")->currentText(), QStringLiteral("Nothing"));
+        p.choose("Source", "mre");
         QVERIFY(p.maps()->at(2).unit == MapUnit::NsPerMm);
     }
     void whatTheDeviceHoldsBoundsItAndIsSaid()
@@ -198,7 +198,7 @@ class MapEditor : public QObject
         haptics::Tissue greatest = core::unbounded();
         greatest.stiffness_N_per_mm = 0.8;
         p.panel.setGreatest(greatest, QStringLiteral("The test's device holds at most 0.8 N/mm."));
-        QVERIFY(p.isSaid("felt as at most 0.8 N/mm: the device can show 0.8 N/mm in all"));
+        QVERIFY(p.isSaid("limited to at most 0.8 N/mm: the device can render 0.8 N/mm in total"));
         QVERIFY(std::abs(p.felt(0.8).second - 0.8) < 1e-6);
         const auto felt = p.model.hapticStructures(greatest);
         const auto shown =
@@ -210,7 +210,7 @@ class MapEditor : public QObject
         soft.maps->at(0).clamp = {0.1, 0.2};
         p.model.edit(0, soft);
         QVERIFY(isFeltAs(p.felt(0.8).second, 0.1));
-        QVERIFY(!p.isSaid("the device can show"));
+        QVERIFY(!p.isSaid("the device can render"));
     }
     void whatCanBeShownHasItsUnit()
     {
@@ -220,14 +220,14 @@ class MapEditor : public QObject
         for (int i = 0; i < show->count(); ++i) {
             titles << show->itemText(i);
         }
-        QCOMPARE(titles, (QStringList{"Own colour", "stiffness felt, N/mm", "StiffnessScale", "mre"}));
+        QCOMPARE(titles, (QStringList{"Own colour", "felt stiffness, N/mm", "StiffnessScale", "mre"}));
         QSignalSpy chosen(&p.panel, &ui::StructurePanel::colourChosen);
         p.choose("Show", "mre");
         QCOMPARE(chosen.count(), 1);
         QCOMPARE(chosen[0][1].toString(), QStringLiteral("array:mre"));
-        p.choose("Map", "By hand");
-        p.choose("By", "mre");
-        p.choose("In", "Shear modulus, kPa");
+        p.choose("Map", "Manual");
+        p.choose("Source", "mre");
+        p.choose("Unit", "Shear modulus, kPa");
         QCOMPARE(p.box("Show")->currentText(), QStringLiteral("mre: shear modulus, kPa")); // still the chosen array
     }
     void aVolumeIsReadOffTheWindowsThread()
@@ -254,19 +254,19 @@ class MapEditor : public QObject
                     p.model.setMaps(row, found->description.maps, found->maps, problems);
                 });
         auto* editor = p.panel.findChild<ui::MapEditor*>();
-        p.choose("Map", "By hand");
+        p.choose("Map", "Manual");
         editor->load(file);
         QCOMPARE(asked, 0); // the unit is unknown
-        p.choose("In", "Shear modulus, kPa");
+        p.choose("Unit", "Shear modulus, kPa");
         QCOMPARE(asked, 1);
         QTRY_VERIFY_WITH_TIMEOUT(std::abs(p.felt().second - 8.0 * 5.0 * 4e-3) < 1e-6, 10000);
-        QCOMPARE(p.box("By")->currentText(), QStringLiteral("mre.mha"));
+        QCOMPARE(p.box("Source")->currentText(), QStringLiteral("mre.mha"));
         p.model.undoStack().undo(); // quick successive steps undo together
         QVERIFY(isFeltAs(p.felt().second, 1.0));
         // After a cancelled load there is a message, and the tissue's own stiffness applies.
-        p.choose("Map", "By hand");
+        p.choose("Map", "Manual");
         editor->load(file);
-        p.choose("In", "Shear modulus, kPa");
+        p.choose("Unit", "Shear modulus, kPa");
         QVERIFY(loader.isBuildingMaps());
         loader.cancel();
         QTRY_VERIFY_WITH_TIMEOUT(p.isSaid("mre.mha: reading was cancelled"), 10000);
@@ -274,9 +274,9 @@ class MapEditor : public QObject
         p.model.undoStack().undo();
         QVERIFY(isFeltAs(p.felt().second, 1.0));
         // A missing file gives a message, and the previous map stays off.
-        p.choose("Map", "By hand");
+        p.choose("Map", "Manual");
         editor->load(file.parent_path() / "gone.mha");
-        p.choose("In", "Shear modulus, kPa");
+        p.choose("Unit", "Shear modulus, kPa");
         QTRY_VERIFY_WITH_TIMEOUT(p.isSaid("gone.mha: no such file"), 10000);
         QVERIFY(isFeltAs(p.felt().second, 0.5));
     }

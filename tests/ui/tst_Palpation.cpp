@@ -153,7 +153,7 @@ class Palpation : public QObject
         QCOMPARE(m_palpation->depth_mm(), 200.0); // the scene's size
         QCOMPARE(said.count(), 1);
         QCOMPARE(said.first().first().toString(),
-                 QStringLiteral("200 mm is the deepest press: the scene is no larger."));
+                 QStringLiteral("200 mm is the maximum depth, limited by the size of the scene."));
         Q_EMIT m_viewport->depthTurned(-400.0);
         QCOMPARE(said.count(), 1); // zero depth gives no message
     }

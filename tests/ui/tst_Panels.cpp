@@ -71,7 +71,7 @@ class Panels : public QObject
         QVERIFY(says(panel, QStringLiteral("2.31")));
         QVERIFY(says(panel, QStringLiteral("liver")));
         QVERIFY(says(panel, QStringLiteral("4.6 mm deep · 0.50 N/mm")));
-        QVERIFY(!says(panel, QStringLiteral("very fine mesh here: the force follows late")));
+        QVERIFY(!says(panel, QStringLiteral("very fine mesh here: force delayed")));
         QVERIFY(std::abs(panel.findChild<ui::ForceBar*>()->share() - 0.2314) < 1e-12);
     }
     /// Highlights the structure in contact: the innermost layer, or the buried lump, with its own numbers.
@@ -210,10 +210,10 @@ class Panels : public QObject
         ui::TouchReading reading{1.0, 2.3, 4.6, QStringLiteral("fan"), 0.5, 1};
         reading.isAtIterationLimit = true;
         panel.show(reading);
-        QVERIFY(says(panel, QStringLiteral("very fine mesh here: the force follows late")));
+        QVERIFY(says(panel, QStringLiteral("very fine mesh here: force delayed")));
         reading.isAtIterationLimit = false;
         panel.show(reading);
-        QVERIFY(!says(panel, QStringLiteral("very fine mesh here: the force follows late")));
+        QVERIFY(!says(panel, QStringLiteral("very fine mesh here: force delayed")));
     }
     void freeSpaceSaysSo()
     {
@@ -284,7 +284,7 @@ class Panels : public QObject
         panel.setGreatest({0.8, 0.004}, QStringLiteral("The arm holds 0.8 N/mm."));
         QLabel* refusal = nullptr;
         for (QLabel* label : panel.findChildren<QLabel*>()) {
-            refusal = label->accessibleDescription().contains(QStringLiteral("refused")) ? label : refusal;
+            refusal = label->accessibleDescription().contains(QStringLiteral("rejecting")) ? label : refusal;
         }
         QVERIFY(refusal != nullptr && refusal->isHidden());
         auto* stiffness = panel.findChildren<QDoubleSpinBox*>().first();
@@ -334,8 +334,8 @@ class Panels : public QObject
             }
             return static_cast<QLabel*>(nullptr);
         };
-        QLabel* const bound = label("felt of it");
-        QLabel* const refusal = label("refused");
+        QLabel* const bound = label("Effective stiffness");
+        QLabel* const refusal = label("rejecting the value");
         for (const int row : {0, 1}) {
             meshio::SceneStructure one = model.structure(row);
             one.tissue.stiffness_N_per_mm = 0.8;
@@ -345,15 +345,16 @@ class Panels : public QObject
         QVERIFY(bound->isHidden()); // side by side
         model.setLayers({0, 1}, {});
         QVERIFY(!bound->isHidden());
-        QCOMPARE(bound->text(),
-                 QStringLiteral("felt as 0.4 N/mm: the device can show 1.2 N/mm in all, liver capsule takes 0.8"));
+        QCOMPARE(
+            bound->text(),
+            QStringLiteral("limited to 0.4 N/mm: the device can render 1.2 N/mm in total, liver capsule uses 0.8"));
         panel.select(0);
         QVERIFY(bound->isHidden()); // the outer layer is unchanged
         panel.select(1);
         auto* stiffness = panel.findChildren<QDoubleSpinBox*>().first();
         stiffness->setValue(0.9);
         QCOMPARE(model.structure(1).tissue.stiffness_N_per_mm, 0.8);
-        for (const char* part : {"0.9 N/mm is refused", "liver capsule takes 0.8", "0.40 N/mm or less"}) {
+        for (const char* part : {"0.9 N/mm is too stiff", "liver capsule uses 0.8", "0.40 N/mm or less"}) {
             QVERIFY2(refusal->text().contains(QLatin1String(part)), qPrintable(refusal->text()));
         }
         stiffness->setValue(0.4);
@@ -369,12 +370,12 @@ class Panels : public QObject
         model.setRows(std::move(rows));
         panel.select(1);
         auto* list = panel.findChild<QTreeView*>();
-        auto* layer = test::boxNamed(panel, "Felt, in order from outside");
-        QCOMPARE(layer->currentText(), QStringLiteral("on its own surface, outermost"));
+        auto* layer = test::boxNamed(panel, "Depth order, from outside");
+        QCOMPARE(layer->currentText(), QStringLiteral("own surface, outermost"));
         QTest::keyClick(list, Qt::Key_Up, Qt::ControlModifier); // already outermost
         QVERIFY(!model.undoStack().canUndo());
-        const QStringList texts{"as a layer, below liver capsule", "as a layer, 2 below", "as a layer, 3 below",
-                                "as a layer, 3 below"};
+        const QStringList texts{"as a layer, below liver capsule", "as a layer, 2 below surface",
+                                "as a layer, 3 below surface", "as a layer, 3 below surface"};
         for (int i = 0; i < 4; ++i) {
             QTest::keyClick(list, Qt::Key_Down, Qt::ControlModifier);
             QCOMPARE(model.structure(1).layer, static_cast<std::uint32_t>(std::min(i + 1, 3)));
@@ -385,7 +386,7 @@ class Panels : public QObject
         QCOMPARE(layer->currentText(), texts[1]);
         const QModelIndex name = model.index(1, ui::StructureModel::Name);
         QCOMPARE(name.data(ui::StructureModel::kLayerRole).toUInt(), 2u);
-        QVERIFY(name.data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("felt 2 below")));
+        QVERIFY(name.data(Qt::AccessibleTextRole).toString().contains(QStringLiteral(", 2 below surface")));
         model.undoStack().undo(); // each key press is a separate undo step
         QCOMPARE(model.structure(1).layer, 3u);
         layer->setCurrentIndex(1);
@@ -563,7 +564,7 @@ class Panels : public QObject
         ui::StructurePanel panel(model);
         const auto warning = [&panel] {
             for (const QLabel* one : panel.findChildren<QLabel*>()) {
-                if (one->accessibleDescription().contains(QLatin1String("refused"))) {
+                if (one->accessibleDescription().contains(QLatin1String("rejecting"))) {
                     return one->palette().color(one->foregroundRole());
                 }
             }

@@ -93,7 +93,7 @@ class StructureTable : public QObject
         model.setData(model.index(2, StructureModel::Felt), Qt::Unchecked, Qt::CheckStateRole);
         QCOMPARE(model.touchOrderText(1, 2), QStringLiteral("below liver capsule"));
         QCOMPARE(model.touchOrderText(1, 1), QStringLiteral("below liver capsule"));
-        QCOMPARE(model.touchOrderText(1, 3), QStringLiteral("3 below")); // another structure must be in between
+        QCOMPARE(model.touchOrderText(1, 3), QStringLiteral("3 below surface")); // another structure must be in between
         QCOMPARE(model.touchOrderText(2, 1), QStringLiteral("below liver capsule"));
     }
     void stepsOfOneDragUndoTogether()
@@ -127,7 +127,7 @@ class StructureTable : public QObject
         QCOMPARE(model.defects(0), QStringList{QStringLiteral("The mesh is open: feels like a sheet")});
         QVERIFY(badge(1).isValid());
         const QString tip = model.data(model.index(1, StructureModel::Health), Qt::ToolTipRole).toString();
-        QVERIFY2(tip.contains(QStringLiteral("broken")) && tip.contains(QStringLiteral("mended")), qPrintable(tip));
+        QVERIFY2(tip.contains(QStringLiteral("broken")) && tip.contains(QStringLiteral("repaired")), qPrintable(tip));
     }
     void aMeshIsSpokenOfAsItFeels()
     {
@@ -144,7 +144,7 @@ class StructureTable : public QObject
         StructureModel model;
         model.setRows(std::move(rows));
         QCOMPARE(model.defects(0), QStringList());
-        QCOMPARE(model.defects(1), QStringList{QStringLiteral("The mesh is inside out: felt from within only")});
+        QCOMPARE(model.defects(1), QStringList{QStringLiteral("The mesh is inside out: palpable only from inside")});
         QCOMPARE(model.defects(2), QStringList{QStringLiteral("Part of the mesh is open: feels like a sheet there")});
     }
     void everyCellSaysItselfAloud()

@@ -51,7 +51,7 @@ class SurfaceEdits : public QObject
     {
         QCOMPARE(m_model.steppedRows(), std::vector<int>{0});
         QVERIFY(m_model.isDefective(0));
-        QVERIFY(m_model.defects(0).join(QLatin1Char(' ')).contains(QStringLiteral("staircase of 1 × 1 × 3 mm")));
+        QVERIFY(m_model.defects(0).join(QLatin1Char(' ')).contains(QStringLiteral("steps of 1 × 1 × 3 mm")));
         const auto surface = row().loaded.surface;
         const auto touch = row().touch;
         const auto picture = row().picture;

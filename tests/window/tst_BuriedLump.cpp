@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
-#include "window/MainWindow.h"
 #include "TestRunner.h"
+#include "window/MainWindow.h"
 
 #include "../support/Shapes.h"
 
@@ -134,8 +134,7 @@ class BuriedLump : public QObject
         QVERIFY2(message().isVisible(), "nothing was said");
         QCOMPARE(test::newest(message().text()),
                  QStringLiteral(
-                     "tumour lies inside liver, 4.4 (1 … 5.2) times as stiff (published for such lumps), and is felt "
-                     "through it."));
+                     "tumour: inside liver, 4.4 (1 … 5.2) × as stiff (published for such lumps), felt through liver."));
         QCOMPARE(wayBack().text(), QStringLiteral("Feel it as a layer"));
         QVERIFY(!m_window->isWindowModified());
         awaitMaps();
@@ -225,18 +224,19 @@ class BuriedLump : public QObject
         writeStl("out/tumour.stl", test::moved(test::sphere(12, 5.0), Vec3(0, -15.5, 0)));
         open({folder() / "out"});
         QCOMPARE(test::newest(message().text()),
-                 QStringLiteral("tumour lies in liver and is felt below it, as a layer: it reaches out of liver."));
+                 QStringLiteral("tumour: inside liver, felt as a layer below liver (extends beyond liver)."));
         QCOMPARE(wayBack().text(), QStringLiteral("All in one layer"));
         wayBack().click();
-        QVERIFY(!message().text().contains(QStringLiteral("felt below")));
+        QVERIFY(!message().text().contains(QStringLiteral("felt as a layer")));
         action("Undo")->trigger();
 
         writeStl("unknown/part.stl", test::sphere(24, 20.0));
         writeStl("unknown/tumour.stl", test::sphere(12, 5.0));
         open({folder() / "unknown"});
-        QCOMPARE(test::newest(message().text()),
-                 QStringLiteral("tumour lies in part and is felt below it, as a layer: how many times as stiff as part "
-                                "is it? Type it in What can be felt (B)."));
+        QCOMPARE(
+            test::newest(message().text()),
+            QStringLiteral("tumour: inside part, felt as a layer below part (stiffness ratio to part unknown: enter a "
+                           "ratio under What can be felt (B))."));
     }
 
     /// A scene file defines its layers: the new layers are offered but not applied.

@@ -83,10 +83,10 @@ class Effort : public QObject
         viewport().setFocus();
         m_desk->pressKeyOf("effort");
         QVERIFY(window().palpation().isByEffort());
-        QCOMPARE(field<QComboBox>("What a press sets").currentIndex(), 1);
+        QCOMPARE(field<QComboBox>("Press mode").currentIndex(), 1);
         m_desk->pressKeyOf("effort");
         QVERIFY(!window().palpation().isByEffort());
-        auto& choice = field<QComboBox>("What a press sets");
+        auto& choice = field<QComboBox>("Press mode");
         choice.setCurrentIndex(1);
         Q_EMIT choice.activated(1);
         QVERIFY(window().palpation().isByEffort() && m_desk->command("effort").isChecked());
@@ -112,10 +112,10 @@ class Effort : public QObject
     void theWheelSetsTheBound()
     {
         m_desk->pressKeyOf("palpate");
-        QCOMPARE(field<QDoubleSpinBox>("Greatest effort").value(), 5.0);
+        QCOMPARE(field<QDoubleSpinBox>("Maximum force").value(), 5.0);
         const double depth_mm = window().palpation().depth_mm();
         turnWheel(-2);
-        QCOMPARE(field<QDoubleSpinBox>("Greatest effort").value(), 4.0);
+        QCOMPARE(field<QDoubleSpinBox>("Maximum force").value(), 4.0);
         QCOMPARE(window().palpation().depth_mm(), depth_mm);
         QCOMPARE(window().palpation().text(), QStringLiteral("presses up to 4.0 N"));
     }
@@ -162,7 +162,7 @@ class Effort : public QObject
     {
         QVERIFY(m_desk->show());
         QVERIFY(window().palpation().isByEffort());
-        QCOMPARE(field<QDoubleSpinBox>("Greatest effort").value(), 4.0);
+        QCOMPARE(field<QDoubleSpinBox>("Maximum force").value(), 4.0);
         m_desk->pressKeyOf("effort");
         QVERIFY(!window().palpation().isByEffort());
     }

@@ -75,7 +75,7 @@ class FeltHere : public QObject
         if (!m_desk->command("felt").isChecked()) {
             m_desk->pressKeyOf("felt");
         }
-        named<QComboBox>(QStringLiteral("How deep the finger is pressed in")).setCurrentIndex(0);
+        named<QComboBox>(QStringLiteral("Press depth of the finger")).setCurrentIndex(0);
         table().selectRow(0);
         QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
         QTest::qWait(2 * ui::CameraFlight::kTime_ms);
@@ -194,7 +194,7 @@ class FeltHere : public QObject
         };
         QVERIFY(arrays()->GetScalars() != nullptr);
         keep("lightly");
-        named<QComboBox>(QStringLiteral("How deep the finger is pressed in")).setCurrentIndex(3);
+        named<QComboBox>(QStringLiteral("Press depth of the finger")).setCurrentIndex(3);
         keep("pressed");
         m_desk->pressKeyOf("felt");
         QVERIFY(arrays()->GetScalars() == nullptr);
@@ -240,7 +240,7 @@ class FeltHere : public QObject
         QTest::qWait(2 * ui::CameraFlight::kTime_ms);
         const QString said = saidInTheMiddle();
         QVERIFY2(said.simplified().contains(
-                     QStringLiteral("lump 12 mm: 6 mm below, +8 % (5 … 14 %): below what a trained hand tells; "
+                     QStringLiteral("lump 12 mm: 6 mm below, +8 % (5 … 14 %): too little for a trained hand; "
                                     "+17 % when pressed 4 mm")),
                  qPrintable(said));
         keep("best-place");
@@ -251,7 +251,7 @@ class FeltHere : public QObject
         showFelt();
         m_hasResult = false;
         const QString before = cell(0, FeltPanel::FirstPress);
-        auto& ratio = named<QDoubleSpinBox>(QStringLiteral("How many times as stiff as its organ the lump is"));
+        auto& ratio = named<QDoubleSpinBox>(QStringLiteral("Stiffness of the lump relative to the organ"));
         QCOMPARE(ratio.value(), 3.0);
         QSignalSpy changed(&felt(), &FeltOverlay::changed);
         ratio.setValue(100.0);
@@ -277,20 +277,20 @@ class FeltHere : public QObject
     {
         showFelt();
         m_hasResult = false;
-        auto& source = named<QComboBox>(QStringLiteral("Where the lump's stiffness comes from"));
+        auto& source = named<QComboBox>(QStringLiteral("Source of the stiffness ratio"));
         const auto choose = [&](int index) {
             source.setCurrentIndex(index);
             Q_EMIT source.activated(index);
             QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
         };
-        choose(source.findText(QStringLiteral("As published: malignant tumour of the liver"), Qt::MatchStartsWith));
+        choose(source.findText(QStringLiteral("Published: malignant tumour of the liver"), Qt::MatchStartsWith));
         QVERIFY(cell(0, FeltPanel::Ratio).startsWith(QStringLiteral("4.4\n")));
         choose(source.findText(QStringLiteral("From the two"), Qt::MatchStartsWith));
         named<QDoubleSpinBox>(QStringLiteral("Young's modulus of the lump [kPa]")).setValue(20.0);
         named<QDoubleSpinBox>(QStringLiteral("Young's modulus of the organ [kPa]")).setValue(5.0);
         QTRY_VERIFY_WITH_TIMEOUT(felt().isUpToDate(), 60000);
         QCOMPARE(cell(0, FeltPanel::Ratio), QStringLiteral("4\nfrom the moduli"));
-        choose(source.findText(QStringLiteral("By tissues"), Qt::MatchStartsWith));
+        choose(source.findText(QStringLiteral("From tissues"), Qt::MatchStartsWith));
         QCOMPARE(cell(0, FeltPanel::Ratio), QStringLiteral("3\nfrom the tissues' stiffness"));
     }
 
@@ -337,7 +337,7 @@ class FeltHere : public QObject
     void looksWellInTheDark()
     {
         showFelt();
-        named<QComboBox>(QStringLiteral("How deep the finger is pressed in")).setCurrentIndex(2);
+        named<QComboBox>(QStringLiteral("Press depth of the finger")).setCurrentIndex(2);
         QVERIFY(viewport().view().legend().texts()[0].find("pressed 4 mm") != std::string::npos);
         m_desk->command("appearance-dark").trigger();
         QVERIFY(ui::isDarkTheme());

@@ -135,9 +135,11 @@ class FeltLiver : public QObject
     void anOpenCapsuleIsSaid()
     {
         open(m_openCapsule);
-        QVERIFY2(newestMessage().startsWith(QStringLiteral("tumour seems to lie in capsule of the liver, whose surface "
-                                                           "is open")),
-                 qPrintable(newestMessage()));
+        QVERIFY2(
+            newestMessage().startsWith(QStringLiteral(
+                "tumour seems to be inside capsule of the liver but cannot be felt there yet, because the surface of "
+                "capsule of the liver is open")),
+            qPrintable(newestMessage()));
         meshio::ReadOptions metres;
         metres.unit_mm = 1000.0;
         auto scene = study::openScene(m_openCapsule, metres);
@@ -153,10 +155,9 @@ class FeltLiver : public QObject
     void theLumpIsFeltThroughTheClosedOne()
     {
         open(m_capsule);
-        QVERIFY2(
-            newestMessage().startsWith(QStringLiteral("tumour lies inside capsule of the liver, 4.4 (1 … 5.2) times "
-                                                      "as stiff (published for such lumps)")),
-            qPrintable(newestMessage()));
+        QVERIFY2(newestMessage().startsWith(QStringLiteral("tumour: inside capsule of the liver, 4.4 (1 … 5.2) × "
+                                                           "as stiff (published for such lumps)")),
+                 qPrintable(newestMessage()));
         QTRY_VERIFY_WITH_TIMEOUT(lumps().isHandUpToDate(), 60000);
         keep("liver-opened");
         m_desk->window().viewport().setFocus();

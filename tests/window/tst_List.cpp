@@ -137,8 +137,7 @@ class List : public QObject
         QCOMPARE(window().viewport().view().structureCount(), std::size_t{2});
         QCOMPARE(test::newest(message().text()),
                  QStringLiteral(
-                     "tumour lies inside liver, 4.4 (1 … 5.2) times as stiff (published for such lumps), and is felt "
-                     "through it."));
+                     "tumour: inside liver, 4.4 (1 … 5.2) × as stiff (published for such lumps), felt through liver."));
         QVERIFY(window().isWindowModified());
 
         list().setFocus();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/MainWindow.h"
 #include "TestRunner.h"
+#include "window/MainWindow.h"
 
 #include "../support/Shapes.h"
 
@@ -153,9 +153,9 @@ class MappedLiver : public QObject
             return !m_window->isWindowModified();
         };
         QCOMPARE(title(), QStringLiteral("ball\nStiffnessScale"));
-        choose(QStringLiteral("Show"), QStringLiteral("stiffness felt, N/mm"));
+        choose(QStringLiteral("Show"), QStringLiteral("felt stiffness, N/mm"));
         QVERIFY(save());
-        QCOMPARE(title(), QStringLiteral("ball\nstiffness felt, N/mm"));
+        QCOMPARE(title(), QStringLiteral("ball\nfelt stiffness, N/mm"));
         box(QStringLiteral("Show"))->setCurrentIndex(0); // plain colour
         Q_EMIT box(QStringLiteral("Show"))->activated(0);
         QVERIFY(save());
@@ -177,7 +177,7 @@ class MappedLiver : public QObject
             const QAbstractItemModel& all = *m_window->findChild<ui::MessageList*>()->model();
             for (int row = 0; row < all.rowCount(); ++row) {
                 lines += all.index(row, 0).data().toString().contains(
-                             QStringLiteral("ball: its map of stiffness bends too sharply for the simulated hand at ("))
+                             QStringLiteral("ball: the stiffness map changes too abruptly for the simulated hand at ("))
                              ? 1
                              : 0;
             }
@@ -185,7 +185,7 @@ class MappedLiver : public QObject
         };
         const auto inPanel = [this] {
             for (const QLabel* one : m_window->findChildren<QLabel*>()) {
-                if (one->accessibleDescription() == QStringLiteral("What its map can do to the device") &&
+                if (one->accessibleDescription() == QStringLiteral("Stability warning for the map") &&
                     one->isVisibleTo(m_window.get())) {
                     return one->text();
                 }
@@ -195,8 +195,8 @@ class MappedLiver : public QObject
         const auto isWarned = [&] {
             const QString line = inPanel();
             return line.contains(QStringLiteral("simulated hand at (")) &&
-                   line.contains(QStringLiteral("The push aside jumps by")) &&
-                   line.contains(QStringLiteral("Spread the step over more millimetres"));
+                   line.contains(QStringLiteral("The sideways force jumps by")) &&
+                   line.contains(QStringLiteral("Spread the step over a longer distance"));
         };
         QSignalSpy ready(m_window.get(), &MainWindow::ready);
         m_window->open({m_folder.filePath("ball.vtp").toStdString()});
@@ -216,7 +216,7 @@ class MappedLiver : public QObject
         QTRY_VERIFY(isWarned());
         QCOMPARE(inMessages(), 2);
 
-        choose(QStringLiteral("Friction"), QStringLiteral("Moist (0.15, chosen)"));
+        choose(QStringLiteral("Friction"), QStringLiteral("Moist (0.15, assumed)"));
         QTRY_VERIFY(!isWarned()); // the sideways force is suppressed
         choose(QStringLiteral("Friction"), QStringLiteral("None"));
         QTRY_VERIFY(isWarned());
@@ -252,10 +252,10 @@ class MappedLiver : public QObject
         view.look(view::ViewFrom::Front);
         QVERIFY(!view.legend().isShown());
 
-        choose(QStringLiteral("Show"), QStringLiteral("stiffness felt, N/mm"));
+        choose(QStringLiteral("Show"), QStringLiteral("felt stiffness, N/mm"));
         QVERIFY(view.legend().isShown());
         const auto texts = view.legend().texts();
-        QCOMPARE(QString::fromStdString(texts[0]), QStringLiteral("liver\nstiffness felt, N/mm"));
+        QCOMPARE(QString::fromStdString(texts[0]), QStringLiteral("liver\nfelt stiffness, N/mm"));
         QCOMPARE(QString::fromStdString(texts[1]), QStringLiteral("1"));
         QCOMPARE(QString::fromStdString(texts[3]), QStringLiteral("0.25"));
         QVERIFY(!texts[4].empty()); // unknown values are grey and named

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the dialog of measures on the phantom's recording.
-#include "window/MeasuresDialog.h"
 #include "TestRunner.h"
+#include "window/MeasuresDialog.h"
 
 #include <QClipboard>
 #include <QFile>
@@ -55,10 +55,10 @@ class Measures : public QObject
         dialog.show();
         auto* text = dialog.findChild<QTextBrowser*>();
         QVERIFY(text->toPlainText().contains(QStringLiteral("Measuring")));
-        QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("examined")), 60'000);
-        for (const char* part : {"Duration", "Moments late", "Moments lost", "Touch", "liver", "Time spent [s]",
-                                 "Nearly highest [N]", "Peak [N]", "Deepest [mm]", "Searching", "within 5 mm", "698.2",
-                                 "Longest time at one place [s]", "not a diagnosis"}) {
+        QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("Examined")), 60'000);
+        for (const char* part : {"Duration", "Late samples", "Lost samples", "Touch", "liver", "Time spent [s]",
+                                 "95th percentile [N]", "Peak [N]", "Maximum depth [mm]", "Searching", "within 5 mm",
+                                 "698.2", "Longest time at one point [s]", "not a diagnosis"}) {
             QVERIFY2(text->toPlainText().contains(QLatin1String(part)), part);
         }
         if (const QByteArray to = qgetenv("PALPATE_MEASURES_PICTURE"); !to.isEmpty()) {
@@ -115,14 +115,14 @@ class Measures : public QObject
         const QTemporaryDir folder;
         const std::filesystem::path path = folder.filePath("session.vtp").toStdString();
         dialog->exportTo(MeasuresDialog::Export::Csv, path);
-        QCOMPARE(line(*dialog)->text(), QStringLiteral("Nothing was written: session.vtp ends in .vtp. A name for Data "
-                                                       "table (CSV) ends in .csv."));
+        QCOMPARE(line(*dialog)->text(), QStringLiteral("Nothing was written: session.vtp ends in .vtp. For Data table "
+                                                       "(CSV), enter a name that ends in .csv."));
         // The user did not confirm replacing the file whose name includes the added extension.
         QFile old(folder.filePath("ticks.csv"));
         QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
         old.close();
         dialog->exportTo(MeasuresDialog::Export::Csv, folder.filePath("ticks").toStdString());
-        QVERIFY(line(*dialog)->text().contains("ticks.csv is there already"));
+        QVERIFY(line(*dialog)->text().contains("ticks.csv already exists"));
         QCOMPARE(QFileInfo(old).size(), qint64{3});
         QVERIFY(!std::filesystem::exists(path));
         dialog->exportTo(MeasuresDialog::Export::Json, "/nowhere/results.json");

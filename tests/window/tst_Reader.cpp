@@ -154,7 +154,7 @@ class Reader : public QObject
     {
         goToTouch();
         auto& panel = the<ui::TouchPanel>();
-        const QString force = labelThatSays(panel, QStringLiteral("Force in newton"));
+        const QString force = labelThatSays(panel, QStringLiteral("Force in newtons"));
         QVERIFY(!force.isEmpty() && force != ui::forceText(0.0));
         auto& bar = *panel.findChild<ui::ForceBar*>();
         QVERIFY2(heard(bar, QAccessible::Value).startsWith(force + QStringLiteral(" N of ")),

@@ -203,7 +203,7 @@ class Records : public QObject
         QCOMPARE(test::answerOf(message())->text(), QStringLiteral("Open what was recorded"));
         test::answerOf(message())->click();
         QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
-        QVERIFY2(message().text().contains(QStringLiteral("what was felt after is not in it")),
+        QVERIFY2(message().text().contains(QStringLiteral("Later palpation was not recorded")),
                  qPrintable(message().text()));
     }
 
@@ -248,12 +248,12 @@ class Records : public QObject
         QTRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
         QTest::qWait(600);
         QString asked;
-        answer("Go on recording", asked);
+        answer("Continue recording", asked);
         QVERIFY(!m_desk->window().close());
-        QVERIFY(asked.startsWith(QStringLiteral("A recording is running")));
+        QVERIFY(asked.startsWith(QStringLiteral("Recording in progress")));
         QVERIFY(m_desk->window().isVisible());
         QCOMPARE(m_desk->command("record").text(), QStringLiteral("Stop"));
-        answer("End the recording", asked);
+        answer("Stop recording", asked);
         QVERIFY(m_desk->window().close());
         const auto reader = session::RecordingReader::open(newest());
         QVERIFY2(reader.isOk(), reader.status().message().c_str());
@@ -342,7 +342,7 @@ class Records : public QObject
                 .isOk());
         QVERIFY(writer.value()->finish().isOk());
         QVERIFY(m_desk->open({file}));
-        QCOMPARE(fingertip(), QStringLiteral("Ball of 3 mm radius"));
+        QCOMPARE(fingertip(), QStringLiteral("Ball, radius 3 mm"));
         QVERIFY(!QSettings().contains(QStringLiteral("fingertip_mm")));
         QVERIFY(m_desk->open({folder / "phantom.palpate.json"}));
         QCOMPARE(fingertip(), QStringLiteral("Point"));

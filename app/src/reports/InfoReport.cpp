@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reports/InfoReport.h"
 
-#include "shared/Console.h"
 #include "reports/MapReport.h"
+#include "shared/Console.h"
 #include "shared/QtText.h"
 
 #include <palpate/haptics/ForceTable.h>
@@ -65,11 +65,11 @@ std::string feeling(const geometry::MeshReport& r)
 std::string crossings(const geometry::SurfaceExamination& e, std::size_t triangles)
 {
     std::string line = e.crossingPairs == 0
-                           ? "no triangles that cross each other"
-                           : grouped(e.crossingPairs) + " pairs of triangles cross each other: the tip can catch there";
+                           ? "no crossing triangles"
+                           : grouped(e.crossingPairs) + " pairs of crossing triangles, where the tip can catch";
     if (e.isPairLimitReached) {
         line +=
-            " (looked at " + grouped(e.examinedTriangles) + " of " + grouped(triangles) + " triangles, then gave up)";
+            " (examined " + grouped(e.examinedTriangles) + " of " + grouped(triangles) + " triangles, then stopped)";
     }
     return line;
 }
@@ -81,11 +81,11 @@ std::string wall(const geometry::SurfaceExamination& e)
         return {};
     }
     std::array<char, 200> text = {};
-    std::snprintf(
-        text.data(), text.size(),
-        "thinnest wall found %.3g mm at (%.6g, %.6g, %.6g), of %s rays: a hand pressed in deeper than that is "
-        "beyond the other side",
-        *e.thinnestWall_mm, e.thinnestAt.x(), e.thinnestAt.y(), e.thinnestAt.z(), grouped(e.wallSamples).c_str());
+    std::snprintf(text.data(), text.size(),
+                  "thinnest wall found %.3g mm at (%.6g, %.6g, %.6g), from %s rays: a hand that presses deeper passes "
+                  "through the other side",
+                  *e.thinnestWall_mm, e.thinnestAt.x(), e.thinnestAt.y(), e.thinnestAt.z(),
+                  grouped(e.wallSamples).c_str());
     return text.data();
 }
 

@@ -90,10 +90,10 @@ std::string mapLine(const meshio::SurfaceMap& map, const core::Tissue& tissue)
         line += text.data();
     }
     if (mapping.clamp) {
-        line += ", kept within " + between((*mapping.clamp)[0], (*mapping.clamp)[1]);
+        line += ", limited to " + between((*mapping.clamp)[0], (*mapping.clamp)[1]);
     }
     line += "): felt as " + between(felt.least, felt.greatest) + " " + felt.unit;
-    std::snprintf(text.data(), text.size(), " places say nothing: %.6g is felt there", felt.own);
+    std::snprintf(text.data(), text.size(), " values missing: %.6g is used there", felt.own);
     return line + missing(meshio::missingValues(map), map.values.size(), text.data());
 }
 
@@ -105,8 +105,8 @@ std::vector<std::string> mapLines(const meshio::LoadedStructure& structure)
     for (const geometry::MeshArray& array : structure.surface->mesh.arrays) {
         const Range range = rangeOf(array.values);
         lines.push_back("array " + core::inQuotes(array.name) + " (" + placeName(array.isPerTriangle) +
-                        "): " + (range.known == 0 ? "no number" : between(range.least, range.greatest)) +
-                        missing(range.missing, array.values.size(), " not known"));
+                        "): " + (range.known == 0 ? "no values" : between(range.least, range.greatest)) +
+                        missing(range.missing, array.values.size(), " missing"));
     }
     for (const meshio::SurfaceMap& map : structure.maps) {
         lines.push_back("map: " + mapLine(map, structure.description.tissue));

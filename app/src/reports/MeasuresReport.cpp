@@ -20,18 +20,17 @@ std::string percentText(const std::optional<double>& percent)
 
 void printLump(const session::LumpSearch& one)
 {
-    print("  %s in %s: greatest change under the hand in the recorded ticks %s\n", one.lump.c_str(), one.organ.c_str(),
+    print("  %s in %s: largest recorded change under the hand %s\n", one.lump.c_str(), one.organ.c_str(),
           percentText(one.recorded_percent).c_str());
     if (!one.predicted_percent) {
-        print("    model of felt lumps (felt.md): no prediction, its stiffness ratio is not known\n");
+        print("    model of felt lumps (felt.md): no prediction, the stiffness ratio is unknown\n");
     } else if (!one.share()) {
-        print("    model of felt lumps (felt.md), an estimate: %s predicted; no hand tells it by pressing\n",
+        print("    model of felt lumps (felt.md), an estimate: %s predicted; not palpable by hand\n",
               percentText(one.predicted_percent).c_str());
     } else {
-        print(
-            "    model of felt lumps (felt.md), an estimate: %s predicted; pressed hard enough to feel it over %.3g %% "
-            "of the %.3g cm² from where a trained hand tells it\n",
-            percentText(one.predicted_percent).c_str(), 100.0 * *one.share(), 0.01 * one.detectable_mm2);
+        print("    model of felt lumps (felt.md), an estimate: %s predicted; pressed hard enough on %.3g %% "
+              "of the %.3g cm² where a trained hand can feel the lump\n",
+              percentText(one.predicted_percent).c_str(), 100.0 * *one.share(), 0.01 * one.detectable_mm2);
     }
 }
 
@@ -43,7 +42,7 @@ void printMeasures(const session::SessionMeasures& m)
     print("duration %.3f s, contact %.3f s in %s contact%s\n", m.sums.duration_s, all.time_s,
           grouped(m.sums.contact.contacts).c_str(), m.sums.contact.contacts == 1 ? "" : "s");
     if (m.lostTicks > 0 || m.lateTicks.value_or(0) > 0) {
-        print("ticks late %s, lost %s\n", m.lateTicks ? grouped(*m.lateTicks).c_str() : "not said",
+        print("ticks late %s, lost %s\n", m.lateTicks ? grouped(*m.lateTicks).c_str() : "not stated",
               grouped(m.lostTicks).c_str());
     }
     print("path of the hand %.4g mm, on the surface %.4g mm\n", m.sums.pathLength_mm, m.sums.contactPath_mm);
@@ -85,7 +84,7 @@ void printMeasures(const session::SessionMeasures& m)
               one.finding.name.c_str(), one.finding.p_W.x(), one.finding.p_W.y(), one.finding.p_W.z(), one.marked_s,
               one.dwell_s, static_cast<long long>(one.visits), one.meanForce_N, one.peakForce_N);
         for (const core::FindingLayer& layer : one.finding.layers) {
-            print("    %s: %.4g N at %.4g mm when it was marked\n", layer.structure.c_str(), layer.force_N,
+            print("    %s: %.4g N at %.4g mm at the time of marking\n", layer.structure.c_str(), layer.force_N,
                   layer.depth_mm);
         }
     }

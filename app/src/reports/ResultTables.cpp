@@ -41,11 +41,11 @@ ResultTable sessionTable(const session::SessionMeasures& m)
     return {ResultTexts::tr("Session"),
             {{ResultTexts::tr("Duration"), ResultTexts::tr("In contact"), ResultTexts::tr("Contacts"),
               ResultTexts::tr("Path of the hand"), ResultTexts::tr("Path on the surface"),
-              ResultTexts::tr("Moments late"), ResultTexts::tr("Moments lost")},
+              ResultTexts::tr("Late samples"), ResultTexts::tr("Lost samples")},
              {ui::clockText(m.sums.duration_s), ui::clockText(m.sums.contact.time_s), count(m.sums.contact.contacts),
               ResultTexts::tr("%1 mm").arg(number(m.sums.pathLength_mm, 0)),
               ResultTexts::tr("%1 mm").arg(number(m.sums.contactPath_mm, 0)),
-              m.lateTicks ? count(*m.lateTicks) : ResultTexts::tr("not said"), count(m.lostTicks)}}};
+              m.lateTicks ? count(*m.lateTicks) : ResultTexts::tr("not stated"), count(m.lostTicks)}}};
 }
 
 ResultTable touchTable(const session::SessionMeasures& m)
@@ -53,8 +53,8 @@ ResultTable touchTable(const session::SessionMeasures& m)
     ResultTable table{
         ResultTexts::tr("Touch"),
         {{ResultTexts::tr("Force and depth"), ResultTexts::tr("Time spent [s]"), ResultTexts::tr("Mean [N]"),
-          ResultTexts::tr("Median [N]"), ResultTexts::tr("Nearly highest [N]"), ResultTexts::tr("Peak [N]"),
-          ResultTexts::tr("Deepest [mm]"), ResultTexts::tr("Presses")}}};
+          ResultTexts::tr("Median [N]"), ResultTexts::tr("95th percentile [N]"), ResultTexts::tr("Peak [N]"),
+          ResultTexts::tr("Maximum depth [mm]"), ResultTexts::tr("Presses")}}};
     const auto contact = [&](const QString& name, const session::ContactMeasures& c,
                              const std::vector<session::Phase>& phases) {
         table.rows.push_back({name, number(c.time_s, 1), number(c.meanForce_N), number(c.medianForce_N),
@@ -72,7 +72,7 @@ ResultTable touchTable(const session::SessionMeasures& m)
 
 ResultTable phaseTable(const session::SessionMeasures& m)
 {
-    ResultTable table{ResultTexts::tr("Search and press"),
+    ResultTable table{ResultTexts::tr("Searching and pressing"),
                       {{ResultTexts::tr("Hand"), ResultTexts::tr("Phases"), ResultTexts::tr("Time spent [s]"),
                         ResultTexts::tr("Mean [N]"), ResultTexts::tr("Peak [N]")}}};
     for (const auto kind : {session::Phase::Kind::Search, session::Phase::Kind::Press}) {
@@ -88,17 +88,16 @@ ResultTable surfaceTable(const session::SessionMeasures& m, bool isFingertip)
 {
     const QString distance = ResultTexts::tr("%1 mm").arg(QLocale().toString(m.distance_mm));
     ResultTable table{
-        isFingertip
-            ? ResultTexts::tr("Share of the surface that was examined: within %1, the fingertip's radius").arg(distance)
-            : ResultTexts::tr("Share of the surface that was examined: within %1").arg(distance),
+        isFingertip ? ResultTexts::tr("Examined share of the surface (within %1, the fingertip radius)").arg(distance)
+                    : ResultTexts::tr("Examined share of the surface (within %1)").arg(distance),
         {{ResultTexts::tr("Surface"), ResultTexts::tr("Area [cm²]"), ResultTexts::tr("Examined [%]"),
-          ResultTexts::tr("Longest time at one place [s]")}}};
+          ResultTexts::tr("Longest time at one point [s]")}}};
     for (const session::SurfaceMeasures& surface : m.surfaces) {
         table.rows.push_back({ui::readableName(surface.structure), number(0.01 * surface.area_mm2, 1),
                               number(100.0 * surface.coverage(), 1), number(surface.longestDwell_s, 1)});
     }
     for (const std::string& name : m.unmeasured) {
-        table.rows.push_back({ui::readableName(name), ResultTexts::tr("its mesh is not there"), {}, {}});
+        table.rows.push_back({ui::readableName(name), ResultTexts::tr("mesh not found"), {}, {}});
     }
     return table;
 }
@@ -108,7 +107,7 @@ ResultTable findingTable(const session::SessionMeasures& m)
     ResultTable table{ResultTexts::tr("Findings"),
                       {{ResultTexts::tr("Finding"), ResultTexts::tr("On"), ResultTexts::tr("Marked"),
                         ResultTexts::tr("First touched"), ResultTexts::tr("Time spent [s]"),
-                        ResultTexts::tr("Times returned"), ResultTexts::tr("Mean [N]"), ResultTexts::tr("Peak [N]")}}};
+                        ResultTexts::tr("Revisits"), ResultTexts::tr("Mean [N]"), ResultTexts::tr("Peak [N]")}}};
     for (const session::FindingMeasures& one : m.findings) {
         if (!one.finding.hasPlace) {
             continue;
@@ -137,9 +136,9 @@ ResultTable noteTable(const session::SessionMeasures& m)
 ResultTable lumpTable(const session::SessionMeasures& m)
 {
     ResultTable table{
-        ResultTexts::tr("Lumps: what was recorded, and what the model predicts (an estimate)"),
-        {{ResultTexts::tr("Lump"), ResultTexts::tr("In"), ResultTexts::tr("Felt by a trained hand from [cm²]"),
-          ResultTexts::tr("Of that pressed hard enough [%]"), ResultTexts::tr("Greatest change recorded [%]"),
+        ResultTexts::tr("Lumps: recorded response and model prediction (estimate)"),
+        {{ResultTexts::tr("Lump"), ResultTexts::tr("Organ"), ResultTexts::tr("Palpable by a trained hand [cm²]"),
+          ResultTexts::tr("Pressed hard enough [%]"), ResultTexts::tr("Largest recorded change [%]"),
           ResultTexts::tr("Predicted by the model [%]")}}};
     for (const session::LumpSearch& one : m.lumps) {
         table.rows.push_back({ui::readableName(one.lump), ui::readableName(one.organ),
@@ -152,8 +151,8 @@ ResultTable lumpTable(const session::SessionMeasures& m)
 
 ResultTable layerTable(const session::SessionMeasures& m)
 {
-    ResultTable table{ResultTexts::tr("Findings, layer by layer"),
-                      {{ResultTexts::tr("Felt when marked"), ResultTexts::tr("Structure"), ResultTexts::tr("Force [N]"),
+    ResultTable table{ResultTexts::tr("Findings by layer"),
+                      {{ResultTexts::tr("Finding"), ResultTexts::tr("Structure"), ResultTexts::tr("Force [N]"),
                         ResultTexts::tr("Depth [mm]")}}};
     for (const session::FindingMeasures& one : m.findings) {
         for (const core::FindingLayer& layer : one.finding.layers) {
@@ -204,8 +203,8 @@ QString toHtml(const std::vector<ResultTable>& tables)
         html += htmlOf(table);
     }
     return html + QStringLiteral("<p style='margin-top: 14px'>%1</p>")
-                      .arg(ResultTexts::tr("Nearly highest: the force that 95 % of the contact stayed below. "
-                                           "Research measures, not a diagnosis."));
+                      .arg(ResultTexts::tr("95th percentile: the force stayed below this value for 95 % of the contact "
+                                           "time. Research measures, not a diagnosis."));
 }
 
 QString toTsv(const std::vector<ResultTable>& tables)

@@ -21,7 +21,7 @@ void printRecording(const std::filesystem::path& file, const session::RecordingR
     const std::string late = extent.late ? grouped(*extent.late) + " late, " : std::string();
     print("  %s%s lost between the first and the last\n", late.c_str(), grouped(extent.dropped).c_str());
     print("  device: %s, up to %g N\n", info.device.name.c_str(), info.device.maxForce_N);
-    print("  scene: %s, %zu generation%s\n", info.scene.empty() ? "not said" : info.scene.c_str(),
+    print("  scene: %s, %zu generation%s\n", info.scene.empty() ? "not stated" : info.scene.c_str(),
           reader.scenes().size(), reader.scenes().size() == 1 ? "" : "s");
     if (!reader.scenes().empty()) {
         constexpr std::size_t kShown = 4;

@@ -46,8 +46,8 @@ LumpLayout::LumpLayout(const StructureModel& model, const study::Layering& layer
         if (const auto around = layering.palpableParent(i, isFelt)) {
             assignLump(row, model.organAround(row).value_or(static_cast<int>(*around)));
         } else if (one.unreliableParent && isFelt[*one.unreliableParent]) {
-            m_lines << tr("%1 seems to lie in %2, whose surface is open or inside out: it is felt neither through nor "
-                          "below it")
+            m_lines << tr("%1 seems to be inside %2 but cannot be felt there yet, because the surface of %2 is open or "
+                          "inside out")
                            .arg(QString::fromStdString(names[i]), QString::fromStdString(names[*one.unreliableParent]));
             m_needsSentence[i] = false;
         }
@@ -77,10 +77,10 @@ void LumpLayout::assignLump(int row, int around)
         m_ways[i].layer.reset();
         m_hasTransmittedLump = true;
         const std::optional<study::StiffnessRatio> ratio = ratioOf(m_model, row, around);
-        m_lines << tr("%1 lies inside %2, %3 times as stiff (%4), and is felt through it")
+        m_lines << tr("%1: inside %2, %3 × as stiff (%4), felt through %2")
                        .arg(name, aroundName, ratioRangeText(ratio), ratioSourceText(ratio->source));
     } else {
-        m_lines << tr("%1 lies in %2 and is felt below it, as a layer: %3").arg(name, aroundName, why);
+        m_lines << tr("%1: inside %2, felt as a layer below %2 (%3)").arg(name, aroundName, why);
     }
     m_needsSentence[i] = false;
 }
@@ -92,26 +92,26 @@ QString LumpLayout::reasonForLayer(int row, int around) const
                        &organ = m_model.rows()[static_cast<std::size_t>(around)];
     const QString organName = readableName(organ.loaded.description.name);
     if (!study::hasReliableInterior(lump.loaded.surface->report)) {
-        return tr("its surface is open or inside out");
+        return tr("surface open or inside out");
     }
     if (meshio::isLump(meshio::anatomyKind(organ.loaded.description.name))) {
-        return tr("%1 is a lump itself").arg(organName);
+        return tr("%1 is also a lump").arg(organName);
     }
     if (transmittingOrgan(m_model, row) != around) {
-        return tr("a scene file could not name %1 alone").arg(organName);
+        return tr("the name %1 is not unique").arg(organName);
     }
     if (!study::isWhollyInside(*lump.loaded.surface, *organ.touch)) {
-        return tr("it reaches out of %1").arg(organName);
+        return tr("extends beyond %1").arg(organName);
     }
     if (!lump.loaded.maps.empty() || !organ.loaded.maps.empty()) {
-        return tr("a map varies how stiff it or %1 is").arg(organName);
+        return tr("stiffness map on the lump or on %1").arg(organName);
     }
     const std::optional<study::StiffnessRatio> ratio = ratioOf(m_model, row, around);
     if (!ratio) {
-        return tr("how many times as stiff as %1 is it? Type it in What can be felt (B)").arg(organName);
+        return tr("stiffness ratio to %1 unknown: enter a ratio under What can be felt (B)").arg(organName);
     }
     if (ratio->typical == 1.0) {
-        return tr("it is as stiff as %1").arg(organName);
+        return tr("same stiffness as %1").arg(organName);
     }
     return {};
 }

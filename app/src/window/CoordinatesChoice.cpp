@@ -38,13 +38,12 @@ CoordinatesChoice::CoordinatesChoice(ui::ActionList& actions, QWidget* parent)
     , m_button(new QToolButton(parent))
 {
     using ui::ActionGroup;
-    m_actions = {
-        actions.add("frame-lps", ActionGroup::View, tr("Coordinates: LPS"),
-                    tr("The files count to the patient's left, back and head, as DICOM does")),
-        actions.add("frame-ras", ActionGroup::View, tr("Coordinates: RAS"),
-                    tr("The files count to the patient's right, front and head, as older models of 3D Slicer do")),
-        actions.add("frame-y-up", ActionGroup::View, tr("Coordinates: Y up"),
-                    tr("The files count to the patient's left, head and front, as modelling programs do"))};
+    m_actions = {actions.add("frame-lps", ActionGroup::View, tr("Coordinates: LPS"),
+                             tr("File axes point left, posterior and superior, as in DICOM")),
+                 actions.add("frame-ras", ActionGroup::View, tr("Coordinates: RAS"),
+                             tr("File axes point right, anterior and superior, as in older 3D Slicer models")),
+                 actions.add("frame-y-up", ActionGroup::View, tr("Coordinates: Y up"),
+                             tr("File axes point left, superior and anterior, as in 3D modelling programs"))};
     auto* menu = new QMenu(m_button);
     for (std::size_t i = 0; i < m_actions.size(); ++i) {
         m_actions[i]->setCheckable(true);
@@ -96,11 +95,12 @@ void CoordinatesChoice::refresh()
     m_button->setIcon(m_isKnown ? QIcon() : ui::icon(ui::Symbol::Warning));
     m_button->setText(m_isKnown ? taken : tr("%1 assumed").arg(taken));
     m_button->setEnabled(!m_isFixed);
-    const QString what = m_isKnown ? tr("The files' coordinates are %1.").arg(taken)
-                                   : tr("Not every file says along which axes it lies: %1 is assumed, and left and "
-                                        "right may be exchanged. Click to say it.")
+    const QString what = m_isKnown ? tr("The files use %1 coordinates.").arg(taken)
+                                   : tr("Some files do not state their axes. %1 is assumed; left and right may be "
+                                        "swapped. Click to choose the axes.")
                                          .arg(taken);
-    m_button->setToolTip(m_isFixed ? tr("The surfaces are a recording's and stay as they were felt.") : what);
+    m_button->setToolTip(m_isFixed ? tr("The surfaces belong to a recording and keep their recorded coordinates.")
+                                   : what);
     m_button->setAccessibleName(tr("Coordinates: %1").arg(m_button->text()));
     m_button->setAccessibleDescription(m_button->toolTip());
 }

@@ -77,7 +77,7 @@ bool FindingsDesk::mark()
 {
     const view::TouchState& touch = m_parts.viewport.view().cursor().state();
     if (!touch.isInContact) {
-        Q_EMIT said(tr("Nothing is touched: press on the place first, then mark it (M)."));
+        Q_EMIT said(tr("Nothing is touched. Press on a place first, then mark a finding (M)."));
         return false;
     }
     core::Finding one = markedNow();
@@ -93,7 +93,7 @@ bool FindingsDesk::mark()
             one.layers.push_back({layer.name.toStdString(), layer.along_N, layer.depth_mm});
         }
     }
-    QString line = tr("%1 marked on %2 with %3 N")
+    QString line = tr("%1 marked on %2 at %3 N")
                        .arg(QString::fromStdString(one.name), whereText(on), QLocale().toString(on.force_N, 'f', 2));
     if (on.stiffnessRatio) {
         line += tr(", stiffness %1").arg(responseChangeText(*on.stiffnessRatio));
@@ -118,7 +118,7 @@ void FindingsDesk::step(int by)
 {
     const auto count = static_cast<int>(m_parts.document.findings().size());
     if (count == 0) {
-        Q_EMIT said(tr("No finding yet: press on a place and mark it (M)."));
+        Q_EMIT said(tr("No findings yet. Press on a place, then mark a finding (M)."));
         return;
     }
     const int at = m_parts.panel.current();
@@ -137,7 +137,7 @@ void FindingsDesk::flyTo(int row)
         pose.position_W += to.p_W - pose.focus_W;
         pose.focus_W = to.p_W;
     } else {
-        Q_EMIT said(tr("%1 keeps no view.").arg(QString::fromStdString(to.name)));
+        Q_EMIT said(tr("%1 has no saved view.").arg(QString::fromStdString(to.name)));
         return;
     }
     m_flight.flyTo(pose);
@@ -153,18 +153,18 @@ void FindingsDesk::playFrom(int row)
         return;
     }
     if (m_parts.live.recording().isRecording) {
-        Q_EMIT said(tr("A recording is being made: stop it (R) to play."));
+        Q_EMIT said(tr("Recording in progress. Stop recording (R) before playing."));
         return;
     }
     const core::RecordedMoment moment = *one.recording; // copied, because opening may change the findings
     const std::filesystem::path file = moment.file;
     std::error_code error;
     if (!std::filesystem::exists(file, error)) {
-        Q_EMIT failed(tr("%1: the recording of %2 is not there any more.").arg(toText(file), name));
+        Q_EMIT failed(tr("%1: the recording with %2 was not found.").arg(toText(file), name));
         return;
     }
     if (!moment.sha256.empty() && hashOf(file) != moment.sha256) {
-        Q_EMIT failed(tr("%1: this is another recording than the one in which %2 was marked.").arg(toText(file), name));
+        Q_EMIT failed(tr("%1: this is not the recording in which %2 was marked.").arg(toText(file), name));
         return;
     }
     const auto isOpen = [&] {
@@ -189,7 +189,7 @@ void FindingsDesk::exportTo(const std::filesystem::path& path)
         status = core::writeAtomically(path, isTable ? study::findingsCsv(all) : study::findingsMarkups(all));
     }
     if (status.isOk()) {
-        Q_EMIT said(tr("%n finding(s) written to %1", nullptr, static_cast<int>(all.size())).arg(toText(path)));
+        Q_EMIT said(tr("%n finding(s) exported to %1", nullptr, static_cast<int>(all.size())).arg(toText(path)));
     } else {
         Q_EMIT failed(ui::engineText(status));
     }
@@ -205,7 +205,7 @@ void FindingsDesk::importFrom(const std::filesystem::path& path)
     const auto count = static_cast<int>(markups.value().findings.size());
     m_parts.document.findingsModel().add(std::move(markups.value().findings),
                                          tr("Import %n finding(s)", nullptr, count));
-    Q_EMIT said(tr("%n finding(s) taken from %1", nullptr, count).arg(toText(path.filename())));
+    Q_EMIT said(tr("%n finding(s) imported from %1", nullptr, count).arg(toText(path.filename())));
     QStringList losses;
     for (const std::string& loss : markups.value().losses) {
         losses << ui::engineText(loss);

@@ -28,7 +28,7 @@ struct FingertipTexts
 
 QString fingertipText(double radius_mm)
 {
-    return radius_mm > 0.0 ? FingertipTexts::tr("Ball of %1 mm radius").arg(QLocale().toString(radius_mm))
+    return radius_mm > 0.0 ? FingertipTexts::tr("Ball, radius %1 mm").arg(QLocale().toString(radius_mm))
                            : FingertipTexts::tr("Point");
 }
 
@@ -62,7 +62,7 @@ void addFingertipMenu(QMenu& menu, ui::LiveTouch& live)
     QMenu* radii = menu.addMenu(FingertipTexts::tr("Fingertip"));
     radii->setToolTipsVisible(true);
     radii->menuAction()->setToolTip(
-        FingertipTexts::tr("What touches: a point feels every facet, a ball slides over small pits as a finger does"));
+        FingertipTexts::tr("Contact shape: a point feels every facet; a ball slides over small pits like a finger"));
     QObject::connect(radii, &QMenu::aboutToShow, &live, [radii, &live] { fill(*radii, live); });
     fill(*radii, live);
 }

@@ -25,11 +25,11 @@ Help::Help(QWidget* window, ui::ActionList& actions)
     : QObject(window)
     , m_window(window)
 {
-    connect(actions.add("documents", ui::ActionGroup::Help, tr("Documents"),
-                        tr("Open the folder of documents: keys, recordings, measures, glossary, devices")),
+    connect(actions.add("documents", ui::ActionGroup::Help, tr("Documentation"),
+                        tr("Open the documentation folder: keys, recordings, measures, glossary, devices")),
             &QAction::triggered, this, &Help::openDocuments);
     connect(actions.add("about", ui::ActionGroup::Help, tr("About Palpate"),
-                        tr("Version, build and licences, to copy for a report")),
+                        tr("Version, build and licences, for bug reports")),
             &QAction::triggered, this, &Help::showAbout);
 }
 
@@ -51,9 +51,9 @@ void Help::openDocuments()
 {
     const auto folder = docsFolder();
     if (!folder) {
-        Q_EMIT said(tr("The documents were not found beside the program."));
+        Q_EMIT said(tr("The documentation was not found next to the program."));
     } else if (!QDesktopServices::openUrl(QUrl::fromLocalFile(toText(*folder)))) {
-        Q_EMIT said(tr("Nothing here opens folders; the documents are in %1").arg(toText(*folder)));
+        Q_EMIT said(tr("No file manager was found. The documentation is in %1").arg(toText(*folder)));
     }
 }
 
@@ -65,11 +65,12 @@ void Help::showAbout()
     box.setTextFormat(Qt::PlainText);
     box.setText(versions());
     box.setInformativeText(
-        tr("Research, training and planning rehearsal. Not a medical device.\n\n"
-           "Palpate is free software under the BSD 3-Clause licence. It is made with Qt (LGPL 3), VTK (BSD 3-Clause), "
-           "Eigen (MPL 2.0), SQLite (public domain), hidapi (BSD) and CLI11 (BSD 3-Clause)."));
+        tr("Research, training and planning rehearsal. Not a medical device.\n"
+           "\n"
+           "Palpate is free software under the BSD 3-Clause licence, built with Qt (LGPL 3), VTK (BSD 3-Clause), Eigen "
+           "(MPL 2.0), SQLite (public domain), hidapi (BSD) and CLI11 (BSD 3-Clause)."));
     box.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    QPushButton* copy = box.addButton(tr("Copy for a report"), QMessageBox::ActionRole);
+    QPushButton* copy = box.addButton(tr("Copy for a bug report"), QMessageBox::ActionRole);
     box.addButton(QMessageBox::Close);
     copy->disconnect(); // copying must not close the box
     connect(copy, &QPushButton::clicked, &box, [this] {

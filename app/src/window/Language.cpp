@@ -85,10 +85,10 @@ void addLanguageMenu(QMenu& menu, QObject& context, const std::function<void(con
         QObject::connect(action, &QAction::triggered, &context, [code, said] {
             QSettings().setValue(kSetting, code);
             said(QCoreApplication::translate("palpate::app::Language",
-                                             "Palpate speaks another language when it is started again."));
+                                             "The new language takes effect when Palpate is restarted."));
         });
     };
-    add({}, LanguageTexts::tr("As the system"));
+    add({}, LanguageTexts::tr("Same as system"));
     for (const Language& one : languages()) {
         add(one.code, one.native);
     }

@@ -92,12 +92,12 @@ MeasuresDialog::MeasuresDialog(const std::filesystem::path& recording, session::
     m_said->setWordWrap(true);
     m_said->setTextFormat(Qt::PlainText);
     m_said->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_said->setAccessibleDescription(tr("What became of the newest export"));
+    m_said->setAccessibleDescription(tr("Result of the last export"));
     m_said->hide();
     m_progress = new QProgressBar(this);
     m_progress->setRange(0, 1000);
-    m_progress->setAccessibleName(tr("Progress of the export"));
-    m_cancel = new QPushButton(tr("Cancel the export"), this);
+    m_progress->setAccessibleName(tr("Export progress"));
+    m_cancel = new QPushButton(tr("Cancel export"), this);
     m_cancel->setAutoDefault(false);
     connect(m_cancel, &QPushButton::clicked, this, [this] { m_isCancelled = true; });
     auto* line = new QHBoxLayout;
@@ -127,7 +127,7 @@ void MeasuresDialog::makeButtons()
 {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* const copy = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);
-    copy->setToolTip(tr("Copy all tables, to be pasted into a spreadsheet (Ctrl+C)"));
+    copy->setToolTip(tr("Copy all tables for a spreadsheet (Ctrl+C)"));
     connect(copy, &QPushButton::clicked, this, &MeasuresDialog::copy);
     m_ofMeasures.push_back(copy);
     const auto add = [&](Export what, const QString& tip) {
@@ -137,10 +137,10 @@ void MeasuresDialog::makeButtons()
         connect(button, &QPushButton::clicked, this, [this, what] { choose(what); });
         return button;
     };
-    m_csv = add(Export::Csv, tr("Every moment with its time, places, forces, depth and events"));
+    m_csv = add(Export::Csv, tr("Every sample with time, positions, forces, depth and events"));
     m_ofMeasures.push_back(
-        add(Export::Vtp, tr("The path of the hand, and beside it the touched surface with time spent and peak force")));
-    m_ofMeasures.push_back(add(Export::Json, tr("The tables above, and more, for a program")));
+        add(Export::Vtp, tr("Path of the hand, plus the touched surface with time spent and peak force")));
+    m_ofMeasures.push_back(add(Export::Json, tr("All results in machine-readable form")));
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout()->addWidget(buttons);
 }
@@ -224,7 +224,7 @@ void MeasuresDialog::copy()
 {
     if (!m_tables.empty()) {
         QGuiApplication::clipboard()->setText(toTsv(m_tables));
-        say(tr("Copied: paste it into a spreadsheet."));
+        say(tr("Copied. Paste into a spreadsheet."));
     }
 }
 
@@ -264,12 +264,12 @@ void MeasuresDialog::exportTo(Export what, std::filesystem::path path)
     if (found.isEmpty()) {
         path += kind.ending;
         if (std::filesystem::exists(path, error)) { // the file dialog confirmed a different name
-            say(tr("Nothing was written: %1 is there already. Choose it by its whole name to replace it.")
+            say(tr("Nothing was written: %1 already exists. Enter the full file name to replace the file.")
                     .arg(toText(path)));
             return;
         }
     } else if (found.compare(ending, Qt::CaseInsensitive) != 0) {
-        say(tr("Nothing was written: %1 ends in %2. A name for %3 ends in %4.")
+        say(tr("Nothing was written: %1 ends in %2. For %3, enter a name that ends in %4.")
                 .arg(toText(path.filename()), found, tr(kind.title), ending));
         return;
     }
@@ -305,9 +305,10 @@ void MeasuresDialog::exportTo(Export what, std::filesystem::path path)
             return lineOf(status);
         }
         const core::Status status = study::exportSurface(*measures, surface);
-        return withDamage(status.isOk()
-                              ? tr("Written to %1 and %2.").arg(toText(path), toText(surface.filename()))
-                              : tr("The path is written to %1; the map is not: %2").arg(toText(path), lineOf(status)));
+        return withDamage(
+            status.isOk()
+                ? tr("Written to %1 and %2.").arg(toText(path), toText(surface.filename()))
+                : tr("The path was written to %1, but the surface was not: %2").arg(toText(path), lineOf(status)));
     });
 }
 

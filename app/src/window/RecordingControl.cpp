@@ -41,9 +41,8 @@ RecordingControl::RecordingControl(LiveTouch& live, Chip& chip, SessionPanel& pa
     , m_chip(chip)
     , m_panel(panel)
 {
-    m_chip.setToolTip(tr(
-        "Length of the recording [min:s]; moments of 1 ms that were late, because the computer was busy: nothing was "
-        "felt in them; moments that were lost, because the disk was slow: they were felt and are not in it"));
+    m_chip.setToolTip(tr("Length of the recording [min:s]. Late samples (1 ms each): the computer was too busy and "
+                         "nothing was felt. Lost samples: felt, but not recorded because the disk was too slow."));
 }
 
 core::Status RecordingControl::start(const std::filesystem::path& scene, bool embeds)
@@ -80,11 +79,11 @@ bool RecordingControl::mayEnd(QWidget* window)
     if (!isRecording()) {
         return true;
     }
-    QMessageBox box(QMessageBox::Question, tr("Recording"), tr("A recording is running. End it and close?"),
+    QMessageBox box(QMessageBox::Question, tr("Recording"), tr("Recording in progress. Stop recording and close?"),
                     QMessageBox::NoButton, window);
-    box.setInformativeText(tr("What was felt until now is kept in %1.").arg(toText(m_path)));
-    QPushButton* const end = box.addButton(tr("End the recording"), QMessageBox::AcceptRole);
-    box.addButton(tr("Go on recording"), QMessageBox::RejectRole);
+    box.setInformativeText(tr("The recording so far is kept in %1.").arg(toText(m_path)));
+    QPushButton* const end = box.addButton(tr("Stop recording"), QMessageBox::AcceptRole);
+    box.addButton(tr("Continue recording"), QMessageBox::RejectRole);
     box.setDefaultButton(end);
     box.exec();
     if (box.clickedButton() != static_cast<QAbstractButton*>(end)) {
@@ -102,7 +101,7 @@ void RecordingControl::refresh()
     if (now.isRecording) {
         const QString losses = lossesText(now.late, now.dropped);
         const bool isTroubled = !now.problem.empty();
-        m_chip.say(isTroubled ? tr("● recording %1, the disk does not answer").arg(clockText(now.duration_s))
+        m_chip.say(isTroubled ? tr("● recording %1, disk not responding").arg(clockText(now.duration_s))
                               : tr("● recording %1, %2").arg(clockText(now.duration_s), losses),
                    Chip::Tone::Recording);
         m_panel.showRecording(now.duration_s, losses);
@@ -115,7 +114,7 @@ void RecordingControl::refresh()
         m_failure = tr("recording failed at %1").arg(clockText(now.duration_s));
         (void)m_live.stopRecording(); // the recording has already ended; this closes the rest
         m_hasFailed = true;
-        m_panel.showTitle(tr("%1 ended by itself").arg(toText(m_path.filename())));
+        m_panel.showTitle(tr("%1 stopped: write error").arg(toText(m_path.filename())));
         m_panel.showRecording(now.duration_s, lossesText(now.late, now.dropped));
         Q_EMIT failed(ui::engineText(now.problem));
     }

@@ -249,7 +249,7 @@ bool SceneDocument::writeCopy()
     }
     if (!std::exchange(m_hasCopyFailed, !status.isOk()) && !status.isOk()) { // the next edit tries again
         Q_EMIT copyFailed(
-            tr("Unsaved changes would be lost in a crash; save the scene. %1").arg(ui::engineText(status)));
+            tr("Unsaved changes would be lost in a crash. Save the scene. %1").arg(ui::engineText(status)));
     }
     return status.isOk();
 }

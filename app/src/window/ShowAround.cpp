@@ -17,7 +17,7 @@ ShowAround::ShowAround(QMainWindow* window, ui::ActionList& actions, QWidget* vi
     , m_tour(new ui::Tour(window))
 {
     connect(actions.add("show-around", ui::ActionGroup::Help, tr("Show me around"),
-                        tr("Four notes on the window, on the practice liver when nothing is open")),
+                        tr("Short tour of the window, with the practice liver if no scene is open")),
             &QAction::triggered, this, &ShowAround::wanted);
     connect(m_tour, &ui::Tour::coming, this, &ShowAround::bringForward);
     connect(m_tour, &ui::Tour::ended, this, [this] { bringForward(panel("touch")); });
@@ -45,23 +45,21 @@ void ShowAround::goOn()
 void ShowAround::start()
 {
     const QString where = m_isPhantom ? tr("This is a practice liver with lumps inside.")
-                                      : tr("Shown on what is open; nothing of it is changed.");
+                                      : tr("The tour uses the open scene and changes nothing.");
     m_tour->start({
         {panel("structures"), tr("Structures"),
          where + QLatin1Char(' ') +
-             tr("The list has every structure. The eye shows or hides it, the hand lets you feel it or not; below "
-                "stands the tissue that it is felt as.")},
+             tr("The list shows all structures. The eye shows or hides a structure; the hand makes a structure "
+                "palpable or not. Below the list you set how the structure feels.")},
         {m_view, tr("Press to feel"),
-         tr("Press P, then drag on the anatomy: you press and slide, the wheel goes deeper. By keys: Ctrl and the "
-            "arrows "
-            "move the place, Enter presses, Page down goes deeper. Esc lets go.")},
+         tr("Press P, then drag on the anatomy to press and slide; the wheel sets the depth. With the keyboard: Ctrl "
+            "and the arrow keys move the press point, Enter presses, Page Down goes deeper. Esc releases.")},
         {panel("touch"), tr("Touch"),
-         tr("The force in newtons, which structure is touched, how deep in millimetres, and the last ten seconds. What "
-            "is "
-            "stiffer than its surroundings pushes back more at the same depth.")},
-        {panel("findings"), tr("Record and findings"),
-         tr("R records what you feel, and again ends it. M marks the place you touch as a finding: it stands here with "
-            "force and depth; F2 names it. File › Export findings… writes them out.")},
+         tr("Force in newtons, touched structure, depth in millimetres and a chart of the last ten seconds. At the "
+            "same depth, stiffer tissue pushes back harder.")},
+        {panel("findings"), tr("Recording and findings"),
+         tr("R starts and stops a recording. M marks the touched place as a finding, listed here with force and depth; "
+            "F2 renames the finding. File › Export findings… saves the list.")},
     });
 }
 

@@ -14,14 +14,14 @@ using namespace palpate::ui;
 
 SoundChoice::SoundChoice(ActionList& actions, QObject* parent)
     : QObject(parent)
-    , m_action(actions.add("sound", ActionGroup::View, tr("Sound of touch"),
-                           tr("Hear a tone as high as the place is stiff, as loud as the force")))
+    , m_action(actions.add("sound", ActionGroup::View, tr("Touch sound"),
+                           tr("Play a tone: higher pitch for stiffer tissue, louder for more force")))
 {
     m_action->setCheckable(true);
     connect(m_action, &QAction::toggled, this, &SoundChoice::setOn);
     connect(&m_sound, &TouchSound::ended, this, [this] {
         m_action->setChecked(false);
-        Q_EMIT said(tr("The sound of touch has ended: the loudspeaker is gone."));
+        Q_EMIT said(tr("Touch sound stopped: the loudspeaker was disconnected."));
     });
 }
 
@@ -53,7 +53,7 @@ void SoundChoice::setOn(bool isOn)
 void SoundChoice::offer(const QString& whyNot)
 {
     m_action->setEnabled(whyNot.isEmpty());
-    m_action->setText(whyNot.isEmpty() ? tr("Sound of touch") : tr("Sound of touch (%1)").arg(whyNot));
+    m_action->setText(whyNot.isEmpty() ? tr("Touch sound") : tr("Touch sound (%1)").arg(whyNot));
 }
 
 } // namespace palpate::app

@@ -93,46 +93,47 @@ std::string savedBy(const Trial& other, const Trial& full)
         saved_us > kWorthSaving * full.pathTime_us.median) {
         return "saves " + shortNumber(saved_us) + " µs a tick";
     }
-    return "saves no time that could be told from the spread of the paths";
+    return "saves no time beyond the spread between paths";
 }
 
 std::string forceError(const Trial& t)
 {
-    return "in the worst hundredth of a path's ticks the force is off by " + median(t.pathForcePercent) + " %";
+    return "99th percentile of the force error within a path: " + median(t.pathForcePercent) + " %";
 }
 
 std::string onSolver(const Trial& full)
 {
     const SameState& same = full.sameState;
-    std::string text = "Given the same hand and the same state, it ends elsewhere than the exact solver in " +
+    std::string text = "From the same hand position and state, the result differs from the exact solver in " +
                        share(same.parted, same.ticks);
     if (same.parted > 0) {
-        text += ", at most " + shortNumber(same.parted_mm) + " mm away and with a spring at most " +
-                shortNumber(same.longer_mm) + " mm longer";
+        text += ", by at most " + shortNumber(same.parted_mm) + " mm, with a spring longer by at most " +
+                shortNumber(same.longer_mm) + " mm";
     }
-    text += "; in all others it is at most " + shortNumber(same.together_mm) + " mm away. ";
-    text += "Each running on from its own state, they are apart in " + share(full.elsewhere, full.position_mm.count);
+    text += "; in all other ticks by at most " + shortNumber(same.together_mm) + " mm. ";
+    text += "When each solver continues from its own state, the results differ in " +
+            share(full.elsewhere, full.position_mm.count);
     if (full.elsewhere > 0) {
-        text += ", by " + shortNumber(full.elsewhere_mm.p50) + " mm as a rule and " +
-                shortNumber(full.elsewhere_mm.max) + " mm at most";
+        text += ", by a median of " + shortNumber(full.elsewhere_mm.p50) + " mm and at most " +
+                shortNumber(full.elsewhere_mm.max) + " mm";
     }
-    return text + ". A hand can tell from " + shortNumber(full.spring_mm * kForceJnd_percent / 100.0) +
-           " mm on (7 % of the mean force).";
+    return text + ". The smallest difference that a hand can notice is " +
+           shortNumber(full.spring_mm * kForceJnd_percent / 100.0) + " mm (7 % of the mean force).";
 }
 
 std::string onRate(const Trial& slow, const Trial& fast)
 {
     std::string text =
-        "The servo rate costs more: against a hand sampled at 4 kHz, the force held between ticks is off "
-        "by " +
-        median(slow.pathPosition_mm) + " mm on the mean at 1 kHz, by " + median(fast.pathPosition_mm) +
-        " mm at 4 kHz. At 1 kHz the god-object takes another way than at 4 kHz in " +
+        "The servo rate matters more: compared with a hand sampled at 4 kHz, the force held between ticks has a "
+        "mean error of " +
+        median(slow.pathPosition_mm) + " mm at 1 kHz and " + median(fast.pathPosition_mm) +
+        " mm at 4 kHz. At 1 kHz the god-object takes a different path than at 4 kHz in " +
         share(slow.elsewhere, slow.position_mm.count);
     if (slow.elsewhere > 0) {
-        text += ": there it is " + shortNumber(slow.elsewhere_mm.p50) + " mm away as a rule and " +
-                shortNumber(slow.elsewhere_mm.max) + " mm at most, and the force is off by " +
-                shortNumber(slow.elsewhereForcePercent.p50) + " % and " + shortNumber(slow.elsewhereForcePercent.max) +
-                " %";
+        text += ", with a distance of " + shortNumber(slow.elsewhere_mm.p50) + " mm (median) and at most " +
+                shortNumber(slow.elsewhere_mm.max) + " mm, and a force error of " +
+                shortNumber(slow.elsewhereForcePercent.p50) + " % (median) and at most " +
+                shortNumber(slow.elsewhereForcePercent.max) + " %";
     }
     return text + ".";
 }
@@ -140,39 +141,37 @@ std::string onRate(const Trial& slow, const Trial& fast)
 std::string onDecimation(const Found& found)
 {
     if (found.same != nullptr) {
-        return "Where memory is short: going down to " + found.same->setting + " " + savedBy(*found.same, *found.full) +
-               " and stays below a tenth of what a hand can tell (" + forceError(*found.same) + ").";
+        return "If memory is limited: reducing the mesh to " + found.same->setting + " " +
+               savedBy(*found.same, *found.full) + " and keeps the error below a tenth of the noticeable difference (" +
+               forceError(*found.same) + ").";
     }
     if (found.half == nullptr) {
         return {};
     }
     const Spread& percent = found.half->pathForcePercent;
-    const std::string off = percent.medianLow > kForceJnd_percent ? "is off by more than what a hand can tell"
+    const std::string off = percent.medianLow > kForceJnd_percent ? "causes an error above the noticeable difference"
                             : percent.medianLow > kForceJnd_percent / 10.0
-                                ? "is off by more than a tenth of what a hand "
-                                  "can tell"
-                                : "is off, from path to path, by less or more "
-                                  "than a tenth of what a hand can tell";
-    return "Fewer triangles are not worth it: going down to " + found.half->setting + " " +
+                                ? "causes an error above a tenth of the noticeable difference"
+                                : "causes an error that exceeds a tenth of the noticeable difference on some paths";
+    return "Fewer triangles are not recommended: reducing the mesh to " + found.half->setting + " " +
            savedBy(*found.half, *found.full) + " and " + off + " (" + forceError(*found.half) + ").";
 }
 
 std::string onBall(const Trial& ball)
 {
     return "A fingertip of " + shortNumber(ball.fingertip_mm) + " mm radius instead of a point costs " +
-           median(ball.pathTime_us) + " µs a tick, " + tailOfTime(ball) + ", and is elsewhere than the exact ball in " +
-           share(ball.elsewhere, ball.position_mm.count) + ".";
+           median(ball.pathTime_us) + " µs a tick, " + tailOfTime(ball) +
+           ", and the result differs from the exact ball in " + share(ball.elsewhere, ball.position_mm.count) + ".";
 }
 
 /// Explains the intervals in brackets.
 std::string onIntervals(const SubjectInfo& subject, const Spread& spread)
 {
     if (subject.paths.size() < 2) {
-        return "All of this is from one path of the hand: how it differs on others is not known.";
+        return "These results come from a single path of the hand; the variation between paths is unknown.";
     }
-    return "Figures are medians of " + std::to_string(subject.paths.size()) +
-           " paths of the hand, in brackets the interval that holds the median of all paths with " +
-           shortNumber(100.0 * spread.confidence) + " % confidence.";
+    return "The numbers are medians of " + std::to_string(subject.paths.size()) + " paths of the hand, with the " +
+           shortNumber(100.0 * spread.confidence) + " % confidence interval of the median in brackets.";
 }
 
 } // namespace
@@ -213,7 +212,7 @@ std::vector<Advice> adviceFor(const Evaluation& evaluation)
         a.subject = subject.name;
         a.setting = "All " + core::grouped(full.triangles) + " triangles, 1 kHz, converged within the tick";
         a.why.push_back("A tick costs " + median(full.pathTime_us) + " µs, " + tailOfTime(full) + ": " +
-                        shortNumber(tailOf(full.time_us).value / 10.0) + " % of the 1 ms there is. " +
+                        shortNumber(tailOf(full.time_us).value / 10.0) + " % of the 1 ms available. " +
                         shortNumber(static_cast<double>(subject.bytes) / 1e6) + " MB of memory, ready in " +
                         shortNumber(subject.build_ms) + " ms.");
         a.why.push_back(onSolver(full));
@@ -232,9 +231,10 @@ std::vector<Advice> adviceFor(const Evaluation& evaluation)
         }
         a.why.push_back(onIntervals(subject, full.pathTime_us));
         if (subject.extent_mm < kTiny_mm) {
-            a.warning = subject.name + " is only " + shortNumber(subject.extent_mm) +
-                        " mm long. If its numbers are metres, run again with --unit m: all lengths below are then "
-                        "1,000 times larger.";
+            a.warning =
+                subject.name + " is only " + shortNumber(subject.extent_mm) +
+                " mm long. If the coordinates are in metres, run again with --unit m: all lengths below are then "
+                "1,000 times larger.";
         }
         advice.push_back(std::move(a));
     }

@@ -83,10 +83,11 @@ void DeviceChoice::fill(QMenu& menu)
             }
         });
     };
-    add("mouse", tr("Mouse"), tr("The pointer over the view; it feels nothing, the force is shown"));
-    add("simulated", tr("Simulated hand"), tr("Palpates what is in the middle of the view, and feels the force"));
-    add("playback", tr("Replay with today's tissue"),
-        tr("The open recording's motion, felt with the tissue as it is now"));
+    add("mouse", tr("Mouse"), tr("Mouse pointer over the view; the force is displayed, not felt"));
+    add("simulated", tr("Simulated hand"),
+        tr("Virtual hand that palpates the centre of the view and responds to the force"));
+    add("playback", tr("Replay with current tissue"),
+        tr("Repeats the motion of the open recording on the current tissue"));
     if (m_plugins != nullptr) {
         menu.addSeparator();
         bool hasPuck = false;
@@ -111,8 +112,8 @@ void DeviceChoice::fill(QMenu& menu)
             Q_EMIT refused(engineText(status));
         }
     });
-    calibrate->setToolTip(tr("Takes the pose that the device is in now as its calibration pose"));
-    menu.addAction(tr("What is plugged in…"), this, &DeviceChoice::reportBusDevices);
+    calibrate->setToolTip(tr("Use the current pose of the device as calibration pose"));
+    menu.addAction(tr("Connected devices…"), this, &DeviceChoice::reportBusDevices);
 }
 
 void DeviceChoice::addPuck(QMenu& menu)
@@ -125,10 +126,10 @@ void DeviceChoice::addPuck(QMenu& menu)
                 [this, use](bool isOn) { usePuck(isOn ? use : SixAxisMouseUse::Nothing); });
         m_puckActions[place] = action;
     };
-    add(0, tr("SpaceMouse moves the view"),
-        tr("The puck turns and shifts the anatomy while another device is the hand"), SixAxisMouseUse::MovesView);
+    add(0, tr("SpaceMouse moves the view"), tr("The puck rotates and moves the anatomy while another device palpates"),
+        SixAxisMouseUse::MovesView);
     add(1, tr("SpaceMouse presses"),
-        tr("The pointer says where, the puck how hard: the further it is pushed down, the more newtons of effort"),
+        tr("The pointer sets the place, the puck sets the force: the further down, the more newtons"),
         SixAxisMouseUse::Presses);
 }
 
@@ -246,7 +247,7 @@ QString deviceName(const device::DeviceInfo& info)
     if (info.id == "simulated-hand") {
         return DeviceChoice::tr("simulated hand");
     }
-    return info.id == "playback" ? DeviceChoice::tr("recording, felt anew") : QString::fromStdString(info.name);
+    return info.id == "playback" ? DeviceChoice::tr("replayed recording") : QString::fromStdString(info.name);
 }
 
 QString DeviceChoice::summary() const
@@ -267,14 +268,14 @@ QString DeviceChoice::summary() const
 QString DeviceChoice::details() const
 {
     const device::DeviceInfo& info = m_live.deviceInfo();
-    QStringList lines{tr("The hand's device: %1").arg(QString::fromStdString(info.name))};
+    QStringList lines{tr("Input device: %1").arg(QString::fromStdString(info.name))};
     const device::DeviceReport report = m_live.deviceReport();
     if (!report.text.empty()) {
         lines << QString::fromStdString(report.text);
     }
     const QLocale locale;
     lines << (info.actuatedAxes == 0
-                  ? tr("It feels nothing: the force is shown, up to %1 N.").arg(locale.toString(info.maxForce_N))
+                  ? tr("No force feedback: forces up to %1 N are displayed only.").arg(locale.toString(info.maxForce_N))
                   : tr("Up to %1 N and %2 N/mm")
                         .arg(locale.toString(info.maxForce_N), locale.toString(info.maxStiffness_N_per_mm)));
     return lines.join(QLatin1Char('\n'));
@@ -306,11 +307,10 @@ void DeviceChoice::reportBusDevices()
         }
     }
     for (const device::OtherDevice& other : device::recogniseOtherDevices()) {
-        lines
-            << tr("%1: it would need %2.").arg(QString::fromStdString(other.name), QString::fromStdString(other.needs));
+        lines << tr("%1: requires %2.").arg(QString::fromStdString(other.name), QString::fromStdString(other.needs));
     }
     if (lines.isEmpty()) {
-        lines << tr("No haptic device and no 6-axis mouse is plugged in.");
+        lines << tr("No haptic device or 6-axis mouse is connected.");
     }
     if (m_plugins != nullptr) {
         for (const device::PluginEntry& entry : m_plugins->plugins()) {

@@ -30,9 +30,9 @@ QString timeText(std::int64_t time_ns)
 /// Distribution of durations: "half below 12 µs, 99 % below 30 µs"; empty without measurements.
 QString spreadText(const core::TimingSummary& times)
 {
-    return times.count == 0 ? QString()
-                            : EngineeringPanel::tr("half below %1, 99 % below %2")
-                                  .arg(timeText(times.p50_ns), timeText(times.p99_ns));
+    return times.count == 0
+               ? QString()
+               : EngineeringPanel::tr("median %1, 99 % below %2").arg(timeText(times.p50_ns), timeText(times.p99_ns));
 }
 
 QString countText(std::uint64_t count)
@@ -44,7 +44,7 @@ QString reportsText(const EngineeringReading& reading)
 {
     return reading.reports == 0
                ? QString()
-               : EngineeringPanel::tr("%1, %2 refused, lost %3 times")
+               : EngineeringPanel::tr("%1, %2 rejected, %3 dropouts")
                      .arg(countText(reading.reports), countText(reading.refused), countText(reading.losses));
 }
 
@@ -98,19 +98,19 @@ RunningState runningState(const EngineeringReading& reading)
     const QLocale locale;
     if (reading.measured_Hz > 0.0 && reading.measured_Hz < kEnough * reading.rate_Hz) {
         return {false, EngineeringPanel::tr("computer too busy"),
-                EngineeringPanel::tr("Touch is computed %1 times a second instead of %2: forces may stutter. Close "
-                                     "other programs.")
+                EngineeringPanel::tr(
+                    "Touch runs at %1 updates per second instead of %2, so forces may stutter. Close other programs.")
                         .arg(locale.toString(reading.measured_Hz, 'f', 0), locale.toString(reading.rate_Hz, 'f', 0)) +
                     QLatin1Char('\n') + details};
     }
     if (reading.hasMotors && !reading.realtime.isRealtime) {
         return {false, EngineeringPanel::tr("force may stutter"),
-                EngineeringPanel::tr("The system does not give touch its time first: other programs may make the force "
-                                     "stutter. The list of messages (F4) says how to permit it.") +
+                EngineeringPanel::tr("Touch has no real-time priority, so other programs may make the force stutter. "
+                                     "The list of messages (F4) explains how to allow real-time priority.") +
                     QLatin1Char('\n') + details};
     }
     return {true, EngineeringPanel::tr("running well"),
-            EngineeringPanel::tr("Touch is computed %1 times a second, as it should be.")
+            EngineeringPanel::tr("Touch runs at the full rate of %1 updates per second.")
                     .arg(locale.toString(reading.rate_Hz, 'f', 0)) +
                 QLatin1Char('\n') + details};
 }
@@ -126,13 +126,14 @@ EngineeringPanel::EngineeringPanel(QWidget* parent)
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     makeRows();
     makeLoop();
-    m_energy->setToolTip(tr("Energy observer: what the hand has put into the touched tissue and not got back [mJ].\n"
-                            "Below zero the program would give more than it took; damping then takes it away."));
+    m_energy->setToolTip(
+        tr("Energy observer: energy that the hand has put into the touched tissue and not recovered [mJ].\n"
+           "A negative value means that the simulation adds energy; damping then removes the surplus."));
     m_realtime->setTextFormat(Qt::PlainText);
     m_realtime->setWordWrap(true);
     m_realtime->setMinimumWidth(10);
     m_realtime->setForegroundRole(QPalette::PlaceholderText);
-    m_realtime->setAccessibleDescription(tr("What the servo thread was granted"));
+    m_realtime->setAccessibleDescription(tr("Real-time settings of the servo thread"));
     form->addRow(m_realtime);
     show(EngineeringReading());
 }
@@ -140,18 +141,19 @@ EngineeringPanel::EngineeringPanel(QWidget* parent)
 void EngineeringPanel::makeRows()
 {
     const std::array<std::array<QString, 2>, RowCount> rows{{
-        {tr("Constraints"), tr("Active constraints: planes of the surface that hold the hand back, at most 3")},
-        {tr("Solver"), tr("Time of one tick in the solver, of ticks with a hand")},
-        {tr("Measured rate"), tr("Ticks of the servo thread a second, over the last half second [kHz]")},
-        {tr("Jitter"), tr("How far the time from tick to tick is from the period; 99.9 % of the ticks stay below")},
+        {tr("Constraints"), tr("Active constraints: surface planes that hold the hand back (at most 3)")},
+        {tr("Solver"), tr("Solver time per tick, for ticks with a hand")},
+        {tr("Measured rate"), tr("Servo ticks per second, over the last half second [kHz]")},
+        {tr("Jitter"), tr("Deviation of the tick interval from the period; 99.9 % of the ticks stay below this value")},
         {tr("Late ticks"),
-         tr("Ticks that ended after their time, of all since the loop began; periods left out for it")},
-        {tr("Dropped ticks"), tr("Ticks that were felt but are not in this recording, because the disk was slow")},
-        {tr("Energy"), tr("Energy observer: what the hand has put into the touched tissue and not got back [mJ]")},
-        {tr("Damping added"), tr("Force that the passivity controller adds against the movement [N]")},
-        {tr("Device round trip"), tr("From a report of the device received to the force that answers it written")},
-        {tr("Delay"), tr("After which the force is taken to act: it bounds the stiffness that is stable")},
-        {tr("Device reports"), tr("Received, of those not to be believed, and how often the device was lost")},
+         tr("Ticks that finished late, out of all ticks since the loop started, and the periods skipped as a result")},
+        {tr("Dropped ticks"), tr("Ticks missing from this recording because the disk was too slow")},
+        {tr("Energy"),
+         tr("Energy observer: energy that the hand has put into the touched tissue and not recovered [mJ]")},
+        {tr("Damping added"), tr("Force that the passivity controller adds against the motion [N]")},
+        {tr("Device round trip"), tr("Time from receiving a device report to writing the resulting force")},
+        {tr("Delay"), tr("Assumed delay until the force acts; limits the stable stiffness")},
+        {tr("Device reports"), tr("Reports received, reports rejected as implausible, and connection losses")},
     }};
     auto* form = static_cast<QFormLayout*>(layout());
     for (const auto& [title, tip] : rows) {
@@ -180,16 +182,16 @@ void EngineeringPanel::makeLoop()
     }
     m_rate->setAccessibleName(tr("Rate of the servo loop"));
     m_rate->setToolTip(
-        tr("Ticks a second. A faster loop holds stiffer tissue where the device keeps up; see the jitter."));
+        tr("Ticks per second. A faster loop keeps stiffer tissue stable if the device keeps up; check the jitter."));
     form->addRow(tr("Servo rate"), m_rate);
     m_cpu = new QComboBox(this);
     m_cpu->addItem(tr("Any"), -1);
     for (const int cpu : servo::allowedCpus()) {
-        m_cpu->addItem(tr("CPU %1 alone").arg(cpu), cpu);
+        m_cpu->addItem(tr("CPU %1 only").arg(cpu), cpu);
     }
     m_cpu->setAccessibleName(tr("CPU of the servo loop"));
-    m_cpu->setToolTip(tr("Where the servo loop runs. One CPU alone helps where it is kept free of everything else; "
-                         "elsewhere \"Any\" lets\nthe loop go where there is room."));
+    m_cpu->setToolTip(tr("CPU for the servo loop. A single CPU helps only if no other program uses that CPU;\n"
+                         "otherwise choose \"Any\"."));
     form->addRow(tr("Servo CPU"), m_cpu);
     for (QComboBox* box : {m_rate, m_cpu}) {
         connect(box, &QComboBox::activated, this, &EngineeringPanel::tell);
@@ -212,7 +214,7 @@ void EngineeringPanel::show(const EngineeringReading& reading)
     texts[MeasuredRate] =
         reading.measured_Hz > 0.0 ? tr("%1 kHz").arg(locale.toString(reading.measured_Hz * 1e-3, 'f', 2)) : QString();
     texts[Jitter] = hasTicks ? tr("99.9 % below %1").arg(timeText(timing.periodError.p999_ns)) : QString();
-    texts[Late] = hasTicks ? tr("%1 of %2, %3 left out")
+    texts[Late] = hasTicks ? tr("%1 of %2, %3 skipped")
                                  .arg(countText(timing.overruns), countText(timing.ticks), countText(timing.skipped))
                            : QString();
     texts[Dropped] = countText(reading.dropped);

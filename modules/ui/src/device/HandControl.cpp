@@ -97,7 +97,7 @@ void HandControl::takeLoop()
         m_panel.setSettings(settings);
         // Queued, to follow other messages about a newly selected device.
         QMetaObject::invokeMethod(
-            this, [this, line = tr("%1; any is used").arg(engineText(allowed))] { Q_EMIT said(line); },
+            this, [this, line = tr("%1; using any CPU").arg(engineText(allowed))] { Q_EMIT said(line); },
             Qt::QueuedConnection);
     }
     if (const core::Status status = m_live.setLoop(settings.rate_kHz * 1000.0, settings.cpu); !status.isOk()) {
@@ -138,8 +138,8 @@ void HandControl::fit(MapFill fill)
 {
     const auto found = fill == MapFill::Scene ? scene() : fill == MapFill::Organ ? organ() : lump();
     if (!found) {
-        Q_EMIT said(fill == MapFill::Lump ? tr("Touch the place, point at it or mark it as a finding (M) first.")
-                                          : tr("Nothing is shown that the hand's space could be zoomed to."));
+        Q_EMIT said(fill == MapFill::Lump ? tr("First touch a place, point at one or mark a finding (M).")
+                                          : tr("No visible structure to fit the workspace to."));
         return;
     }
     m_filled = *found;
@@ -154,9 +154,9 @@ void HandControl::fit(MapFill fill)
         centre();
     }
     Q_EMIT said(isStaying
-                    ? tr("%1 fills the hand's space. The hand stays where it touches; Centre brings it to the middle.")
+                    ? tr("%1 fills the workspace. The hand stays in contact; Centre moves the hand to the middle.")
                           .arg(m_filled.name)
-                    : tr("%1 fills the hand's space.").arg(m_filled.name));
+                    : tr("%1 fills the workspace.").arg(m_filled.name));
 }
 
 bool HandControl::isTouching() const
@@ -193,7 +193,7 @@ std::optional<HandControl::Filled> HandControl::organ()
 std::optional<HandControl::Filled> HandControl::lump()
 {
     if (isTouching()) {
-        return Filled{lumpAt(m_live.newest().felt.p_WG), tr("10 mm where the hand touches")};
+        return Filled{lumpAt(m_live.newest().felt.p_WG), tr("10 mm around the contact")};
     }
     if (const auto ray = m_viewport.pointerRay()) {
         if (const auto pick = m_viewport.view().pick(*ray)) {
@@ -202,11 +202,11 @@ std::optional<HandControl::Filled> HandControl::lump()
             for (const core::Vec3& finding : m_findings) {
                 place = (finding - pick->hit.p_W).norm() < kNear_mm ? finding : place;
             }
-            return Filled{lumpAt(place), tr("10 mm under the pointer")};
+            return Filled{lumpAt(place), tr("10 mm around the pointer")};
         }
     }
     if (!m_findings.empty()) {
-        return Filled{lumpAt(m_findings.back()), tr("10 mm about finding %1").arg(m_findings.size())};
+        return Filled{lumpAt(m_findings.back()), tr("10 mm around finding %1").arg(m_findings.size())};
     }
     return std::nullopt;
 }

@@ -22,9 +22,9 @@ namespace {
 QString heldText(const HandStatus& status, bool hasMotors)
 {
     if (!hasMotors || !std::isfinite(status.held_N_per_mm)) {
-        return HandPanel::tr("No motors: the force is shown, not felt, and tissue may be as stiff as you like.");
+        return HandPanel::tr("No motors: forces are displayed, not felt. Any stiffness is possible.");
     }
-    return HandPanel::tr("This device can show tissue up to %1 N/mm.")
+    return HandPanel::tr("This device can render tissue up to %1 N/mm.")
         .arg(QLocale().toString(status.held_N_per_mm, 'f', status.held_N_per_mm < 0.995 ? 2 : 1));
 }
 
@@ -32,28 +32,29 @@ QString clutchText(const HandStatus& status)
 {
     switch (status.clutch) {
     case HandStatus::Clutch::AtEdge:
-        return HandPanel::tr("At the edge of the hand's space: bring the device back to its middle. The hand in the "
-                             "scene stays until then.");
+        return HandPanel::tr("Edge of the workspace: move the device back to the middle. Until then, the hand in the "
+                             "scene does not move.");
     case HandStatus::Clutch::Asked:
-        return HandPanel::tr("Lifted: the device moves, the hand in the scene stays.");
+        return HandPanel::tr("Lifted: the device moves, the hand in the scene does not.");
     case HandStatus::Clutch::None:
         break;
     }
     return status.inside.isEmpty()
                ? QString()
-               : HandPanel::tr("Inside %1, which is felt from outside: bring the hand out towards you first.")
+               : HandPanel::tr(
+                     "The hand is inside %1, which is only felt from outside. Move the hand out towards you first.")
                      .arg(status.inside);
 }
 
 QString reachText(const HandStatus& status, MapFill fill)
 {
     if (!status.isMapped) {
-        return HandPanel::tr("As it lies: the device's millimetres are the scene's.");
+        return HandPanel::tr("Unscaled: 1 mm of the device is 1 mm of the scene.");
     }
     const QString scale = QLocale().toString(status.scale, 'g', 2);
     return fill == MapFill::Scale
                ? HandPanel::tr("1 mm of the device is %1 mm of the scene.").arg(scale)
-               : HandPanel::tr("%1 fills the hand's space: 1 mm of the device is %2 mm of the scene.")
+               : HandPanel::tr("%1 fills the workspace: 1 mm of the device is %2 mm of the scene.")
                      .arg(status.filled.isEmpty() ? HandPanel::tr("Nothing yet") : status.filled, scale);
 }
 
@@ -78,7 +79,7 @@ HandPanel::HandPanel(QWidget* parent)
         label->setWordWrap(true);
     }
     m_force->setAccessibleDescription(tr("Force on the hand"));
-    m_held->setAccessibleDescription(tr("Stiffest tissue that can be shown"));
+    m_held->setAccessibleDescription(tr("Maximum tissue stiffness"));
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(14, 8, 14, 10);
@@ -105,13 +106,13 @@ QWidget* HandPanel::makeFits()
         row->addWidget(button);
         connect(button, &QPushButton::clicked, this, [this, fill] { Q_EMIT fitWanted(fill); });
     };
-    add(tr("Everything"), MapFill::Scene, tr("The device's whole way then goes through all that is shown (W)"));
+    add(tr("Everything"), MapFill::Scene, tr("Map the full device range to all visible structures (W)"));
     add(tr("Organ"), MapFill::Organ,
-        tr("The device's whole way then goes through the organ that is touched; else the one under the pointer or "
-           "selected (O)"));
+        tr("Map the full device range to the touched organ, or else to the organ under the pointer or the selected one "
+           "(O)"));
     add(tr("Lump"), MapFill::Lump,
-        tr("The device's whole way is then 10 mm: where the hand touches, else under the pointer, else about the "
-           "newest finding (L)"));
+        tr("Map the full device range to 10 mm around the contact, or else around the pointer or the newest finding "
+           "(L)"));
     return fits;
 }
 
@@ -121,10 +122,10 @@ QWidget* HandPanel::makeMapping()
     auto* form = new QFormLayout(mapping);
     form->setContentsMargins(0, 4, 0, 4);
     form->setVerticalSpacing(6);
-    form->addRow(new QLabel(tr("Zoom the hand's space to"), mapping));
+    form->addRow(new QLabel(tr("Fit workspace to"), mapping));
     form->addRow(makeFits());
     m_reach = new QLabel(mapping);
-    m_reach->setAccessibleDescription(tr("What fills the hand's space"));
+    m_reach->setAccessibleDescription(tr("Current workspace"));
     form->addRow(m_reach);
     m_scale = new QDoubleSpinBox(mapping);
     m_scale->setRange(0.01, 100.0);
@@ -133,30 +134,31 @@ QWidget* HandPanel::makeMapping()
     m_scale->setSuffix(tr(" mm per mm"));
     m_scale->setKeyboardTracking(false); // typing 15 must not apply 1 first
     m_scale->setAccessibleName(tr("Scale"));
-    m_scale->setToolTip(tr("Millimetres of the scene for a millimetre of the device"));
+    m_scale->setToolTip(tr("Scene millimetres per device millimetre"));
     form->addRow(tr("Scale"), m_scale);
     m_turn = new QComboBox(mapping);
-    m_turn->addItems({tr("The picture"), tr("The patient"), tr("Nothing: as it lies")});
-    m_turn->setAccessibleName(tr("What the device turns with"));
-    m_turn->setToolTip(tr("The picture: right is right in the view, however it is turned.\n"
-                          "The patient: right is to the patient's left, up is to the head.\n"
-                          "Nothing: the device's coordinates are the scene's, without scale, and the hand "
-                          "cannot be lifted."));
-    form->addRow(tr("Turns with"), m_turn);
+    m_turn->addItems({tr("View"), tr("Patient"), tr("Scene axes")});
+    m_turn->setAccessibleName(tr("Device orientation"));
+    m_turn->setToolTip(
+        tr("View: right is right on screen, however the view is rotated.\n"
+           "Patient: right is the patient's left, up is towards the head.\n"
+           "Scene axes: device coordinates equal scene coordinates, without scaling; the hand cannot be lifted."));
+    form->addRow(tr("Aligned with"), m_turn);
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         m_buttons[i] = new QComboBox(mapping);
         m_buttons[i]->addItems({tr("Nothing"), tr("Lift the hand"), tr("Centre")});
-        m_buttons[i]->setAccessibleName(tr("Use of button %1").arg(i + 1));
+        m_buttons[i]->setAccessibleName(tr("Function of button %1").arg(i + 1));
         form->addRow(tr("Button %1").arg(i + 1), m_buttons[i]);
         connect(m_buttons[i], &QComboBox::activated, this, &HandPanel::edit);
     }
     m_leftHanded = new QCheckBox(tr("Left hand"), mapping);
-    m_leftHanded->setToolTip(tr("The first two buttons change places"));
+    m_leftHanded->setToolTip(tr("Swaps the first two buttons"));
     form->addRow(QString(), m_leftHanded);
     m_clutch = new QPushButton(tr("Lift the hand"), mapping);
-    m_clutch->setToolTip(tr("While held the device moves and the hand in the scene stays; the key C switches it"));
+    m_clutch->setToolTip(
+        tr("While held, the device moves and the hand in the scene does not; C switches lifting on and off"));
     m_centre = new QPushButton(tr("Centre"), mapping);
-    m_centre->setToolTip(tr("Puts the middle of the device's way in the middle of what the hand's space is zoomed to"));
+    m_centre->setToolTip(tr("Centres the device range on the fitted region"));
     auto* row = new QHBoxLayout;
     row->addWidget(m_clutch);
     row->addWidget(m_centre);
@@ -184,22 +186,22 @@ QWidget* HandPanel::makePress()
     form->setContentsMargins(0, 4, 0, 4);
     form->setVerticalSpacing(6);
     m_pressBy = new ShownComboBox(press);
-    m_pressBy->addItems({tr("Depth (wheel)"), tr("Effort (hold)")});
-    m_pressBy->setAccessibleName(tr("What a press sets"));
-    m_pressBy->setToolTip(tr("Depth: the same depth everywhere, and a stiff place pushes back harder.\n"
-                             "Effort: the same force everywhere, and a stiff place gives way less. The force rises by "
-                             "1 N a second while the button is held; a pen gives it by its pressure. (E)"));
-    form->addRow(tr("A press sets"), m_pressBy);
+    m_pressBy->addItems({tr("Depth (wheel)"), tr("Force (hold)")});
+    m_pressBy->setAccessibleName(tr("Press mode"));
+    m_pressBy->setToolTip(tr("Depth: the same depth everywhere; a stiff place pushes back harder.\n"
+                             "Force: the same force everywhere; a stiff place yields less. The force rises by 1 N per "
+                             "second while the button is held; with a pen, the pen pressure sets the force. (E)"));
+    form->addRow(tr("Press mode"), m_pressBy);
     m_effort = new QDoubleSpinBox(press);
     m_effort->setRange(Effort::kLeast_N, Effort::kMost_N);
     m_effort->setDecimals(1);
     m_effort->setSingleStep(Effort::kNotch_N);
     m_effort->setSuffix(tr(" N"));
     m_effort->setKeyboardTracking(false);
-    m_effort->setAccessibleName(tr("Greatest effort"));
-    m_effort->setToolTip(tr("The press gets no harder than this, and a pen's full pressure is this; the wheel changes "
-                            "it by 0.5 N"));
-    form->addRow(tr("At most"), m_effort);
+    m_effort->setAccessibleName(tr("Maximum force"));
+    m_effort->setToolTip(
+        tr("Force limit of a press and force at full pen pressure; the wheel changes the value by 0.5 N"));
+    form->addRow(tr("Maximum"), m_effort);
     connect(m_pressBy, &QComboBox::activated, this, &HandPanel::edit);
     connect(m_effort, &QDoubleSpinBox::valueChanged, this, &HandPanel::edit);
     return press;

@@ -34,13 +34,15 @@ QString lineOf(const QString& name, const study::MapEdge& edge, const QString& d
 {
     const QLocale locale;
     const QString where =
-        edge.isOfLumps ? MapWarnings::tr("%1: what the lumps below make of it changes too sharply for the %2 at %3.")
-                       : MapWarnings::tr("%1: its map of stiffness bends too sharply for the %2 at %3.");
-    const QString what = MapWarnings::tr("The push aside jumps by %1 N there and can keep the hand swinging by %2 mm.");
+        edge.isOfLumps ? MapWarnings::tr("%1: the effect of the lumps below changes too abruptly for the %2 at %3.")
+                       : MapWarnings::tr("%1: the stiffness map changes too abruptly for the %2 at %3.");
+    const QString what =
+        MapWarnings::tr("The sideways force jumps by %1 N there and can make the hand oscillate by %2 mm.");
     const QString remedy =
-        edge.isOfLumps ? MapWarnings::tr("Give the tissue friction, or open a mesh with shorter edges there.")
-                       : MapWarnings::tr("Spread the step over more millimetres, round its ends, or give the tissue "
-                                         "friction.");
+        edge.isOfLumps
+            ? MapWarnings::tr("Add friction to the tissue, or use a mesh with shorter edges there.")
+            : MapWarnings::tr(
+                  "Spread the step over a longer distance, smooth both ends, or add friction to the tissue.");
     return where.arg(name, device, placeText(edge.p_W)) + QLatin1Char(' ') +
            what.arg(locale.toString(edge.jump_N, 'f', 2), locale.toString(edge.swing_mm, 'f', 2)) + QLatin1Char(' ') +
            remedy;

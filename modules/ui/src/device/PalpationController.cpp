@@ -88,8 +88,8 @@ void PalpationController::emitDepth(bool isWithin, bool isDeeper)
 {
     Q_EMIT depthChanged(depth_mm());
     if (!isWithin && isDeeper) {
-        Q_EMIT said(
-            tr("%1 mm is the deepest press: the scene is no larger.").arg(QLocale().toString(depth_mm(), 'f', 0)));
+        Q_EMIT said(tr("%1 mm is the maximum depth, limited by the size of the scene.")
+                        .arg(QLocale().toString(depth_mm(), 'f', 0)));
     }
     refreshText();
 }
@@ -110,7 +110,7 @@ void PalpationController::turnEffort(double notches)
     const bool isWithin = m_effort.turn(notches);
     Q_EMIT effortTurned(m_effort.most_N());
     if (!isWithin && notches > 0.0) {
-        Q_EMIT said(tr("%1 N is the hardest press.").arg(QLocale().toString(m_effort.most_N(), 'f', 0)));
+        Q_EMIT said(tr("%1 N is the maximum press force.").arg(QLocale().toString(m_effort.most_N(), 'f', 0)));
     }
     refreshText();
 }
@@ -148,7 +148,7 @@ bool PalpationController::takeByKeys()
     if (!m_hand.surfacePoint()) {
         const auto place = m_viewport.palpablePlace();
         if (!place) {
-            Q_EMIT said(tr("Nothing that can be felt is in view."));
+            Q_EMIT said(tr("No palpable structure is in view."));
             return false;
         }
         m_isByKeys = true;
@@ -217,7 +217,7 @@ QString PalpationController::text() const
         const double force_N = m_effort.force_N(seconds(core::monotonicNow_ns()));
         const QString pressed = number(std::max(0.0, m_pressed_mm));
         return m_isSlidOff ? tr("pressing %1 mm, slid off the edge").arg(pressed)
-                           : tr("aims at %1 of %2 N, reaches %3 N, %4 mm")
+                           : tr("target %1 of %2 N, actual %3 N, %4 mm")
                                  .arg(QLocale().toString(force_N, 'f', 1), most,
                                       QLocale().toString(m_live.newest().felt.f_W.norm(), 'f', 1), pressed);
     }

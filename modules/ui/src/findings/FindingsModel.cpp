@@ -39,7 +39,7 @@ QString tipOf(const core::Finding& finding)
                      .arg(readableName(layer.structure), forceText(layer.force_N), depthText(layer.depth_mm));
     }
     if (const auto felt = core::felt_N_per_mm(finding)) {
-        lines << FindingsModel::tr("felt %1 N/mm").arg(QLocale().toString(*felt, 'f', 2));
+        lines << FindingsModel::tr("stiffness %1 N/mm").arg(QLocale().toString(*felt, 'f', 2));
     }
     if (!finding.note.empty()) {
         lines << QString::fromStdString(finding.note);
@@ -266,19 +266,19 @@ QVariant FindingsModel::headerData(int section, Qt::Orientation orientation, int
     const bool isTip = role == Qt::ToolTipRole;
     switch (section) {
     case Number:
-        return isTip ? tr("Number, as in the view") : tr("№");
+        return isTip ? tr("Number in the view") : tr("№");
     case Type:
         return tr("Type");
     case Name:
         return tr("Name");
     case Where:
-        return isTip ? tr("The structure that was felt, and the organ that it lies in") : tr("Where");
+        return isTip ? tr("Palpated structure and surrounding organ") : tr("Where");
     case Size:
-        return isTip ? tr("Size across, as you judge it [mm]") : tr("Size");
+        return isTip ? tr("Estimated diameter [mm]") : tr("Size");
     case Force:
-        return isTip ? tr("Force of this structure when it was marked [N]") : tr("N");
+        return isTip ? tr("Force of this structure at the time of marking [N]") : tr("Force [N]");
     case Depth:
-        return isTip ? tr("Depth in this structure when it was marked [mm]") : tr("mm");
+        return isTip ? tr("Depth in this structure at the time of marking [mm]") : tr("Depth [mm]");
     case Note:
         return tr("Note");
     default:
@@ -311,7 +311,8 @@ bool FindingsModel::setData(const QModelIndex& index, const QVariant& value, int
         bool isNumber = false;
         const double size_mm = QLocale().toDouble(text.trimmed(), &isNumber);
         if (!text.trimmed().isEmpty() && (!isNumber || !(size_mm >= 0.0 && size_mm <= kMostSize_mm))) {
-            Q_EMIT refused(tr("Size: found “%1”, expected millimetres as %2.").arg(text, QLocale().toString(12.5)));
+            Q_EMIT refused(
+                tr("Size: found “%1”, expected millimetres such as %2.").arg(text, QLocale().toString(12.5)));
             return false;
         }
         finding.size_mm = text.trimmed().isEmpty() ? std::nullopt : std::optional(size_mm);

@@ -85,10 +85,10 @@ FindingsPanel::FindingsPanel(FindingsModel& model, QWidget* parent)
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setHighlightSections(false);
 
-    m_empty->setText(tr("No finding yet. Press on a place and mark it with M; N writes a note without a place."));
+    m_empty->setText(tr("No findings yet. Press on a place and mark a finding with M; N adds a note without a place."));
     m_empty->setWordWrap(true);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
-    m_note->setPlaceholderText(tr("Write a note (N), Enter keeps it"));
+    m_note->setPlaceholderText(tr("Write a note (N), Enter saves"));
     m_note->setAccessibleName(tr("New note without a place"));
     m_note->setMaxLength(4000);
     m_note->installEventFilter(this);

@@ -130,17 +130,21 @@ void FeltOverlay::drawLegend(double greatest_percent, bool isHatched)
     view::ColourLegend::Content content;
     const double press_mm = kPress_mm[m_press];
     const QString how = press_mm > 0.0 ? tr("pressed %1 mm").arg(press_mm) : tr("touched lightly");
-    content.title = tr("Felt when %1\n(estimate)").arg(how).toStdString();
+    content.title = tr("Palpability, %1\n"
+                       "(estimate)")
+                        .arg(how)
+                        .toStdString();
     content.unknown = tr("not judged").toStdString();
     content.range.high = greatest_percent;
     content.range.hasUnknown = isHatched;
     content.marks = {{0.0, tr("0 %: no lump").toStdString()},
-                     {buried::kDetectableChange_percent[0], tr("7 %: half of that").toStdString()},
-                     {buried::kDetectableChange_percent[1], tr("14 %: a trained hand tells").toStdString()},
+                     {buried::kDetectableChange_percent[0], tr("7 %: not noticed").toStdString()},
+                     {buried::kDetectableChange_percent[1], tr("14 %: by a trained hand").toStdString()},
                      {buried::kDetectableChange_percent[2], tr("28 %: plainly felt").toStdString()}};
     if (greatest_percent > 1.15 * buried::kDetectableChange_percent[2]) {
         content.marks.push_back(
-            {greatest_percent, tr("%1 %: most here").arg(QLocale().toString(greatest_percent, 'f', 0)).toStdString()});
+            {greatest_percent,
+             tr("%1 %: maximum here").arg(QLocale().toString(greatest_percent, 'f', 0)).toStdString()});
     }
     m_viewport.view().legend().show(content);
 }

@@ -129,12 +129,12 @@ FeltPanel::FeltPanel(FeltOverlay& overlay, StructureModel& model, QWidget* paren
 
 void FeltPanel::makeTable()
 {
-    QStringList titles{tr("Lump"), tr("Times as stiff"), tr("Least cover")};
+    QStringList titles{tr("Lump"), tr("Stiffness ratio"), tr("Tissue above")};
     for (const double press_mm : FeltOverlay::kPress_mm) {
         titles << (press_mm > 0.0 ? tr("Pressed %1 mm").arg(QLocale().toString(press_mm)) : tr("Touched lightly"));
     }
     m_table->setObjectName(QStringLiteral("feltTable"));
-    m_table->setAccessibleName(tr("Lumps and whether a hand finds them"));
+    m_table->setAccessibleName(tr("Lumps and their palpability"));
     m_table->setColumnCount(static_cast<int>(titles.size()));
     for (int column = 0; column < static_cast<int>(titles.size()); ++column) {
         auto* title = new QTableWidgetItem(titles[column]);
@@ -220,21 +220,21 @@ QWidget* FeltPanel::makeChoices()
     auto* column = new QVBoxLayout(choices);
     column->setContentsMargins(0, 0, 0, 0);
     m_press = new QComboBox(choices);
-    m_press->setAccessibleName(tr("How deep the finger is pressed in"));
+    m_press->setAccessibleName(tr("Press depth of the finger"));
     for (const double press_mm : FeltOverlay::kPress_mm) {
-        m_press->addItem(press_mm > 0.0 ? tr("Coloured as pressed %1 mm").arg(QLocale().toString(press_mm))
-                                        : tr("Coloured as touched lightly"));
+        m_press->addItem(press_mm > 0.0 ? tr("Colours: pressed %1 mm").arg(QLocale().toString(press_mm))
+                                        : tr("Colours: touched lightly"));
     }
-    m_best = new QPushButton(tr("Show me the best place"), choices);
+    m_best = new QPushButton(tr("Show the best place"), choices);
     m_ratioLabel = new QLabel(choices);
     m_ratioLabel->setTextFormat(Qt::PlainText);
-    m_ratio = makeSpin(kLeastRatio, buried::kMaxModulusRatio, tr("How many times as stiff as its organ the lump is"),
-                       choices);
+    m_ratio =
+        makeSpin(kLeastRatio, buried::kMaxModulusRatio, tr("Stiffness of the lump relative to the organ"), choices);
     m_source = new ShownComboBox(choices);
-    m_source->setAccessibleName(tr("Where the lump's stiffness comes from"));
-    m_source->addItems({tr("As typed"), tr("From the two Young's moduli"), tr("By tissues or names")});
+    m_source->setAccessibleName(tr("Source of the stiffness ratio"));
+    m_source->addItems({tr("As typed"), tr("From the two Young's moduli"), tr("From tissues or names")});
     for (const study::PublishedRatio& one : study::publishedRatios()) {
-        m_source->addItem(tr("As published: %1, %2").arg(publishedName(one), ratioRangeText(one.ratio)));
+        m_source->addItem(tr("Published: %1, %2").arg(publishedName(one), ratioRangeText(one.ratio)));
         m_source->setItemData(m_source->count() - 1, QString::fromUtf8(one.ratio.citation.data()), Qt::ToolTipRole);
     }
     m_moduli = new QWidget(choices);
@@ -244,7 +244,7 @@ QWidget* FeltPanel::makeChoices()
     m_organ_kPa = makeSpin(kLeast_kPa, kMost_kPa, tr("Young's modulus of the organ [kPa]"), m_moduli);
     m_organ_kPa->setSuffix(tr(" kPa"));
     moduli->addWidget(m_lump_kPa, 1);
-    moduli->addWidget(new QLabel(tr("by"), m_moduli));
+    moduli->addWidget(new QLabel(tr("to"), m_moduli));
     moduli->addWidget(m_organ_kPa, 1);
     for (QWidget* widget :
          std::initializer_list<QWidget*>{m_press, m_best, m_ratioLabel, m_ratio, m_source, m_moduli}) {
@@ -267,7 +267,7 @@ void FeltPanel::fill()
 {
     const bool isBusy = !m_overlay.isUpToDate();
     const QString notes = m_overlay.notes().join(QLatin1Char('\n'));
-    m_status->setText(isBusy && m_overlay.isBusy() ? tr("Being computed…") : notes);
+    m_status->setText(isBusy && m_overlay.isBusy() ? tr("Computing…") : notes);
     m_status->setVisible(!m_status->text().isEmpty());
     m_table->setEnabled(!isBusy); // current results are outdated
     if (!isBusy || m_overlay.organs().empty()) {
@@ -300,9 +300,9 @@ void FeltPanel::addRow(const Row& row)
     const buried::FeltSurface::Lump& lump = organ.felt.lumps[row.lump];
     const QString in = readableName(m_model.structure(row.organRow).name);
     const QString cover =
-        lump.minCover_mm > 0.0 ? tr("%1 mm").arg(QLocale().toString(lump.minCover_mm, 'f', 1)) : tr("lies open");
+        lump.minCover_mm > 0.0 ? tr("%1 mm").arg(QLocale().toString(lump.minCover_mm, 'f', 1)) : tr("exposed");
     const std::optional<study::StiffnessRatio>& ratio = organ.organ.lumps[lump.given].ratio;
-    const QString source = ratio ? ratioSourceText(ratio->source) : tr("type it, or choose one that is published");
+    const QString source = ratio ? ratioSourceText(ratio->source) : tr("enter a ratio or choose a published one");
     QStringList cells{readableName(lump.name) + QLatin1Char('\n') + tr("in %1").arg(in),
                       ratioRangeText(ratio) + QLatin1Char('\n') + source, cover};
     QStringList brief{cells[0], ratioRangeText(ratio), cover};
@@ -347,11 +347,11 @@ void FeltPanel::showChosen()
     m_best->setEnabled(row.has_value() && m_overlay.isUpToDate());
     m_moduli->setVisible(false);
     if (!row || row->lumpRow >= m_model.rowCount() || row->organRow >= m_model.rowCount()) {
-        m_ratioLabel->setText(tr("Times as stiff as its organ:"));
+        m_ratioLabel->setText(tr("Stiffness ratio to the organ:"));
         return;
     }
     const meshio::SceneStructure &lump = m_model.structure(row->lumpRow), &organ = m_model.structure(row->organRow);
-    m_ratioLabel->setText(tr("%1, times as stiff as %2:").arg(readableName(lump.name), readableName(organ.name)));
+    m_ratioLabel->setText(tr("%1, stiffness ratio to %2:").arg(readableName(lump.name), readableName(organ.name)));
     const QSignalBlocker ratio(m_ratio), ofLump(m_lump_kPa), ofOrgan(m_organ_kPa);
     int source = Automatic;
     if (lump.young_ratio) {
@@ -423,7 +423,7 @@ void FeltPanel::showBestPlace()
 {
     const std::optional<Row> row = chosen();
     if (row && m_overlay.isUpToDate() && !m_overlay.showBestPlace(row->organ, row->lump)) {
-        m_status->setText(tr("No place over this lump can be judged."));
+        m_status->setText(tr("No place above this lump can be judged."));
         m_status->show();
     }
 }

@@ -102,7 +102,7 @@ class LumpMaps::Making
     {
         const auto all = study::organsWithLumps(m_scene);
         if (!all.isOk()) {
-            m_found.notes << tr("No lump lies inside an organ here: nothing to be felt through one.");
+            m_found.notes << tr("No lump was found inside a closed organ.");
             m_found.isShown = true;
             return std::move(m_found);
         }
@@ -111,11 +111,11 @@ class LumpMaps::Making
         m_found.isShown = m_found.isShown || felt == all.value();
         m_count = static_cast<double>(felt.size() + (m_found.isShown && felt != all.value() ? all.value().size() : 0));
         for (const study::OrganWithLumps& organ : felt) {
-            make(organ, tr("Making what is felt through %1; until then a lump in it is felt as a layer"), m_found.felt);
+            make(organ, tr("Computing how lumps in %1 feel; simulated as layers until then"), m_found.felt);
         }
         if (m_found.isShown) {
             for (const study::OrganWithLumps& organ : all.value()) {
-                make(organ, tr("What can be felt of %1"), m_found.shown);
+                make(organ, tr("Palpability of %1"), m_found.shown);
             }
         }
         m_found.notes.removeDuplicates();
@@ -161,11 +161,10 @@ class LumpMaps::Making
         }
         for (const buried::FeltSurface::Lump& lump : felt.value().lumps) {
             if (!lump.ratio) {
-                m_found.notes
-                    << tr("How many times as stiff as %1 is %2? It is not known, so no verdict is given: type "
-                          "it in What can be felt (B), or choose one that is published.")
-                           .arg(readableName(m_scene.structures[organ.organ].description.name),
-                                readableName(lump.name));
+                m_found.notes << tr("The stiffness ratio of %2 to %1 is unknown, so palpability is not judged. Enter a "
+                                    "ratio under What can be felt (B) or choose a published one.")
+                                     .arg(readableName(m_scene.structures[organ.organ].description.name),
+                                          readableName(lump.name));
             }
         }
         to.push_back(shownOrgan({organ, std::move(felt).value()},
@@ -345,9 +344,9 @@ void LumpMaps::cancel()
     stop();
     const bool isForTheHand = !isHandUpToDate();
     m_isGivenUp = true;
-    m_notes = {isForTheHand ? tr("What is felt through an organ was cancelled: lumps are felt as layers until the "
-                                 "scene changes.")
-                            : tr("What can be felt here was cancelled.")};
+    m_notes = {isForTheHand ? tr("The computation of buried lumps was cancelled. Lumps are simulated as layers until "
+                                 "the scene changes.")
+                            : tr("The computation of palpability was cancelled.")};
     Q_EMIT cancelled(m_notes.front());
     Q_EMIT changed();
 }

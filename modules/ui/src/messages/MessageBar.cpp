@@ -60,7 +60,7 @@ MessageRow::MessageRow(Messages::Kind kind, const QString& text, const QStringLi
     auto* close = new QToolButton(this);
     close->setText(QStringLiteral("✕"));
     close->setAutoRaise(true);
-    close->setToolTip(tr("Close this message; the list of messages keeps it (F4)"));
+    close->setToolTip(tr("Close this message; still listed under Messages (F4)"));
     close->setAccessibleName(tr("Close this message"));
     connect(close, &QToolButton::clicked, this, &MessageRow::closed);
     layout->addWidget(close, 0, Qt::AlignTop);
@@ -156,8 +156,8 @@ void MessageBar::arrange()
     for (std::size_t i = 0; i < m_entries.size(); ++i) {
         m_entries[i].row->setVisible(i < static_cast<std::size_t>(kShown));
     }
-    m_more->setText(waiting == 1 ? tr("1 older message waits (F4 shows all)")
-                                 : tr("%1 older messages wait (F4 shows all)").arg(waiting));
+    m_more->setText(waiting == 1 ? tr("1 older message (F4 shows all)")
+                                 : tr("%1 older messages (F4 shows all)").arg(waiting));
     m_more->setVisible(waiting > 0);
     setVisible(!m_entries.empty());
 }

@@ -50,7 +50,7 @@ QString Messages::word(Kind kind)
 {
     switch (kind) {
     case Kind::Told:
-        return tr("Told");
+        return tr("Information");
     case Kind::Warning:
         return tr("Warning");
     case Kind::Error:

@@ -22,11 +22,11 @@ ViewKeys::ViewKeys(VtkViewport& viewport, PalpationController& palpation, QObjec
 void ViewKeys::describe(ActionList& actions)
 {
     const ActionGroup group = ActionGroup::InView;
-    actions.addGesture(group, tr("← → ↑ ↓"), tr("turn the camera by 15°; with Shift: move it"));
+    actions.addGesture(group, tr("← → ↑ ↓"), tr("rotate the camera by 15°; with Shift: pan"));
     actions.addGesture(group, tr("+  −"), tr("zoom"));
-    actions.addGesture(group, tr("Ctrl+← → ↑ ↓"), tr("move the place to press by 2 mm along the screen"));
-    actions.addGesture(group, tr("Enter"), tr("press there, let go"));
-    actions.addGesture(group, tr("Page down  up"), tr("press deeper, less deep by 0.5 mm"));
+    actions.addGesture(group, tr("Ctrl+← → ↑ ↓"), tr("move the press point by 2 mm on screen"));
+    actions.addGesture(group, tr("Enter"), tr("press, release"));
+    actions.addGesture(group, tr("Page down  up"), tr("press 0.5 mm deeper, less deep"));
 }
 
 bool ViewKeys::eventFilter(QObject* /*watched*/, QEvent* event)

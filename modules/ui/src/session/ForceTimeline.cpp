@@ -42,8 +42,9 @@ ForceTimeline::ForceTimeline(QWidget* parent)
 {
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    setAccessibleName(tr("Timeline of the recording's force"));
-    setToolTip(tr("Force [N] over the recording. Click or drag to go there; ← and → step 0.1 s, Home and End."));
+    setAccessibleName(tr("Force timeline of the recording"));
+    setToolTip(tr("Force [N] during the recording. Click or drag to seek; ← and → step by 0.1 s, Home and End jump to "
+                  "the ends."));
 }
 
 QSize ForceTimeline::minimumSizeHint() const

@@ -133,16 +133,15 @@ QString RecordedTouch::losses() const
     case session::RecordingEnd::Closed:
         break;
     case session::RecordingEnd::DiskFull:
-        return tr("%1 ended at %2 s because the disk was full; what was felt after is not in it.").arg(name, at);
+        return tr("%1 ends at %2 s because the disk was full. Later palpation was not recorded.").arg(name, at);
     case session::RecordingEnd::DiskFailed:
-        return tr("%1 ended at %2 s because the disk could not be written; what was felt after is not in it.")
-            .arg(name, at);
+        return tr("%1 ends at %2 s because of a disk write error. Later palpation was not recorded.").arg(name, at);
     case session::RecordingEnd::CutOff:
-        return tr("%1 was not closed (a crash, or a full disk): it ends at %2 s, and what was felt after is not in it.")
+        return tr("%1 was not closed (crash or full disk) and ends at %2 s. Later palpation was not recorded.")
             .arg(name, at);
     }
     if (extent.dropped > 0) {
-        return tr("%1: %2 moments were lost while it was recorded, because the disk was too slow.")
+        return tr("%1: %2 samples were lost during recording because the disk was too slow.")
             .arg(name, QLocale().toString(static_cast<qlonglong>(extent.dropped)));
     }
     return {};
@@ -152,9 +151,8 @@ QString damageText(const std::filesystem::path& recording, std::size_t places)
 {
     return places == 0
                ? QString()
-               : RecordedTouch::tr("%1 is damaged, or was changed after it was recorded: %n place(s) do not match "
-                                   "their checksums. What was felt there is left out; \"palpate session verify\" "
-                                   "names the first place.",
+               : RecordedTouch::tr("%1 is damaged or was changed after recording: %n part(s) do not match their "
+                                   "checksums and are left out. \"palpate session verify\" names the first part.",
                                    nullptr, static_cast<int>(std::min<std::size_t>(places, 1'000'000)))
                      .arg(QString::fromStdString(recording.filename().string()));
 }

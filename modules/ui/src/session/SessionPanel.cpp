@@ -41,7 +41,7 @@ SessionPanel::SessionPanel(QWidget* parent)
         m_speed->addItem(tr("%1 ×").arg(QLocale().toString(speed)), speed);
     }
     m_speed->setCurrentIndex(3);
-    m_speed->setToolTip(tr("Speed of playing; 1 × is as it was recorded"));
+    m_speed->setToolTip(tr("Playback speed; 1 × is real time"));
     m_speed->setAccessibleName(tr("Speed"));
 
     auto* line = new QHBoxLayout;

@@ -23,8 +23,8 @@ ChipRow::ChipRow(QWidget* parent)
     m_rest->setText(QStringLiteral("»"));
     m_rest->setAutoRaise(true);
     m_rest->setFocusPolicy(Qt::TabFocus);
-    m_rest->setAccessibleName(tr("What else there is to say"));
-    m_rest->setToolTip(tr("What there is no room for in this row"));
+    m_rest->setAccessibleName(tr("More status"));
+    m_rest->setToolTip(tr("Status items that do not fit in this row"));
     m_rest->hide();
     connect(m_rest, &QToolButton::clicked, this, &ChipRow::openRest);
 }

@@ -15,20 +15,23 @@ HintLine::HintLine(QWidget* parent)
     setMinimumWidth(10);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     setCursor(Qt::PointingHandCursor);
-    setAccessibleDescription(tr("The newest message; F4 shows all"));
+    setAccessibleDescription(tr("Latest message; F4 shows all"));
 }
 
 void HintLine::say(const QString& text)
 {
     m_said = text;
-    setToolTip(text.isEmpty() ? QString() : tr("%1\nPress here or F4 for all messages").arg(text));
+    setToolTip(text.isEmpty() ? QString()
+                              : tr("%1\n"
+                                   "Click here or press F4 for all messages")
+                                    .arg(text));
     fit();
     if (!text.isEmpty()) {
         setAccessibleName(text); // full text, since the visible text may be elided
         QAccessibleEvent alert(this, QAccessible::Alert);
         QAccessible::updateAccessibility(&alert);
     } else {
-        setAccessibleName(tr("No new message"));
+        setAccessibleName(tr("No new messages"));
     }
 }
 

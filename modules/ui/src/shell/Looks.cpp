@@ -36,13 +36,13 @@ void Looks::addThemes(ActionList& actions)
         QString text, tip;
     };
     const Choice choices[] = {
-        {Theme::System, "appearance-system", tr("As the system"), tr("Light or dark, as the system is")},
+        {Theme::System, "appearance-system", tr("Same as system"), tr("Light or dark, following the system")},
         {Theme::Light, "appearance-light", tr("Light"), tr("Dark text on light panels")},
         {Theme::Dark, "appearance-dark", tr("Dark"), tr("Light text on dark panels, for a dark room")},
         {Theme::ContrastOnBlack, "appearance-contrast-black", tr("High contrast, on black"),
-         tr("White text on black, with edges that are seen")},
+         tr("White text on black, with visible edges")},
         {Theme::ContrastOnWhite, "appearance-contrast-white", tr("High contrast, on white"),
-         tr("Black text on white, with edges that are seen")},
+         tr("Black text on white, with visible edges")},
     };
     const QString kept = QSettings().value(kThemeSetting).toString();
     auto* group = new QActionGroup(this);
@@ -73,7 +73,7 @@ void Looks::addTextSizes(ActionList& actions)
         const QByteArray id = "text-size-" + QByteArray::number(percent);
         QAction* action =
             actions.add(id.constData(), ActionGroup::TextSize, tr("%1 %").arg(QLocale().toString(percent)),
-                        percent == 100 ? tr("Texts as large as the system's") : tr("Texts in panels and in the view"));
+                        percent == 100 ? tr("Text size of the system") : tr("Text size in panels and in the view"));
         action->setCheckable(true);
         action->setChecked(percent == now);
         group->addAction(action);

@@ -33,8 +33,7 @@ WelcomePage::WelcomePage(QWidget* parent)
     open->setToolTip(tr("Open mesh or scene files (Ctrl+O)"));
     m_phantom->setParent(m_card);
     m_phantom->setIcon(icon(Symbol::Hand));
-    m_phantom->setToolTip(
-        tr("Open the phantom that comes with Palpate: a liver with two lumps, and a recorded palpation"));
+    m_phantom->setToolTip(tr("Open the bundled phantom: a liver with two lumps and a recorded palpation"));
     for (QPushButton* button : {open, m_phantom}) {
         keepIconSize(*button, 24);
         button->setMinimumSize(180, 46);

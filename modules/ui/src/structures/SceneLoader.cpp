@@ -202,17 +202,17 @@ class SceneLoader::Opening
         all.findings.insert(all.findings.end(), scene.findings.begin(), scene.findings.end());
         QStringList lost;
         if (scene.camera && all.camera) {
-            lost << tr("its view");
+            lost << tr("view");
         } else if (scene.camera) {
             all.camera = scene.camera;
         }
         if (!scene.extra.empty() && !all.extra.empty()) {
-            lost << tr("the fields of it that this version does not know");
+            lost << tr("unknown fields");
         } else if (!scene.extra.empty()) {
             all.extra = scene.extra;
         }
         if (!lost.isEmpty()) {
-            m_opened->warnings << tr("%1: opened together with another scene; not taken: %2")
+            m_opened->warnings << tr("%1: opened together with another scene; not imported: %2")
                                       .arg(QString::fromStdString(file.filename().string()), lost.join(tr(", ")));
         }
     }

@@ -191,7 +191,7 @@ QWidget* StructureList::makeHead()
     m_filter->setPlaceholderText(tr("Filter by name"));
     m_filter->setClearButtonEnabled(true);
     m_filter->setAccessibleName(tr("Filter the structures by name"));
-    m_filter->setToolTip(tr("List only what has these words in its name (Ctrl+F); Esc lists all"));
+    m_filter->setToolTip(tr("List only structures with these words in the name (Ctrl+F); Esc lists all"));
     m_filter->installEventFilter(this);
     m_count = new QLabel(head);
     m_count->setForegroundRole(QPalette::PlaceholderText);
@@ -212,7 +212,7 @@ QWidget* StructureList::makeHead()
     addChoices<StructureTree::Grouping>(*menu, tr("Groups"), m_tree.grouping(),
                                         {{tr("None"), StructureTree::Grouping::None},
                                          {tr("By file or folder"), StructureTree::Grouping::Source},
-                                         {tr("By layer, as felt"), StructureTree::Grouping::Layer}},
+                                         {tr("By layer"), StructureTree::Grouping::Layer}},
                                         [this](StructureTree::Grouping grouping) { m_tree.setGrouping(grouping); });
     arrange->setMenu(menu);
     auto* layout = new QHBoxLayout(head);

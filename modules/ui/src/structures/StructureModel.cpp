@@ -344,7 +344,7 @@ QString StructureModel::touchOrderText(int row, std::uint32_t layer) const
     if (in && structure(*in).layer < layer && layer <= structure(*in).layer + most) {
         return tr("below %1").arg(readableName(structure(*in).name));
     }
-    return tr("%1 below").arg(layer);
+    return tr("%1 below surface").arg(layer);
 }
 
 QString StructureModel::touchOrderText(int row) const
@@ -572,7 +572,7 @@ QStringList StructureModel::surfaceTexts(const meshio::LoadedStructure& one)
     }
     if (one.staircase) {
         const core::Vec3& voxel = one.staircase->voxel_mm;
-        return {tr("The surface is a staircase of %1 × %2 × %3 mm voxels: the hand feels its steps")
+        return {tr("The surface has steps of %1 × %2 × %3 mm voxels, which can be felt")
                     .arg(locale.toString(voxel.x(), 'g', 3), locale.toString(voxel.y(), 'g', 3),
                          locale.toString(voxel.z(), 'g', 3))};
     }
@@ -592,14 +592,14 @@ QStringList StructureModel::defects(int row) const
                                                : tr("Part of the mesh is open: feels like a sheet there"));
     }
     if (report.insideOutComponents > 0) {
-        lines << tr("The mesh is inside out: felt from within only");
+        lines << tr("The mesh is inside out: palpable only from inside");
     }
     lines << surfaceTexts(m_rows[static_cast<std::size_t>(row)].loaded);
     if (report.zeroAreaTriangles + report.duplicateTriangles + report.reorientedTriangles + report.mixedValues > 0) {
-        lines << tr("The mesh had faults, which were mended");
+        lines << tr("Mesh defects were repaired");
     }
     if (report.nonManifoldEdges > 0) {
-        lines << tr("The mesh branches along some edges");
+        lines << tr("Some edges are shared by more than two triangles");
     }
     return lines;
 }
@@ -697,8 +697,8 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
             return {}; // the icon shows the state; no additional check box
         }
         if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
-            return one.visible ? tr("%1 is shown. Click to hide it; what is hidden is not felt.").arg(name)
-                               : tr("%1 is hidden. Click to show it.").arg(name);
+            return one.visible ? tr("%1 is visible. Click to hide; hidden structures cannot be felt.").arg(name)
+                               : tr("%1 is hidden. Click to show.").arg(name);
         }
         break;
     case Name:
@@ -707,7 +707,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
         }
         if (role == Qt::AccessibleTextRole) {
             const QString felt = touchOrderText(index.row());
-            return felt == tr("outermost") ? name : tr("%1, felt %2").arg(name, felt);
+            return felt == tr("outermost") ? name : tr("%1, %2").arg(name, felt);
         }
         if (role == kLayerRole) {
             return isTransmitted(index.row()) ? layerWithin(index.row()) : one.layer;
@@ -722,7 +722,10 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
             const auto& surface = m_rows[static_cast<std::size_t>(index.row())].loaded.surface;
             const QString triangles =
                 QLocale().toString(surface == nullptr ? 0 : static_cast<qulonglong>(surface->mesh.triangles.size()));
-            return tr("%1\n%2 triangles\nFelt: %3").arg(name, triangles, touchOrderText(index.row()));
+            return tr("%1\n"
+                      "%2 triangles\n"
+                      "Depth order: %3")
+                .arg(name, triangles, touchOrderText(index.row()));
         }
         break;
     case Health:
@@ -730,7 +733,9 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
             return icon(Symbol::Warning);
         }
         if ((role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) && !found.isEmpty()) {
-            return tr("About the mesh of %1:\n• %2\nThe list of messages (F4) has the details.")
+            return tr("Mesh of %1:\n"
+                      "• %2\n"
+                      "See the list of messages (F4) for details.")
                 .arg(name, found.join(QStringLiteral("\n• ")));
         }
         break;
@@ -739,8 +744,8 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
             return icon(one.palpable ? Symbol::Hand : Symbol::HandOff);
         }
         if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
-            return one.palpable ? tr("%1 can be felt. Click to let the hand pass through it.").arg(name)
-                                : tr("The hand passes through %1. Click to feel it.").arg(name);
+            return one.palpable ? tr("%1 is palpable. Click to let the hand pass through.").arg(name)
+                                : tr("The hand passes through %1. Click to make palpable.").arg(name);
         }
         break;
     default:
@@ -758,8 +763,8 @@ QVariant StructureModel::headerData(int section, Qt::Orientation orientation, in
         return tr("Structure");
     }
     if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
-        const QString titles[ColumnCount] = {tr("Shown"), tr("Name and colour"), tr("What was found in the mesh"),
-                                             tr("Can be felt")};
+        const QString titles[ColumnCount] = {tr("Visible"), tr("Name and colour"), tr("Notes on the mesh"),
+                                             tr("Palpable")};
         return titles[section];
     }
     return {};

@@ -68,7 +68,7 @@ QString StructureTree::groupOf(int row) const
 {
     if (m_grouping == Grouping::Layer) {
         const std::uint32_t layer = m_model.structure(row).layer;
-        return layer == 0 ? tr("Felt outermost") : tr("Felt %1 below").arg(layer);
+        return layer == 0 ? tr("Outermost") : tr("%1 below surface").arg(layer);
     }
     const meshio::SceneStructure& one = m_model.structure(row);
     const std::filesystem::path from = one.part.empty() ? one.mesh.parent_path() : one.mesh;
@@ -233,7 +233,7 @@ QVariant StructureTree::groupData(const Group& group, int column, int role) cons
         }
         if (isText) {
             return isFelt ? tr("Let the hand pass through all of %1").arg(group.title)
-                          : tr("Feel all of %1").arg(group.title);
+                          : tr("Make all of %1 palpable").arg(group.title);
         }
     }
     return {};

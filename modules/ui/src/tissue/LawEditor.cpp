@@ -3,9 +3,9 @@
 
 #include "palpate/ui/EngineTexts.h"
 
+#include "palpate/ui/TermTexts.h"
 #include "tissue/LawPlot.h"
 #include "widgets/ShownComboBox.h"
-#include "palpate/ui/TermTexts.h"
 
 #include <palpate/meshio/CurveFile.h>
 
@@ -63,15 +63,15 @@ LawEditor::LawEditor(QWidget* parent)
     for (const QString& name : names) {
         m_kind->addItem(name);
     }
-    m_kind->setAccessibleName(tr("Law"));
-    m_kind->setToolTip(tr("By what law the force rises with the depth"));
-    m_load->setToolTip(tr("Take the points of a measured curve from a CSV file with depth_mm and force_N"));
+    m_kind->setAccessibleName(tr("Force law"));
+    m_kind->setToolTip(tr("How the force rises with depth"));
+    m_load->setToolTip(tr("Load a measured curve from a CSV file with columns depth_mm and force_N"));
     m_form->setContentsMargins(0, 0, 0, 0);
     m_form->setHorizontalSpacing(10);
     m_form->setVerticalSpacing(8);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-    m_form->addRow(new BoxRow(tr("Law"), m_kind, this));
+    m_form->addRow(new BoxRow(tr("Force law"), m_kind, this));
     for (std::size_t i = 0; i < m_numbers.size(); ++i) {
         m_numbers[i] = new QDoubleSpinBox(this);
         m_numbers[i]->setKeyboardTracking(false);

@@ -30,7 +30,7 @@ LawPlot::LawPlot(QWidget* parent)
     : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setAccessibleName(tr("Force in newton by depth in millimetres"));
+    setAccessibleName(tr("Force in newtons over depth in millimetres"));
 }
 
 void LawPlot::show(const core::Tissue& tissue, double greatest_N_per_mm)
@@ -43,8 +43,8 @@ void LawPlot::show(const core::Tissue& tissue, double greatest_N_per_mm)
     const bool hasPoints = tissue.law.kind == core::LawKind::Points;
     setFocusPolicy(hasPoints ? Qt::StrongFocus : Qt::NoFocus);
     setMouseTracking(hasPoints);
-    setToolTip(hasPoints ? tr("Force [N] by depth [mm]. Drag a point; or choose one with ← → and move it with ↑ ↓")
-                         : tr("Force [N] by depth [mm]"));
+    setToolTip(hasPoints ? tr("Force [N] over depth [mm]. Drag a point, or select one with ← → and move with ↑ ↓")
+                         : tr("Force [N] over depth [mm]"));
 }
 
 void LawPlot::takeLaw(const core::ForceLaw& law)

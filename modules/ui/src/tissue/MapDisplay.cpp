@@ -49,14 +49,14 @@ QString feltTitle(const meshio::SurfaceMap& map, const core::Tissue& tissue)
 {
     switch (map.mapping.quantity) {
     case core::MappedQuantity::Damping:
-        return MapDisplay::tr("resists fast movement, N·s/mm");
+        return MapDisplay::tr("damping, N·s/mm");
     case core::MappedQuantity::Friction:
-        return MapDisplay::tr("friction, times the tissue's own");
+        return MapDisplay::tr("friction, relative to the tissue");
     case core::MappedQuantity::Stiffness:
         break;
     }
-    return tissue.law.kind == core::LawKind::Linear ? MapDisplay::tr("stiffness felt, N/mm")
-                                                    : MapDisplay::tr("stiffness felt, times the law");
+    return tissue.law.kind == core::LawKind::Linear ? MapDisplay::tr("felt stiffness, N/mm")
+                                                    : MapDisplay::tr("felt stiffness, relative to the law");
 }
 
 /// Upper limit of a mapped quantity, in the unit of study::feltMap.
@@ -166,7 +166,7 @@ QString MapDisplay::textAt(int row, std::size_t triangle, const core::Vec3& p_W)
     const qsizetype comma = m_shown.title.lastIndexOf(QStringLiteral(", "));
     const QString name = comma < 0 ? m_shown.title : m_shown.title.left(comma);
     const QString unit = comma < 0 ? QString() : m_shown.title.mid(comma + 2);
-    return std::isnan(value) ? tr("%1: nothing said").arg(name)
+    return std::isnan(value) ? tr("%1: no data").arg(name)
                              : QStringLiteral("%1 %2 %3").arg(name, QLocale().toString(value, 'g', 3), unit).trimmed();
 }
 
@@ -221,7 +221,7 @@ void MapDisplay::refresh()
         i, view::coloured(*row.picture, *row.loaded.surface, numbers.values, numbers.isPerTriangle, range));
     const QString title = readableName(row.loaded.description.name) + QLatin1Char('\n') + numbers.title;
     m_viewport.view().legend().show(
-        {title.toStdString(), tr("nothing said").toStdString(), range, QLocale().decimalPoint().toStdString()});
+        {title.toStdString(), tr("no data").toStdString(), range, QLocale().decimalPoint().toStdString()});
     m_shown = std::move(numbers);
     m_viewport.update();
 }

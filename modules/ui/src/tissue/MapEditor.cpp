@@ -83,30 +83,29 @@ void MapEditor::makeFields()
         m_form->addRow(new BoxRow(name, box, this));
         return box;
     };
-    m_how = makeBox(tr("Map"), tr("How the tissue varies over the surface"));
-    m_how->addItems({tr("By name"), tr("None"), tr("By hand")});
-    m_how->setItemData(ByName, tr("The arrays of the mesh whose names say what they are, such as StiffnessScale"),
-                       Qt::ToolTipRole);
-    m_quantity = makeBox(tr("Varies"), tr("What of the tissue varies"));
-    m_quantity->addItems({tr("Stiffness"), tr("Resists fast movement"), tr("Friction")});
-    m_source = makeBox(tr("By"), tr("Which array of the mesh, or which volume, says it"));
-    m_unit = makeBox(tr("In"), tr("What the numbers are. Shear and Young's modulus differ by a factor of three: see "
-                                  "what the scanner's manual says"));
-    m_unit->setPlaceholderText(tr("say which…"));
-    m_unit->addItem(tr("Times the tissue's own"), static_cast<int>(core::MapUnit::Scale));
-    m_unit->addItem(tr("N/mm, as felt"), static_cast<int>(core::MapUnit::NPerMm));
+    m_how = makeBox(tr("Map"), tr("Variation of the tissue over the surface"));
+    m_how->addItems({tr("By name"), tr("None"), tr("Manual")});
+    m_how->setItemData(ByName, tr("Mesh arrays with a known name, such as StiffnessScale"), Qt::ToolTipRole);
+    m_quantity = makeBox(tr("Property"), tr("Tissue property that varies"));
+    m_quantity->addItems({tr("Stiffness"), tr("Damping"), tr("Friction")});
+    m_source = makeBox(tr("Source"), tr("Mesh array or volume with the values"));
+    m_unit = makeBox(tr("Unit"), tr("Meaning of the numbers. Shear modulus and Young's modulus differ by a factor of "
+                                    "three; check the scanner manual"));
+    m_unit->setPlaceholderText(tr("choose…"));
+    m_unit->addItem(tr("Relative to the tissue"), static_cast<int>(core::MapUnit::Scale));
+    m_unit->addItem(tr("Stiffness, N/mm"), static_cast<int>(core::MapUnit::NPerMm));
     m_unit->addItem(tr("Shear modulus, kPa"), static_cast<int>(core::MapUnit::ShearKPa));
     m_unit->addItem(tr("Young's modulus, kPa"), static_cast<int>(core::MapUnit::YoungKPa));
     m_radius = makeField(tr("Contact radius in mm"), kMostRadius_mm, 1, this);
     m_radius->setMinimum(0.1);
     m_radius->setSuffix(tr(" mm"));
-    m_radius->setToolTip(tr("Of the finger that feels a modulus: the stiffness is 8 times radius times shear modulus"));
+    m_radius->setToolTip(tr("Radius of the finger contact; stiffness = 8 × radius × shear modulus"));
     m_form->addRow(tr("Contact radius"), m_radius);
-    m_clamp = new QCheckBox(tr("Keep numbers within"), this);
-    m_clamp->setToolTip(tr("Numbers beyond are taken as the nearest one within"));
+    m_clamp = new QCheckBox(tr("Limit the values"), this);
+    m_clamp->setToolTip(tr("Values outside the range are set to the nearest limit"));
     m_form->addRow(m_clamp);
-    m_low = makeField(tr("At least"), kMostOfArray, 3, this);
-    m_high = makeField(tr("At most"), kMostOfArray, 3, this);
+    m_low = makeField(tr("Minimum"), kMostOfArray, 3, this);
+    m_high = makeField(tr("Maximum"), kMostOfArray, 3, this);
     auto* limits = new QHBoxLayout;
     limits->addWidget(m_low);
     limits->addWidget(new QLabel(tr("to"), this));
@@ -118,9 +117,9 @@ void MapEditor::makeFields()
     m_note = new QLabel(this);
     m_note->setWordWrap(true);
     m_note->setTextFormat(Qt::PlainText);
-    m_note->setAccessibleDescription(tr("What the map says"));
+    m_note->setAccessibleDescription(tr("Map status"));
     m_form->addRow(m_note);
-    m_colours = makeBox(tr("Show"), tr("Colours the structure by numbers, with a legend"));
+    m_colours = makeBox(tr("Show"), tr("Colours the structure by value, with a legend"));
 }
 
 void MapEditor::connectFields()
@@ -376,7 +375,7 @@ void MapEditor::refreshColours(const QString& coloured)
 QString MapEditor::note() const
 {
     if (m_unitless) {
-        return tr("Say what the numbers of %1 are: shear and Young's modulus differ by a factor of three.")
+        return tr("Choose the unit of %1: shear modulus and Young's modulus differ by a factor of three.")
             .arg(m_unitless->array.empty() ? fileName(m_unitless->file) : QString::fromStdString(m_unitless->array));
     }
     QStringList lines = m_problems;
@@ -387,7 +386,7 @@ QString MapEditor::note() const
             lines << tr("%1 varies by %2.").arg(m_quantity->itemText(static_cast<int>(map.mapping.quantity)), name);
         }
         if (const std::size_t missing = meshio::missingValues(map); missing > 0) {
-            lines << tr("%1: %2 of %3 places say nothing. The tissue's own is felt there.")
+            lines << tr("%1: %2 of %3 places have no value. The tissue value is used there.")
                          .arg(name, QLocale().toString(static_cast<qulonglong>(missing)),
                               QLocale().toString(static_cast<qulonglong>(map.values.size())));
         }

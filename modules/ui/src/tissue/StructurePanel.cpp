@@ -3,8 +3,8 @@
 
 #include "palpate/ui/EngineTexts.h"
 
-#include "widgets/ShownComboBox.h"
 #include "structures/StructureList.h"
+#include "widgets/ShownComboBox.h"
 
 #include "palpate/ui/TermTexts.h"
 
@@ -170,7 +170,7 @@ void StructurePanel::addOpacity(QFormLayout& form, QWidget* box)
     m_opacity->setRange(0, 100);
     m_opacity->setPageStep(10);
     m_opacity->setAccessibleName(tr("Opacity in per cent"));
-    m_opacity->setToolTip(tr("Opacity [%]: what lies behind shows through"));
+    m_opacity->setToolTip(tr("Opacity [%]; at lower values, structures behind show through"));
     m_opacityText = new QLabel(box);
     m_opacityText->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
     m_opacityText->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -193,7 +193,7 @@ QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget*
     field->setSingleStep(term.step);
     const QString name = termText(term.name), unit = QString::fromUtf8(term.unit.data());
     field->setSuffix(QLatin1Char(' ') + unit);
-    field->setToolTip(tr("%1 as felt [%2]: %3").arg(name, unit, termText(term.meaning)));
+    field->setToolTip(tr("%1 [%2]: %3").arg(name, unit, termText(term.meaning)));
     field->setAccessibleName(tr("%1 in %2").arg(name, termText(term.accessibleUnit)));
     // Fields round to fewer digits than the scene stores: take over only the edited one.
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, &term](double value) {
@@ -211,7 +211,7 @@ void StructurePanel::addPresets(QFormLayout& form, QWidget* box)
         m_preset->setItemData(m_preset->count() - 1, tr(preset.source), Qt::ToolTipRole);
     }
     m_preset->setAccessibleName(tr("Tissue"));
-    m_preset->setToolTip(tr("How the structure feels, by name"));
+    m_preset->setToolTip(tr("Tissue preset"));
     form.addRow(new BoxRow(tr("Tissue"), m_preset, box));
     m_source = new QLabel(box);
     m_source->setWordWrap(true);
@@ -242,7 +242,7 @@ void StructurePanel::addMap(QFormLayout& form, int place, QWidget* box)
 {
     m_map = new MapEditor(box);
     form.insertRow(place, m_map);
-    m_mapWarning = makeWarning(tr("What its map can do to the device"), box);
+    m_mapWarning = makeWarning(tr("Stability warning for the map"), box);
     form.insertRow(place + 1, m_mapWarning);
     connect(m_map, &MapEditor::edited, this, [this](const MapEditor::Maps& maps) {
         if (!m_isShowing && selectedRows().size() == 1) {
@@ -267,7 +267,7 @@ void StructurePanel::addFriction(QFormLayout& form, QWidget* box)
     }
     m_friction->addItem(tr("Custom"));
     m_friction->setAccessibleName(tr("Friction"));
-    m_friction->setToolTip(tr("How much the surface holds the fingertip, by name"));
+    m_friction->setToolTip(tr("Friction preset"));
     form.addRow(new BoxRow(tr("Friction"), m_friction, box));
     connect(m_friction, &QComboBox::activated, this, [this](int chosen) {
         if (static_cast<std::size_t>(chosen) < frictionPresets().size()) {
@@ -292,8 +292,8 @@ void StructurePanel::showFrictionTerms()
 
 void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
 {
-    m_bound = makeWarning(tr("What is felt of it"), box);
-    m_refusal = makeWarning(tr("Why the value was refused"), box);
+    m_bound = makeWarning(tr("Effective stiffness"), box);
+    m_refusal = makeWarning(tr("Reason for rejecting the value"), box);
     for (std::size_t i = 0; i < m_terms.size(); ++i) {
         if (core::kTissueTerms[i].member == &haptics::Tissue::friction_static) {
             addFriction(form, box);
@@ -314,10 +314,9 @@ void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
 void StructurePanel::addLayer(QFormLayout& form, int place, QWidget* box)
 {
     m_layer = new ShownComboBox(box);
-    m_layer->setAccessibleName(tr("Felt, in order from outside"));
-    m_layer->setToolTip(tr("What a hand meets first as it presses in, and what it meets through that "
-                           "(Ctrl+Down, Ctrl+Up in the list)"));
-    form.insertRow(place, new BoxRow(tr("Felt"), m_layer, box));
+    m_layer->setAccessibleName(tr("Depth order, from outside"));
+    m_layer->setToolTip(tr("Order in which a pressing hand meets the structures (Ctrl+Down, Ctrl+Up in the list)"));
+    form.insertRow(place, new BoxRow(tr("Depth order"), m_layer, box));
     connect(m_layer, &QComboBox::activated, this, [this](int chosen) { setLayer(m_layer->itemData(chosen)); });
 }
 
@@ -328,9 +327,8 @@ void StructurePanel::addSurface(QFormLayout& form, int place, QWidget* box)
     m_surface->addItem(tr("As in the file"));
     m_surface->addItem(tr("Smoothed"));
     m_surface->setAccessibleName(tr("Surface"));
-    m_surface->setToolTip(
-        tr("Smoothing takes away the steps of voxels, by at most half a voxel, for the eye and for the "
-           "hand. The file is not changed."));
+    m_surface->setToolTip(tr("Smoothing removes voxel steps for display and touch, moving the surface by at most half "
+                             "a voxel. The file is not changed."));
     m_surfaceRow = new BoxRow(tr("Surface"), m_surface, box);
     form.insertRow(place, m_surfaceRow);
     connect(m_surface, &QComboBox::activated, this, [this](int chosen) {
@@ -578,7 +576,7 @@ void StructurePanel::showHead(const std::vector<int>& rows)
     const QStringList found = rows.size() > 1 ? QStringList() : m_model.defects(rows.front());
     m_findings->setVisible(!found.isEmpty());
     m_findings->setText(found.join(QLatin1Char('\n')));
-    m_findings->setToolTip(tr("The list of messages (F4) has the details"));
+    m_findings->setToolTip(tr("See the list of messages (F4) for details"));
 }
 
 void StructurePanel::showSelection()
@@ -657,10 +655,7 @@ void StructurePanel::showLayer(int row)
     m_layer->clear();
     for (std::uint32_t i = 0; i < std::max<std::uint32_t>(haptics::kMaxLayers, layer + 1); ++i) {
         const QString text = m_model.touchOrderText(row, i);
-        m_layer->addItem(!organ   ? text
-                         : i == 0 ? tr("on its own surface, outermost")
-                                  : tr("as a layer, %1").arg(text),
-                         i);
+        m_layer->addItem(!organ ? text : i == 0 ? tr("own surface, outermost") : tr("as a layer, %1").arg(text), i);
     }
     const bool isThrough = m_model.isTransmitted(row);
     if (organ || isThrough) {
@@ -693,7 +688,7 @@ QString StructurePanel::otherLayersText(const std::vector<haptics::HapticStructu
 {
     QStringList takers;
     for (const std::size_t by : study::usedByOtherLayers(felt, static_cast<std::size_t>(row)).by) {
-        takers << tr("%1 takes %2")
+        takers << tr("%1 uses %2")
                       .arg(readableName(felt[by].name), QLocale().toString(study::maxStiffness(felt[by]), 'g', 3));
     }
     return takers.join(QStringLiteral(", "));
@@ -711,8 +706,8 @@ void StructurePanel::showBound(int row)
     m_bound->setVisible(own > is + halfDigit(core::kTissueTerms.front()));
     const QLocale locale;
     const QString takers = otherLayersText(felt, row);
-    m_bound->setText((isMapped ? tr("felt as at most %1 N/mm: the device can show %2 N/mm in all%3")
-                               : tr("felt as %1 N/mm: the device can show %2 N/mm in all%3"))
+    m_bound->setText((isMapped ? tr("limited to at most %1 N/mm: the device can render %2 N/mm in total%3")
+                               : tr("limited to %1 N/mm: the device can render %2 N/mm in total%3"))
                          .arg(locale.toString(is, 'g', 3), locale.toString(m_greatest.stiffness_N_per_mm, 'g', 3),
                               takers.isEmpty() ? takers : QStringLiteral(", ") + takers));
 }
@@ -726,7 +721,7 @@ QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const hap
         for (const core::LawParameter& term : core::lawParameters(asked.law.kind)) {
             why.replace(QLatin1String(term.key.data()), termText(term.name));
         }
-        return tr("This law is refused: %1.").arg(why);
+        return tr("Invalid force law: %1.").arg(why);
     }
     const std::vector<haptics::HapticStructure> felt = m_model.hapticStructures(m_greatest);
     const haptics::Tissue taken = study::usedByOtherLayers(felt, static_cast<std::size_t>(row)).tissue;
@@ -740,18 +735,16 @@ QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const hap
         }
         const QLocale locale;
         if (!isStiffness) {
-            return tr("%1 N·s/mm is refused: the device can resist movement with %2 N·s/mm at most. Enter that or "
-                      "less.")
+            return tr("%1 N·s/mm is too much: the device can render at most %2 N·s/mm. Enter %2 N·s/mm or less.")
                 .arg(locale.toString(value, 'g', 4), locale.toString(most, 'f', 4));
         }
         const QString takers = otherLayersText(felt, row);
-        const QString why = takers.isEmpty() ? m_limitReason : tr("%1 Of that %2.").arg(m_limitReason, takers);
+        const QString why = takers.isEmpty() ? m_limitReason : tr("%1 Of this, %2.").arg(m_limitReason, takers);
         const QString found = locale.toString(value, 'g', 4);
         const QString allowed = locale.toString(std::floor(100.0 * most + 1e-6) / 100.0, 'f', 2);
         return asked.law.kind == core::LawKind::Linear
-                   ? tr("%1 N/mm is refused. %2 Enter %3 N/mm or less.").arg(found, why, allowed)
-                   : tr("A law that rises by %1 N/mm where it is steepest is refused. %2 Enter numbers by which it "
-                        "rises by %3 N/mm or less.")
+                   ? tr("%1 N/mm is too stiff. %2 Enter %3 N/mm or less.").arg(found, why, allowed)
+                   : tr("The force law is too steep: up to %1 N/mm. %2 Enter values with a slope of at most %3 N/mm.")
                          .arg(found, why, allowed);
     }
     return {};
@@ -807,11 +800,11 @@ void StructurePanel::openMenu(const QPoint& place)
         menu.addAction(text, this, [=] { setOnly(what, only, text); });
     };
     if (!rows.empty()) {
-        add(tr("Show only what is selected"), &meshio::SceneStructure::visible, rows);
-        add(tr("Feel only what is selected"), &meshio::SceneStructure::palpable, rows);
+        add(tr("Show only the selection"), &meshio::SceneStructure::visible, rows);
+        add(tr("Make only the selection palpable"), &meshio::SceneStructure::palpable, rows);
     }
     add(tr("Show all"), &meshio::SceneStructure::visible, {});
-    add(tr("Feel all"), &meshio::SceneStructure::palpable, {});
+    add(tr("Make all palpable"), &meshio::SceneStructure::palpable, {});
     std::vector<int> insideOut;
     const std::vector<int> all = m_model.insideOutRows();
     std::set_intersection(rows.begin(), rows.end(), all.begin(), all.end(), std::back_inserter(insideOut));

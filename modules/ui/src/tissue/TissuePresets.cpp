@@ -40,13 +40,13 @@ const std::vector<TissuePreset>& tissuePresets()
     //     k = 2 a E / (1 - nu^2), with the shear modulus mu and nu = 1/2: k = 8 a mu
     // 5 kPa gives 0.07 N/mm, 17 kPa 0.23, 24 kPa 0.32, 100 kPa 1.3. "Bone" is a stiffness that feels rigid within the
     // range of common devices.
-    static const char* const kChosen = QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "numbers chosen");
+    static const char* const kChosen = QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "none, assumed values");
     static const char* const kElastography =
         QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
-                          "shear modulus by MR elastography (PMC2894569), as a fingertip of 5 mm radius feels it");
-    static const char* const kUltrasound =
-        QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Young's modulus by shear-wave ultrasound (Arda et al. 2011, "
-                                                         "AJR 197:532), as a fingertip of 5 mm radius feels it");
+                          "shear modulus from MR elastography (PMC2894569), for a fingertip of 5 mm radius");
+    static const char* const kUltrasound = QT_TRANSLATE_NOOP(
+        "palpate::ui::StructurePanel",
+        "Young's modulus from shear-wave ultrasound (Arda et al. 2011, AJR 197:532), for a fingertip of 5 mm radius");
     static const std::vector<TissuePreset> presets{
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Very soft organ"), kChosen, linear(0.07)},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Soft organ"), kChosen, linear(0.25)},
@@ -74,26 +74,25 @@ const std::vector<TissuePreset>& tissuePresets()
          healthy(AnatomyKind::Tendon)},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Prostate (17.0 kPa)"),
          QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
-                           "Young's modulus by indentation (Urology 2010), as a fingertip of 5 mm radius feels it"),
+                           "Young's modulus from indentation (Urology 2010), for a fingertip of 5 mm radius"),
          healthy(AnatomyKind::Prostate)},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Breast (3.2 kPa)"),
-         QT_TRANSLATE_NOOP(
-             "palpate::ui::StructurePanel",
-             "Young's modulus by indentation (Teixeira et al. 2023), as a fingertip of 5 mm radius feels it"),
+         QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
+                           "Young's modulus from indentation (Teixeira et al. 2023), for a fingertip of 5 mm radius"),
          healthy(AnatomyKind::Breast)},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Lymph node"),
-         QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
-                           "number chosen below 22 kPa, above which lymph nodes count as malignant (2.71 m/s by "
-                           "shear-wave ultrasound)"),
+         QT_TRANSLATE_NOOP(
+             "palpate::ui::StructurePanel",
+             "assumed value below 22 kPa, the malignancy threshold of lymph nodes (2.71 m/s by shear-wave ultrasound)"),
          healthy(AnatomyKind::LymphNode)},
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Liver, stiffer with depth"),
          QT_TRANSLATE_NOOP("palpate::ui::StructurePanel",
-                           "shape after Carter et al. 2001 (exponential), numbers chosen"),
+                           "shape after Carter et al. 2001 (exponential), assumed values"),
          lawful(core::LawKind::Exponential, {0.1, 0.35, 1.5})},
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Soft ground under a ball"),
-         QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "shape after Hertz 1882, numbers chosen"),
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Demo: ball on soft ground"),
+         QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "shape after Hertz 1882, assumed values"),
          lawful(core::LawKind::Hertz, {10.0, 8.0})},
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Button that clicks"), kChosen,
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Demo: clicking button"), kChosen,
          lawful(core::LawKind::Click, {0.5, 1.0, 0.6, 1.0, 0.5})},
     };
     return presets;
@@ -122,9 +121,9 @@ const std::vector<FrictionPreset>& frictionPresets()
     // All values are assumptions: no measured coefficient was found for a gloved finger on an organ.
     static const std::vector<FrictionPreset> presets{
         {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "None"), 0.0},
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Wet (0.05, chosen)"), 0.05},
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Moist (0.15, chosen)"), 0.15},
-        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Dry (0.40, chosen)"), 0.40},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Wet (0.05, assumed)"), 0.05},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Moist (0.15, assumed)"), 0.15},
+        {QT_TRANSLATE_NOOP("palpate::ui::StructurePanel", "Dry (0.40, assumed)"), 0.40},
     };
     return presets;
 }

@@ -60,13 +60,13 @@ QString notEvaluatedText(std::uint8_t why)
 {
     QStringList reasons;
     if ((why & buried::kCurved) != 0) {
-        reasons << QCoreApplication::translate("palpate::ui::FeltWords", "the surface bends too much");
+        reasons << QCoreApplication::translate("palpate::ui::FeltWords", "surface too curved");
     }
     if ((why & buried::kThin) != 0) {
-        reasons << QCoreApplication::translate("palpate::ui::FeltWords", "the organ is too thin");
+        reasons << QCoreApplication::translate("palpate::ui::FeltWords", "organ too thin");
     }
     if ((why & buried::kOverlapping) != 0) {
-        reasons << QCoreApplication::translate("palpate::ui::FeltWords", "lumps reach into each other");
+        reasons << QCoreApplication::translate("palpate::ui::FeltWords", "lumps overlap");
     }
     return QCoreApplication::translate("palpate::ui::FeltWords", "not judged here: %1")
         .arg(reasons.join(QStringLiteral(", ")));
@@ -105,9 +105,9 @@ QString verdictPhrase(buried::Verdict verdict)
     case buried::Verdict::Plainly:
         return QCoreApplication::translate("palpate::ui::FeltWords", "plainly felt");
     case buried::Verdict::ByTrainedHand:
-        return QCoreApplication::translate("palpate::ui::FeltWords", "a trained hand tells it");
+        return QCoreApplication::translate("palpate::ui::FeltWords", "felt by a trained hand");
     default:
-        return QCoreApplication::translate("palpate::ui::FeltWords", "below what a trained hand tells");
+        return QCoreApplication::translate("palpate::ui::FeltWords", "too little for a trained hand");
     }
 }
 
@@ -124,7 +124,7 @@ QString verdictRangeText(const buried::FeltSurface::LumpPress& press, const std:
 QString ratioRangeText(const std::optional<study::StiffnessRatio>& ratio)
 {
     if (!ratio) {
-        return QCoreApplication::translate("palpate::ui::FeltWords", "not known");
+        return QCoreApplication::translate("palpate::ui::FeltWords", "unknown");
     }
     return ratio->isRange() ? QStringLiteral("%1 (%2 … %3)")
                                   .arg(shortText(ratio->typical), shortText(ratio->low), shortText(ratio->high))
@@ -169,12 +169,12 @@ QString palpabilityText(const buried::FeltSurface& felt, std::size_t vertex, std
         return notEvaluatedText(felt.notJudged[vertex]);
     }
     if (felt.lump[vertex] == 0) {
-        return QCoreApplication::translate("palpate::ui::FeltWords", "no lump is felt here");
+        return QCoreApplication::translate("palpate::ui::FeltWords", "no palpable lump here");
     }
     const buried::FeltSurface::Press& here = felt.press[press];
     const buried::FeltSurface::Lump& lump = felt.lumps[felt.lump[vertex] - 1U];
     const QString name = lump.ratio && lump.ratio->isRange()
-                             ? QCoreApplication::translate("palpate::ui::FeltWords", "%1 (at %2 times as stiff)")
+                             ? QCoreApplication::translate("palpate::ui::FeltWords", "%1 (stiffness ratio %2)")
                                    .arg(readableName(lump.name), shortText(lump.ratio->typical))
                              : readableName(lump.name);
     return QCoreApplication::translate("palpate::ui::FeltWords", "%1: %2 mm below, %3 (%4 … %5 %): %6")

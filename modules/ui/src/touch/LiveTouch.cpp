@@ -66,19 +66,18 @@ QString LiveTouch::limitText() const
     const QString name = QString::fromStdString(m_info.name);
     const double held = heldStiffness_N_per_mm();
     if (!std::isfinite(held)) {
-        return tr("%1 can show tissue up to %2 N/mm.").arg(name, locale.toString(maxTissue().stiffness_N_per_mm));
+        return tr("%1 can render tissue up to %2 N/mm.").arg(name, locale.toString(maxTissue().stiffness_N_per_mm));
     }
     const double scale = m_map.isDirect ? 1.0 : m_map.scale;
-    QString text = tr("%1 can show tissue up to %2 N/mm here.").arg(name, locale.toString(held, 'g', 3));
+    QString text = tr("%1 can render tissue up to %2 N/mm here.").arg(name, locale.toString(held, 'g', 3));
     if (held * scale >= m_info.maxStiffness_N_per_mm && m_info.maxStiffness_N_per_mm > 0.0) {
-        text += tr(" Its makers state no more.");
+        text += tr(" This is the rating of the manufacturer.");
     } else {
-        text += tr(" Its force comes %1 ms late: anything stiffer could make it tremble.")
+        text += tr(" The force is delayed by %1 ms; stiffer tissue could make the device vibrate.")
                     .arg(locale.toString(1e3 * m_delayTicks / rate_Hz(), 'g', 3));
     }
     if (scale > 1.0) {
-        text += tr(" A millimetre of the device is %1 mm of the scene: with a smaller scale (panel Device) it can show "
-                   "more.")
+        text += tr(" 1 mm of the device is %1 mm of the scene; a smaller scale (Device panel) allows stiffer tissue.")
                     .arg(locale.toString(scale, 'g', 3));
     }
     return text;
@@ -224,10 +223,11 @@ void LiveTouch::reportSoftenedStructure()
         const double is = study::maxStiffness(felt[at]);
         if (one.palpable && asked > is * (1.0 + kRounding)) {
             // Short for the line below the view; the stiffness field explains the reason.
-            line = tr("%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 can show here%5.")
-                       .arg(QString::fromStdString(one.name), number(asked), number(is),
-                            QString::fromStdString(m_info.name),
-                            is < greatest.stiffness_N_per_mm ? tr(" beside the layers around it") : QString());
+            line =
+                tr("%1 is set to %2 N/mm but feels like %3 N/mm, the maximum that %4 can render here%5.")
+                    .arg(QString::fromStdString(one.name), number(asked), number(is),
+                         QString::fromStdString(m_info.name),
+                         is < greatest.stiffness_N_per_mm ? tr(" in addition to the surrounding layers") : QString());
         }
     }
     if (line != m_refused) {

@@ -37,10 +37,10 @@ TouchChart::TouchChart(const TouchHistory& history, QWidget* parent)
 QString TouchChart::accessibleText() const
 {
     if (m_history.samples().empty()) {
-        return tr("nothing was felt yet");
+        return tr("no contact yet");
     }
     const TouchSample& newest = m_history.samples().back();
-    return tr("now %1 N, %2 mm deep; at most %3 N, %4 mm")
+    return tr("now %1 N, %2 mm deep; maximum %3 N, %4 mm")
         .arg(forceText(newest.force_N), depthText(newest.depth_mm), forceText(m_history.peakForce_N()),
              depthText(m_history.peakDepth_mm()));
 }
@@ -194,7 +194,7 @@ ForceBar::ForceBar(QWidget* parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setFocusPolicy(Qt::TabFocus); // reachable by keyboard, so that a screen reader can read the force
-    setAccessibleName(tr("Force in newton"));
+    setAccessibleName(tr("Force in newtons"));
 }
 
 QString ForceBar::accessibleText() const

@@ -75,7 +75,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     , m_chart(new TouchChart(m_history, this))
 {
     keepFont(*m_force, 3.6, QFont::DemiBold);
-    m_force->setAccessibleDescription(tr("Force in newton"));
+    m_force->setAccessibleDescription(tr("Force in newtons"));
     m_force->setToolTip(tr("Force on the hand [N]"));
     keepFont(*m_forceUnit, 1.8, QFont::Normal);
     keepFont(*m_structure, 1.25, QFont::DemiBold);
@@ -83,19 +83,19 @@ TouchPanel::TouchPanel(QWidget* parent)
     m_structure->setAccessibleDescription(tr("Touched structure"));
     m_structure->setMinimumWidth(10);
     m_layers->setTextFormat(Qt::RichText);
-    m_layers->setAccessibleDescription(tr("Touched structures, the outermost first, with their forces and depths"));
-    m_layers->setToolTip(tr("Each layer that is touched, the outermost first: its part along the force [N], which add\n"
-                            "up to it, and how deep the hand is in it [mm]"));
+    m_layers->setAccessibleDescription(tr("Touched structures from outside in, with forces and depths"));
+    m_layers->setToolTip(tr("Touched layers from outside in: share of the total force [N], measured along\n"
+                            "the total force, and depth of the hand in each layer [mm]"));
     m_layers->setMinimumWidth(10);
     m_layers->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     keepFont(*m_layers, kRows, QFont::Normal);
     keepFont(*m_detail, 1.25, QFont::Normal);
     m_detail->setWordWrap(true); // for large texts in a narrow panel
     m_detail->setAccessibleDescription(tr("Depth and stiffness"));
-    m_detail->setToolTip(tr("Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers "
-                            "that are touched [N/mm]"));
+    m_detail->setToolTip(
+        tr("Depth of the hand below the outermost surface [mm]; stiffness of all touched layers together [N/mm]"));
     m_late->setWordWrap(true);
-    m_late->setToolTip(tr("More triangles of the mesh lie in this place than there is time to feel at once"));
+    m_late->setToolTip(tr("The mesh has more triangles here than can be evaluated in time"));
 
     auto* number = new QHBoxLayout;
     number->setSpacing(6);
@@ -207,7 +207,7 @@ void TouchPanel::show(const TouchReading& reading)
     if (!reading.lump.isEmpty() && reading.layers.size() < 2) {
         showLump(reading);
     }
-    m_late->setText(reading.isAtIterationLimit ? tr("very fine mesh here: the force follows late") : QString());
+    m_late->setText(reading.isAtIterationLimit ? tr("very fine mesh here: force delayed") : QString());
     double along_N = 0.0;
     for (const LayerShare& layer : reading.layers) {
         along_N += layer.friction != haptics::Friction::None ? layer.sideways_N : 0.0;

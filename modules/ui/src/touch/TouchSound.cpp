@@ -118,10 +118,10 @@ QString TouchSound::whyNot()
 {
     const QAudioDevice device = loudspeaker();
     if (device.isNull()) {
-        return tr("no loudspeaker is there");
+        return tr("no loudspeaker found");
     }
     if (!device.isFormatSupported(mono())) {
-        return tr("%1 can't play it").arg(device.description());
+        return tr("%1 cannot play the tone").arg(device.description());
     }
     return {};
 }

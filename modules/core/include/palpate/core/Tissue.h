@@ -46,15 +46,17 @@ struct TissueTerm
 /// All tissue properties, in the order of the recording columns. Append new ones at the end.
 inline constexpr std::array kTissueTerms{
     TissueTerm{"stiffness_N_per_mm", "--stiffness", &Tissue::stiffness_N_per_mm, "Stiffness",
-               "force for each mm pressed in", "N/mm", "newton per millimetre", 1000.0, 2, 0.05},
-    TissueTerm{"damping_Ns_per_mm", "--damping", &Tissue::damping_Ns_per_mm, "Resists fast movement",
-               "force against each mm/s of movement", "N·s/mm", "newton seconds per millimetre", 1000.0, 4, 0.0005},
-    TissueTerm{"friction_static", "", &Tissue::friction_static, "Friction at rest",
-               "share of the normal force that holds", "", "", 5.0, 2, 0.05, "friction", "static"},
-    TissueTerm{"friction_dynamic", "", &Tissue::friction_dynamic, "Friction sliding",
-               "share of the normal force that drags while it slides", "", "", 5.0, 2, 0.05, "friction", "dynamic"},
+               "force per millimetre of depth", "N/mm", "newton per millimetre", 1000.0, 2, 0.05},
+    TissueTerm{"damping_Ns_per_mm", "--damping", &Tissue::damping_Ns_per_mm, "Damping",
+               "resisting force per mm/s of movement", "N·s/mm", "newton seconds per millimetre", 1000.0, 4, 0.0005},
+    TissueTerm{"friction_static", "", &Tissue::friction_static, "Static friction",
+               "tangential force that starts sliding, as a fraction of the normal force", "", "", 5.0, 2, 0.05,
+               "friction", "static"},
+    TissueTerm{"friction_dynamic", "", &Tissue::friction_dynamic, "Sliding friction",
+               "tangential force while sliding, as a fraction of the normal force", "", "", 5.0, 2, 0.05, "friction",
+               "dynamic"},
     TissueTerm{"friction_drag_Ns_per_mm", "", &Tissue::friction_drag_Ns_per_mm, "Drag",
-               "force against each mm/s of sliding", "N·s/mm", "newton seconds per millimetre", 1000.0, 4, 0.0005,
+               "resisting force per mm/s of sliding", "N·s/mm", "newton seconds per millimetre", 1000.0, 4, 0.0005,
                "friction", "drag_Ns_per_mm"},
 };
 

@@ -17,9 +17,9 @@ namespace palpate::ui {
 /// Translated verdict with the underlying ratios, as in buried::verdictText.
 [[nodiscard]] QString verdictRangeText(const buried::FeltSurface::LumpPress& press,
                                        const std::optional<buried::RatioRange>& ratio);
-/// Translated verdict for the user's hand: "plainly felt", "a trained hand tells it".
+/// Translated verdict for the user's hand: "plainly felt", "felt by a trained hand".
 [[nodiscard]] QString verdictPhrase(buried::Verdict verdict);
-/// Stiffness ratio with range: "4.4 (1 … 5.2)", or "not known".
+/// Stiffness ratio with range: "4.4 (1 … 5.2)", or "unknown".
 [[nodiscard]] QString ratioRangeText(const std::optional<study::StiffnessRatio>& ratio);
 /// Translated name of a published ratio: "malignant tumour of the liver".
 [[nodiscard]] QString publishedName(const study::PublishedRatio& published);
