@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
-#include "window/MainWindow.h"
 #include "TestRunner.h"
+#include "window/MainWindow.h"
 
 #include "../support/Shapes.h"
 
@@ -212,7 +212,7 @@ class BuriedLump : public QObject
         QVERIFY2(meshes.isOk(), meshes.status().message().c_str());
         const auto again = session::resimulate(*reader.value(), study::indexedByHash(meshes.value()));
         QVERIFY2(again.isOk(), again.status().message().c_str());
-        QVERIFY2(again.value().isSame() && again.value().unverified == 0, again.value().difference.c_str());
+        QVERIFY2(again.value().isSame() && again.value().unverified == 0, again.value().difference.english().c_str());
         QVERIFY(again.value().compared > 500);
     }
 
