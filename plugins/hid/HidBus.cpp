@@ -31,11 +31,12 @@ std::string utf8(const wchar_t* text)
     return out;
 }
 
-std::string permissionProblem(const std::string& path)
+core::Message permissionProblem(const std::string& path)
 {
     if (path.starts_with("/dev/") && access(path.c_str(), R_OK | W_OK) != 0) {
-        return path +
-               " may not be opened: install Palpate's udev rule (in lib/udev/rules.d) and plug the device in anew";
+        return {PALPATE_TEXT("%1 may not be opened: install Palpate's udev rule (in lib/udev/rules.d) and plug the "
+                             "device in anew"),
+                path};
     }
     return {};
 }
@@ -50,7 +51,7 @@ std::vector<HidEntry> listHid(std::mutex& bus, std::uint16_t vendor, std::uint16
     for (const hid_device_info* one = all; one != nullptr; one = one->next) {
         found.push_back(
             {one->vendor_id, one->product_id, one->usage_page, one->usage, one->path, utf8(one->product_string), {}});
-        found.back().problem = permissionProblem(found.back().path);
+        found.back().problem = permissionProblem(found.back().path).english();
     }
     hid_free_enumeration(all);
     return found;
@@ -61,9 +62,11 @@ core::Result<HidDevice> HidDevice::open(std::mutex& bus, const std::string& path
     const std::lock_guard lock(bus);
     hid_device* const device = hid_open_path(path.c_str());
     if (device == nullptr) {
-        const std::string problem = permissionProblem(path);
+        const core::Message problem = permissionProblem(path);
         return Status(StatusCode::Unreadable,
-                      problem.empty() ? path + ": could not be opened: " + utf8(hid_error(nullptr)) : problem);
+                      problem.isEmpty()
+                          ? core::Message(PALPATE_TEXT("%1: could not be opened: %2"), path, utf8(hid_error(nullptr)))
+                          : problem);
     }
     return HidDevice(bus, device);
 }

@@ -21,16 +21,15 @@ HidDriver::HidDriver(const device::PluginServices& services, const Kind& kind, s
 
 core::Result<HidDevice> HidDriver::open()
 {
-    const std::string id = std::string(m_kind.id) + ": ";
     if (isRunning()) {
-        return Status(StatusCode::Internal, id + "already started");
+        return Status(StatusCode::Internal, PALPATE_TEXT("%1: already started"), m_kind.id);
     }
     const std::vector<HidEntry> there = list(m_bus);
     const auto found = std::find_if(there.begin(), there.end(), [this](const HidEntry& entry) {
         return m_address.empty() || entry.path == m_address;
     });
     if (found == there.end()) {
-        return Status(StatusCode::NotFound, id + m_kind.missing);
+        return Status(StatusCode::NotFound, PALPATE_TEXT("%1: %2"), m_kind.id, core::Message(m_kind.missing));
     }
     m_path = found->path;
     return HidDevice::open(m_bus, m_path);

@@ -25,9 +25,9 @@ class HidDriver : public device::HapticDevice
   public:
     struct Kind
     {
-        const char* id;            ///< "spacemouse": prefix of each message
-        const char* missing;       ///< message for a missing device, with a remedy; one sentence
-        std::int64_t findEvery_ns; ///< interval between attempts to reconnect
+        const char* id;              ///< "spacemouse": prefix of each message
+        core::MessageText<> missing; ///< message for a missing device, with a remedy; one sentence
+        std::int64_t findEvery_ns;   ///< interval between attempts to reconnect
     };
 
     void stop() noexcept override;

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NumberFields.h"
 
-#include <QByteArray>
 #include <QJsonObject>
 
 #include <cmath>
 
 namespace palpate::hid {
-
-namespace {
-
-std::string number(double value)
-{
-    return QByteArray::number(value, 'g', 6).toStdString();
-}
-
-} // namespace
 
 core::Status readNumbers(const QJsonObject& object, std::span<const NumberField> fields, const std::string& file)
 {
@@ -26,9 +16,13 @@ core::Status readNumbers(const QJsonObject& object, std::span<const NumberField>
         }
         const double found = value.toDouble(std::nan(""));
         if (!(found >= field.least && found <= field.most)) {
-            return {core::StatusCode::OutOfRange, file + ": " + field.name + ": found " +
-                                                      (value.isDouble() ? number(found) : "no number") + ", expected " +
-                                                      number(field.least) + " to " + number(field.most)};
+            return {core::StatusCode::OutOfRange,
+                    PALPATE_TEXT("%1: %2: found %3, expected %4 to %5"),
+                    file,
+                    field.name,
+                    value.isDouble() ? core::MessageArgument(found) : core::Message(PALPATE_TEXT("no number")),
+                    field.least,
+                    field.most};
         }
         *field.value = found;
     }

@@ -94,7 +94,8 @@ bool run(const char* name, unsigned load, double rate_Hz, bool askRealtime, doub
     if (askRealtime && !loop.realtime().items[1].isGranted) {
         for (const servo::RealtimeItem& item : loop.realtime().items) {
             if (!item.remedy.empty()) {
-                std::printf("%s: %s\n  %s\n", item.name.c_str(), item.message.c_str(), item.remedy.c_str());
+                std::printf("%s: %s\n  %s\n", item.name.english().c_str(), item.message.english().c_str(),
+                            item.remedy.c_str());
             }
         }
         loop.stop();

@@ -142,7 +142,7 @@ bool readSession(const std::filesystem::path& file, const haptics::HapticScene& 
     const double wall_s = wallSeconds() - start_s;
     std::printf("again   %.2f s (%.2f s of it on this thread), %.0f x real time, %s\n", wall_s,
                 processorSeconds() - processor_s, seconds / wall_s,
-                again.value().isSame() ? "the same bits" : again.value().difference.c_str());
+                again.value().isSame() ? "the same bits" : again.value().difference.english().c_str());
     return again.value().isSame();
 }
 

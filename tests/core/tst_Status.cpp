@@ -23,7 +23,7 @@ class Status : public QObject
 
     void carriesCodeAndMessage()
     {
-        const palpate::core::Status status(StatusCode::BadFormat, "liver.stl: cut in facet 12");
+        const palpate::core::Status status(StatusCode::BadFormat, PALPATE_TEXT("liver.stl: cut in facet 12"));
         QVERIFY(!status.isOk());
         QVERIFY(status.code() == StatusCode::BadFormat);
         QCOMPARE(status.message(), std::string("liver.stl: cut in facet 12"));
@@ -41,7 +41,7 @@ class Status : public QObject
 
     void resultHoldsWhyThereIsNone()
     {
-        const Result<int> result(palpate::core::Status(StatusCode::NotFound, "no such file"));
+        const Result<int> result(palpate::core::Status(StatusCode::NotFound, PALPATE_TEXT("no such file")));
         QVERIFY(!result.isOk());
         QVERIFY(result.status().code() == StatusCode::NotFound);
         QCOMPARE(result.status().message(), std::string("no such file"));

@@ -223,7 +223,7 @@ class Faults : public QObject
         QCOMPARE(arm->report().condition, device::DeviceCondition::Working);
         m_bench->moveHand({{1.0, {0, 0, 10}}, {2.0, {0, 0, -8}}});
         pass(3.5);
-        QVERIFY2(!loop.fault().isFaulted(), loop.fault().message);
+        QVERIFY2(!loop.fault().isFaulted(), loop.fault().message.english().c_str());
         QVERIFY2(motorForce_N() > 0.5, "the hand presses again");
         // Calibrated by a hand, the pose is right to the hand's own steadiness.
         servo::TickRecord tick;

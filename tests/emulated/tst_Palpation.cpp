@@ -159,7 +159,7 @@ class Palpation : public QObject
         const servo::FaultReport fault = loop.fault();
         const device::DeviceReport report = arm->report();
         loop.stop();
-        QVERIFY2(!fault.isFaulted(), fault.message);
+        QVERIFY2(!fault.isFaulted(), fault.message.english().c_str());
 
         // The response lags by a fixed number of reports; the bound is the resolution of counts and milliamperes.
         Compared best;

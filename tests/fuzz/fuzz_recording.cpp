@@ -85,8 +85,8 @@ void recover(const std::filesystem::path& path)
         require(recovered.status().message().find('\n') == std::string::npos, "a refusal is one line");
         return;
     }
-    for (const std::string& loss : recovered.value().losses) {
-        require(loss.find('\n') == std::string::npos, "a loss is one line");
+    for (const core::Message& loss : recovered.value().losses) {
+        require(loss.english().find('\n') == std::string::npos, "a loss is one line");
     }
     const auto reader = session::RecordingReader::open(copy);
     require(reader.isOk(), "a recovered copy can be opened");
@@ -407,8 +407,8 @@ void read(const session::RecordingReader& r)
     (void)session::resimulate(r, surfaces);
     const core::Status verified = r.verify();
     require(verified.isOk() || verified.message().find('\n') == std::string::npos, "a fault is one line");
-    for (const std::string& fault : r.faults()) {
-        require(fault.find('\n') == std::string::npos, "a fault is one line");
+    for (const core::Message& fault : r.faults()) {
+        require(fault.english().find('\n') == std::string::npos, "a fault is one line");
     }
 }
 

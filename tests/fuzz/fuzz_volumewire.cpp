@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "read/VolumeFile.h"
 #include "Volumes.h"
+#include "read/VolumeFile.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -26,7 +26,8 @@ std::vector<std::string> seeds()
     meshio::internal::VoxelGrid grid;
     grid.size = {3, 2, 2};
     grid.values.assign(12, 1.5F);
-    return {handedOver(grid), handedOver(core::Status(core::StatusCode::BadFormat, "a.mha: found, expected"))};
+    return {handedOver(grid),
+            handedOver(core::Status(core::StatusCode::BadFormat, PALPATE_TEXT("a.mha: found, expected")))};
 }
 
 void tryInput(std::string_view bytes)

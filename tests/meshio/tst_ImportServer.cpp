@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Samples.h"
+#include "Volumes.h"
 #include "read/ImportServer.h"
 #include "read/MeshWire.h"
 #include "read/ReadMesh.h"
-#include "Samples.h"
 #include "read/VolumeFile.h"
-#include "Volumes.h"
 
 #include <QtTest>
 
@@ -334,7 +334,7 @@ void ImportServer::outcomeComesBackWhole()
 void ImportServer::errorComesBackAsOneLine()
 {
     const Wire wire;
-    QVERIFY(writeOutcome(wire.file(), core::Status(StatusCode::OutOfRange, "two\nlines")));
+    QVERIFY(writeOutcome(wire.file(), core::Status(StatusCode::OutOfRange, PALPATE_TEXT("two\nlines"))));
     QCOMPARE(wire.taken().status().code(), StatusCode::OutOfRange);
     QCOMPARE(wire.taken().status().message(), std::string("a.stl: two lines"));
 }

@@ -29,7 +29,7 @@ void onAThread(Work work)
 const RealtimeItem* itemOf(const RealtimeReport& report, const std::string& name)
 {
     for (const RealtimeItem& item : report.items) {
-        if (item.name == name) {
+        if (item.name.english() == name) {
             return &item;
         }
     }
@@ -54,9 +54,9 @@ class RealtimeSetup : public QObject
              {"real-time priority", "locked memory", "timer slack", "thread name", "floating point"}) {
             const RealtimeItem* item = itemOf(report, name);
             QVERIFY2(item != nullptr, name);
-            QVERIFY2(!item->message.empty(), name);
+            QVERIFY2(!item->message.isEmpty(), name);
             QVERIFY2(!item->isGranted || item->remedy.empty(), name);
-            qInfo("%s: %s, %s", name, item->isGranted ? "granted" : "refused", item->message.c_str());
+            qInfo("%s: %s, %s", name, item->isGranted ? "granted" : "refused", item->message.english().c_str());
         }
         for (const char* name : {"real-time priority", "locked memory"}) {
             const RealtimeItem* item = itemOf(report, name);
@@ -95,7 +95,7 @@ class RealtimeSetup : public QObject
         });
         QVERIFY(!report.isRealtime);
         QCOMPARE(policy, SCHED_OTHER);
-        QCOMPARE(itemOf(report, "real-time priority")->message, std::string("not asked for"));
+        QCOMPARE(itemOf(report, "real-time priority")->message.english(), std::string("not asked for"));
     }
 
     void namesACpuThatIsNotThere()
@@ -109,7 +109,7 @@ class RealtimeSetup : public QObject
         });
         const RealtimeItem* item = itemOf(report, "own CPU");
         QVERIFY(item != nullptr && !item->isGranted);
-        QVERIFY(item->message.find("CPU 100000") != std::string::npos);
+        QVERIFY(item->message.english().find("CPU 100000") != std::string::npos);
     }
 
     void aCpuIsGivenWhenItIsAllowed()

@@ -171,7 +171,7 @@ class ServoLoop : public QObject
     void saysWhyADeviceDoesNotStart()
     {
         TestDevice device;
-        device.startStatus = Status(StatusCode::DeviceLost, "no device on this port");
+        device.startStatus = Status(StatusCode::DeviceLost, PALPATE_TEXT("no device on this port"));
         Loop loop;
         QVERIFY(loop.start(device, plain()).code() == StatusCode::DeviceLost);
         device.throwsAtStart = true;
@@ -331,7 +331,7 @@ class ServoLoop : public QObject
         }
         QVERIFY(waitFor([&] { return loop.fault().isFaulted(); }));
         QVERIFY(loop.fault().fault.kind == kind);
-        QVERIFY(std::string(loop.fault().message).size() > 10);
+        QVERIFY(loop.fault().message.english().size() > 10);
         QVERIFY(waitFor([&] { return device.force.load() == 0.0; }));
         const auto before = loop.ticksBeforeFault();
         QVERIFY(!before.empty() && before.size() <= 100);

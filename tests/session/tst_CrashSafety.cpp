@@ -123,7 +123,7 @@ class CrashSafety : public QObject
             QCOMPARE(expected, extent.lastTick + 1);
             const auto result = session::resimulate(*reader.value(), test::boxSurfaces());
             QVERIFY2(result.isOk(), result.status().message().c_str());
-            QVERIFY2(result.value().isSame(), result.value().difference.c_str());
+            QVERIFY2(result.value().isSame(), result.value().difference.english().c_str());
         }
         qInfo("killed 6 times: at most %lld ticks of 1 ms lost", static_cast<long long>(worst));
     }
@@ -166,7 +166,7 @@ class CrashSafety : public QObject
         QVERIFY(timing.json.find("\"periodError\": {\"count\": ") != std::string::npos);
         const auto result = session::resimulate(*reader.value(), test::boxSurfaces());
         QVERIFY2(result.isOk(), result.status().message().c_str());
-        QVERIFY2(result.value().isSame(), result.value().difference.c_str());
+        QVERIFY2(result.value().isSame(), result.value().difference.english().c_str());
     }
 
     /// A file size limit simulates a full disk.

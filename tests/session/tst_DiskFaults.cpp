@@ -192,7 +192,7 @@ class DiskFaults : public QObject
                 ended = writer.value()->finish(); // the error lost no data
             }
             const bool hasHappened = disk.operations() > k;
-            writer = core::Status(core::StatusCode::Internal, ""); // closes the file while the disk fails
+            writer = core::Status(core::StatusCode::Internal, core::Message()); // closes the file while the disk fails
             disk.heal();
             const std::int64_t found = prefixOf(ticks, file);
             QVERIFY2(found >= 0, qPrintable(QString("operation %1").arg(k)));
@@ -273,14 +273,14 @@ class DiskFaults : public QObject
         const session::RecorderStatus status = recorder.status();
         QVERIFY(status.hasFailed);
         QVERIFY2(
-            QString::fromStdString(status.problem)
+            QString::fromStdString(status.problem.english())
                 .contains(QRegularExpression("^.*full\\.palpate: the recording ended at \\d\\.\\d s because the disk "
                                              "is full; what was felt after is not in it$")),
-            status.problem.c_str());
+            status.problem.english().c_str());
         QVERIFY(letPass(loop, 300));
         const core::Status stopped = recorder.stop();
         QCOMPARE(stopped.code(), core::StatusCode::NoSpace);
-        QCOMPARE(stopped.message(), status.problem);
+        QCOMPARE(stopped.message(), status.problem.english());
         disk.heal();
 
         const auto reader = RecordingReader::open(file);
@@ -292,8 +292,9 @@ class DiskFaults : public QObject
         QCOMPARE(extent.dropped, std::int64_t{0});
         QVERIFY(!extent.isComplete);
         QCOMPARE(extent.end, hasRoomForLastWords ? session::RecordingEnd::DiskFull : session::RecordingEnd::CutOff);
-        QVERIFY(session::endingText(extent).find(hasRoomForLastWords ? "because the disk was full"
-                                                                     : "or a full disk") != std::string::npos);
+        const std::string ending = session::endingText(extent).english();
+        QVERIFY2(ending.find(hasRoomForLastWords ? "because the disk was full" : "or a full disk") != std::string::npos,
+                 ending.c_str());
         QVERIFY(session::resimulate(*reader.value(), test::boxSurfaces()).value().isSame());
         // The next recording is complete.
         QVERIFY(recorder.start(path("next.palpate"), {}, test::palpationScenes()[0]).isOk());

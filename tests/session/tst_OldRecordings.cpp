@@ -83,8 +83,8 @@ class OldRecordings : public QObject
         QVERIFY2(reader.isOk() && reader.value()->verify().isOk(), reader.status().message().c_str());
         if (version == 2) { // version 1: only the ticks
             QCOMPARE(reader.value()->scenes().size(), std::size_t{1});
-            for (const std::string& loss : result.value().losses) {
-                QVERIFY2(loss.find("checksum") == std::string::npos, loss.c_str());
+            for (const core::Message& loss : result.value().losses) {
+                QVERIFY2(loss.english().find("checksum") == std::string::npos, loss.english().c_str());
             }
         }
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Shapes.h"
-#include "database/LawText.h"
 #include "Sessions.h"
 #include "TestRunner.h"
+#include "database/LawText.h"
 
 #include <palpate/haptics/ForceTable.h>
 #include <palpate/servo/ServoCore.h>
@@ -212,7 +212,7 @@ class RecordedLayers : public QObject
         auto ticks = pressing();
         QVERIFY(write("c.palpate", ticks, described()));
         const auto same = session::resimulate(*RecordingReader::open(path("c.palpate")).value(), surfaces());
-        QVERIFY2(same.isOk() && same.value().isSame(), same.isOk() ? same.value().difference.c_str() : "");
+        QVERIFY2(same.isOk() && same.value().isSame(), same.isOk() ? same.value().difference.english().c_str() : "");
 
         const auto two =
             std::find_if(ticks.begin(), ticks.end(), [](const auto& t) { return t.felt.contactCount == 2; });
@@ -222,7 +222,8 @@ class RecordedLayers : public QObject
         QCOMPARE(other.value().differing, std::int64_t{1});
         QCOMPARE(*other.value().firstDifference, two->tick);
         QVERIFY(!other.value().isWithinRounding());
-        QVERIFY2(other.value().difference.find("layers") != std::string::npos, other.value().difference.c_str());
+        QVERIFY2(other.value().difference.english().find("layers") != std::string::npos,
+                 other.value().difference.english().c_str());
     }
 
     /// With friction the normal differs from the spring's, and the sliding state at the start affects the following
@@ -261,7 +262,8 @@ class RecordedLayers : public QObject
             QVERIFY2(test::isSameTick(read[i], ticks[i]), std::to_string(i).c_str());
         }
         const auto again = session::resimulate(*reader.value(), surfaces());
-        QVERIFY2(again.isOk() && again.value().isSame(), again.isOk() ? again.value().difference.c_str() : "");
+        QVERIFY2(again.isOk() && again.value().isSame(),
+                 again.isOk() ? again.value().difference.english().c_str() : "");
         // The byte matters: starting with a static contact gives another trajectory.
         info.start.layers[0].slides = 0;
         QVERIFY(write("s.palpate", ticks, record, info));
@@ -340,7 +342,8 @@ class RecordedLayers : public QObject
         const auto reader = RecordingReader::open(path("m.palpate"));
         QVERIFY2(reader.value()->verify().isOk(), reader.value()->verify().message().c_str());
         const auto again = session::resimulate(*reader.value(), surfaces());
-        QVERIFY2(again.isOk() && again.value().isSame(), again.isOk() ? again.value().difference.c_str() : "");
+        QVERIFY2(again.isOk() && again.value().isSame(),
+                 again.isOk() ? again.value().difference.english().c_str() : "");
         // The map matters: the simulation without it gives another result.
         QVERIFY(write("n.palpate", ticks, plain));
         QVERIFY(!session::resimulate(*RecordingReader::open(path("n.palpate")).value(), surfaces()).value().isSame());

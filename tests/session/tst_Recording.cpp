@@ -446,7 +446,7 @@ class Recording : public QObject
         tick.tick = 1;
         QVERIFY(first.value()->append(tick).isOk());
         QVERIFY(first.value()->finish().isOk());
-        first = core::Status(core::StatusCode::Internal, "");
+        first = core::Status(core::StatusCode::Internal, core::Message());
         QCOMPARE(RecordingReader::open(path("t.palpate")).value()->extent().ticks, std::int64_t{2});
     }
 

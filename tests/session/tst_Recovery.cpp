@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Shapes.h"
 #include "FileLimits.h"
-#include "recording/RecordingCopy.h"
 #include "Sessions.h"
 #include "TestRunner.h"
+#include "recording/RecordingCopy.h"
 
 #include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingReader.h>
@@ -63,7 +63,7 @@ class Recovery : public QObject
     static bool says(const session::Recovery& recovery, const char* text)
     {
         return std::any_of(recovery.losses.begin(), recovery.losses.end(),
-                           [&](const std::string& line) { return line.find(text) != std::string::npos; });
+                           [&](const core::Message& line) { return line.english().find(text) != std::string::npos; });
     }
 
     /// Counts ticks of the copy that differ from every recorded tick in any bit. Times are compared relative to the
@@ -93,7 +93,8 @@ class Recovery : public QObject
         QVERIFY(test::writeRecording(path("a.palpate"), ticks));
         const auto result = session::recoverRecording(path("a.palpate"), path("b.palpate"));
         QVERIFY2(result.isOk(), result.status().message().c_str());
-        QVERIFY2(result.value().losses.empty(), result.value().losses.empty() ? "" : result.value().losses[0].c_str());
+        QVERIFY2(result.value().losses.empty(),
+                 result.value().losses.empty() ? "" : result.value().losses[0].english().c_str());
         QCOMPARE(result.value().ticks, std::int64_t{1100});
         const auto from = RecordingReader::open(path("a.palpate"));
         const auto to = RecordingReader::open(path("b.palpate"));
@@ -213,8 +214,8 @@ class Recovery : public QObject
         const auto result = session::recoverRecording(path("foreign.palpate"), path("foreign-copy.palpate"));
         QVERIFY2(result.isOk(), result.status().message().c_str());
         QCOMPARE(result.value().ticks, std::int64_t{2000});
-        QVERIFY2(result.value().losses.front().starts_with("found another program's SQLite database"),
-                 result.value().losses.front().c_str());
+        const std::string loss = result.value().losses.front().english();
+        QVERIFY2(loss.starts_with("found another program's SQLite database"), loss.c_str());
     }
 
     void aFileThatIsNoRecordingIsLeftAlone()

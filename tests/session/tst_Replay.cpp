@@ -118,7 +118,7 @@ class Replay : public QObject
         QVERIFY(test::writeRecording(path("a.palpate"), ticks));
         const auto result = again("a.palpate");
         QVERIFY2(result.isOk(), result.status().message().c_str());
-        QVERIFY2(result.value().isSame(), result.value().difference.c_str());
+        QVERIFY2(result.value().isSame(), result.value().difference.english().c_str());
         QCOMPARE(result.value().compared, std::int64_t{3000});
         QCOMPARE(result.value().unverified, std::int64_t{0});
     }
@@ -193,15 +193,16 @@ class Replay : public QObject
         QCOMPARE(it.differing, std::int64_t{1});
         QCOMPARE(*it.firstDifference, ticks[at].tick);
         QCOMPARE(it.rounding_mm, 16.0 * skin_mm);
-        QVERIFY2(it.isWithinRounding() == isRounding, it.beyond.c_str());
+        QVERIFY2(it.isWithinRounding() == isRounding, it.beyond.english().c_str());
         if (!isRounding) {
             QCOMPARE(*it.firstBeyond, ticks[at].tick);
             const std::string what = pushed != 0.0 ? "force" : structure != 0 ? "structure" : "god-object";
-            QVERIFY2(it.beyond.starts_with("tick " + std::to_string(ticks[at].tick) + ": " + what), it.beyond.c_str());
+            QVERIFY2(it.beyond.english().starts_with("tick " + std::to_string(ticks[at].tick) + ": " + what),
+                     it.beyond.english().c_str());
         }
         if (skins > 0.0) {
             QVERIFY(std::abs(it.farthest_mm - skins * skin_mm) < 0.1 * skin_mm);
-            QVERIFY2(it.difference.ends_with(" mm apart"), it.difference.c_str());
+            QVERIFY2(it.difference.english().ends_with(" mm apart"), it.difference.english().c_str());
         }
     }
 
@@ -226,7 +227,7 @@ class Replay : public QObject
         const auto grazed = again("m.palpate");
         QVERIFY2(grazed.isOk(), grazed.status().message().c_str());
         QCOMPARE(grazed.value().differing, std::int64_t{1});
-        QVERIFY2(grazed.value().isWithinRounding(), grazed.value().beyond.c_str());
+        QVERIFY2(grazed.value().isWithinRounding(), grazed.value().beyond.english().c_str());
     }
 
     void aBuildWithChangesOfItsOwnIsNoExactOne()
@@ -300,7 +301,7 @@ class Replay : public QObject
         }
         const auto result = again("c.palpate");
         QVERIFY2(result.isOk(), result.status().message().c_str());
-        QVERIFY2(result.value().isSame(), result.value().difference.c_str());
+        QVERIFY2(result.value().isSame(), result.value().difference.english().c_str());
     }
 
     void goesOnAfterLostTicksWhenTheStateIsKnownAgain()
@@ -316,7 +317,7 @@ class Replay : public QObject
         QVERIFY(test::writeRecording(path("d.palpate"), ticks));
         const auto result = again("d.palpate");
         QVERIFY2(result.isOk(), result.status().message().c_str());
-        QVERIFY2(result.value().isSame(), result.value().difference.c_str());
+        QVERIFY2(result.value().isSame(), result.value().difference.english().c_str());
         QVERIFY(result.value().unverified > 0);
         QVERIFY(result.value().unverified < 500);
         QCOMPARE(result.value().compared + result.value().unverified, std::int64_t{1990});

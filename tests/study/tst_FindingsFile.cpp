@@ -50,7 +50,7 @@ class FindingsFile : public QObject
         const QString path = m_folder.filePath("a.mrk.json");
         QFile file(path);
         if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) {
-            return core::Status(core::StatusCode::Internal, "the test's file");
+            return core::Status(core::StatusCode::Internal, PALPATE_TEXT("the test's file"));
         }
         file.close();
         return study::readMarkups(path.toStdString());

@@ -99,7 +99,7 @@ class LiveSession : public QObject
             session::resimulate(reader, study::indexedByHash(study::meshesByHash(box(0.3))),
                                 [contacts = 0](const servo::TickRecord&) mutable { return ++contacts > 0; });
         QVERIFY2(again.isOk(), again.status().message().c_str());
-        QVERIFY2(again.value().isSame(), again.value().difference.c_str());
+        QVERIFY2(again.value().isSame(), again.value().difference.english().c_str());
         QVERIFY(again.value().compared > 900);
         if (embeds) { // the file is self-contained
             const auto whole = study::openScene(path("r.palpate"));

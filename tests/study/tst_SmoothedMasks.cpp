@@ -144,10 +144,9 @@ class SmoothedMasks : public QObject
         PALPATE_SHARED_OR_SKIP(shared, "anatomy");
         std::size_t surfaces = 0;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(shared)) {
-            const auto loaded =
-                entry.is_regular_file()
-                    ? meshio::loadScene(entry.path())
-                    : core::Result<meshio::LoadedScene>(core::Status(core::StatusCode::NotFound, "a folder"));
+            const auto loaded = entry.is_regular_file() ? meshio::loadScene(entry.path())
+                                                        : core::Result<meshio::LoadedScene>(core::Status(
+                                                              core::StatusCode::NotFound, PALPATE_TEXT("a folder")));
             if (!loaded.isOk()) {
                 continue;
             }

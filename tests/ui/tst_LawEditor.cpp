@@ -6,7 +6,6 @@
 #include <palpate/haptics/ForceTable.h>
 #include <palpate/ui/LawEditor.h>
 #include <palpate/ui/StructurePanel.h>
-#include <palpate/ui/TermTexts.h>
 #include <palpate/ui/TouchPanel.h>
 
 #include "tissue/LawPlot.h"
@@ -93,28 +92,6 @@ class LawEditor : public QObject
 {
     Q_OBJECT
   private Q_SLOTS:
-    /// The parameter names from core are translatable.
-    void cataloguesHaveTheTermsOfCore()
-    {
-        QStringList texts;
-        for (const char* text : ui::termTexts()) {
-            texts << text;
-        }
-        const auto check = [&texts](std::string_view text) {
-            QVERIFY2(text.empty() || texts.contains(QString::fromUtf8(text.data())), text.data());
-        };
-        for (const core::TissueTerm& term : core::kTissueTerms) {
-            check(term.name);
-            check(term.meaning);
-            check(term.accessibleUnit);
-        }
-        for (const core::LawKind kind : core::kLawKinds) {
-            for (const core::LawParameter& term : core::lawParameters(kind)) {
-                check(term.name);
-            }
-        }
-    }
-
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
     void aLawIsChosenTypedAndUndone()

@@ -211,7 +211,7 @@ class BuriedLump : public QObject
         QVERIFY2(meshes.isOk(), meshes.status().message().c_str());
         const auto again = session::resimulate(*reader.value(), study::indexedByHash(meshes.value()));
         QVERIFY2(again.isOk(), again.status().message().c_str());
-        QVERIFY2(again.value().isSame() && again.value().unverified == 0, again.value().difference.c_str());
+        QVERIFY2(again.value().isSame() && again.value().unverified == 0, again.value().difference.english().c_str());
         QVERIFY(again.value().compared > 500);
     }
 

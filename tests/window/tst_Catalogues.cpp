@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/Language.h"
 #include "TestRunner.h"
+#include "window/Language.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -191,7 +191,8 @@ class Catalogues : public QObject
                 known << message.source;
             }
         }
-        const QStringList marked = markedTexts({QStringLiteral("modules"), QStringLiteral("app")});
+        const QStringList marked =
+            markedTexts({QStringLiteral("modules"), QStringLiteral("app"), QStringLiteral("plugins")});
         QVERIFY(marked.contains(QStringLiteral("%1: %2")));
         QStringList missing;
         for (const QString& text : marked) {

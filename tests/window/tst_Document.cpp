@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileLimits.h"
-#include "window/SceneDocument.h"
 #include "TestRunner.h"
+#include "window/SceneDocument.h"
 
 #include <QDir>
 #include <QFile>
@@ -178,7 +178,7 @@ class Document : public QObject
             QCOMPARE(failed.count(), 1); // one message
         }
         QCOMPARE(bytes(copy), copied);
-        core::Status saved(core::StatusCode::Internal, "");
+        core::Status saved(core::StatusCode::Internal, core::Message());
         int failures = 0;
         for (rlim_t limit = 0; !saved.isOk(); limit += 97) {
             const test::FileLimit full(limit);

@@ -2,9 +2,9 @@
 #include "commands/CommandLine.h"
 
 #include "commands/Commands.h"
+#include "commands/HandOver.h"
 #include "shared/Console.h"
 #include "shared/Devices.h"
-#include "commands/HandOver.h"
 #include "shared/Program.h"
 #include "window/Window.h"
 
@@ -59,7 +59,7 @@ int openWindow(int argc, char** argv, WindowCommandLine& line)
     for (const auto& file : line.options.files) {
         std::error_code error;
         if (!std::filesystem::exists(file, error)) {
-            app::printError(file.string() + ": no such file, expected a mesh, a scene or a recording");
+            app::printError(PALPATE_TEXT("%1: no such file, expected a mesh, a scene or a recording"), file);
             return app::kBadInput;
         }
     }
@@ -82,7 +82,7 @@ int openWindow(int argc, char** argv, WindowCommandLine& line)
         constexpr int kLargest = 8192;
         if (std::sscanf(line.size.c_str(), "%5dx%5d%c", &width, &height, &end) != 2 || width < 1 || height < 1 ||
             width > kLargest || height > kLargest) {
-            app::printError("--size: found \"" + line.size + "\", expected width x height, as 1280x800");
+            app::printError(PALPATE_TEXT("--size: found \"%1\", expected width x height, as 1280x800"), line.size);
             return app::kBadInput;
         }
         line.options.screenshotWidth = width;

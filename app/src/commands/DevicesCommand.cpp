@@ -64,7 +64,7 @@ int listDevices(const std::vector<std::filesystem::path>& folders)
     int code = kDone;
     for (const device::PluginEntry& entry : host->plugins()) {
         if (!entry.status.isOk()) {
-            printError(entry.status.message());
+            printError(entry.status.text());
             code = kSomeLost;
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/Commands.h"
-#include "shared/Console.h"
 #include "commands/FeltComparisonRun.h"
+#include "shared/Console.h"
 #include "shared/LayersOption.h"
 #include "shared/ProgramFolders.h"
 #include "shared/ProgressLine.h"
@@ -96,7 +96,7 @@ class Uninterrupted
 
 /// Loads the scenes. @param losses  gets a line for each item that could not be opened
 core::Result<Subjects> loadSubjects(const EvaluateOptions& options, const meshio::ReadOptions& read,
-                                    std::optional<double> stiffness, std::vector<std::string>& losses)
+                                    std::optional<double> stiffness, std::vector<core::Message>& losses)
 {
     Subjects subjects;
     for (const fs::path& path : options.scenes) {
@@ -105,7 +105,9 @@ core::Result<Subjects> loadSubjects(const EvaluateOptions& options, const meshio
             return loaded.status();
         }
         meshio::LoadedScene scene = std::move(loaded).value();
-        losses.insert(losses.end(), scene.losses.begin(), scene.losses.end());
+        for (const std::string& loss : scene.losses) {
+            losses.push_back(core::Message::untranslated(loss));
+        }
         if (!options.layers.empty()) {
             auto felt = study::hapticScene(scene);
             for (const std::string& line : layOut(path, scene, felt)) {
@@ -123,7 +125,8 @@ core::Result<Subjects> loadSubjects(const EvaluateOptions& options, const meshio
         }
         auto subject = evaluation::subjectOf(std::move(name), scene);
         if (subject == nullptr) {
-            return Status(StatusCode::Empty, path.string() + ": found nothing palpable, expected a surface to touch");
+            return Status(StatusCode::Empty, PALPATE_TEXT("%1: found nothing palpable, expected a surface to touch"),
+                          path);
         }
         subjects.push_back(std::move(subject));
     }
@@ -142,9 +145,10 @@ core::Result<evaluation::HandMotion> loadMotion(const fs::path& path)
         }
         auto recorded = recording.value()->motion();
         if (const auto faults = recording.value()->faults(); recorded.isOk() && !faults.empty()) {
-            return Status(StatusCode::Mismatch, path.string() + ": " + faults.front() +
-                                                    "; expected a recording as it was written, or what session recover "
-                                                    "makes of it");
+            return Status(StatusCode::Mismatch,
+                          PALPATE_TEXT("%1: %2; expected a recording as it was written, or what session recover makes "
+                                       "of it"),
+                          path, faults.front());
         }
         return recorded;
     }();
@@ -221,7 +225,7 @@ core::Status chooseScene(EvaluateOptions& options)
     const auto folder = phantomFolder();
     if (!folder) {
         return {StatusCode::BadCommandLine,
-                "evaluate: found no SCENE and no bundled phantom, expected a mesh or a scene file"};
+                PALPATE_TEXT("evaluate: found no SCENE and no bundled phantom, expected a mesh or a scene file")};
     }
     options.scenes.push_back(*folder / "phantom.palpate.json");
     if (options.motion.empty()) {
@@ -236,7 +240,8 @@ Status makeFolder(const fs::path& folder)
     std::error_code error;
     fs::create_directories(folder, error);
     if (!fs::is_directory(folder)) {
-        return {StatusCode::BadCommandLine, "--out: " + folder.string() + " cannot be made: " + error.message()};
+        return {StatusCode::BadCommandLine, PALPATE_TEXT("--out: %1 cannot be made: %2"), folder,
+                core::systemError(error.value())};
     }
     return {};
 }
@@ -248,8 +253,8 @@ int runEvaluate(EvaluateOptions options)
     }
     if (options.isFelt) {
         if (!options.scenes.empty()) {
-            return report(Status(StatusCode::BadCommandLine,
-                                 "--felt: found " + options.scenes.front().string() + ", expected no SCENE"));
+            return report(Status(StatusCode::BadCommandLine, PALPATE_TEXT("--felt: found %1, expected no SCENE"),
+                                 options.scenes.front()));
         }
         const Status status = makeFolder(options.out);
         return status.isOk() ? runFeltComparison(options.out, options.isQuick) : report(status);
@@ -288,7 +293,7 @@ int runEvaluate(EvaluateOptions options)
     if (const Status status = makeFolder(options.out); !status.isOk()) { // fail before minutes of work, not after
         return report(status);
     }
-    std::vector<std::string> losses;
+    std::vector<core::Message> losses;
     meshio::ReadOptions read;
     read.unit_mm = unit.value();
     read.frame = frame.value();
@@ -332,8 +337,9 @@ std::function<std::string(const std::string&)> wholeNumber(std::uint64_t least, 
         const auto read = std::from_chars(text.data(), end, value);
         const bool isGood = read.ec == std::errc{} && read.ptr == end && value >= least && value <= most;
         return isGood ? std::string()
-                      : "found \"" + text + "\", expected a whole number from " + std::to_string(least) + " to " +
-                            std::to_string(most);
+                      : core::Message(PALPATE_TEXT("found \"%1\", expected a whole number from %2 to %3"), text, least,
+                                      most)
+                            .english();
     };
 }
 

@@ -59,14 +59,15 @@ Result<std::map<std::string, double>> ratiosOption(const std::vector<std::string
         const std::size_t at = text.rfind('=');
         if (at == std::string::npos || at == 0) {
             return Status(StatusCode::BadCommandLine,
-                          "--ratio: found \"" + text + "\", expected NAME=R, as \"lump 12 mm=4.4\"");
+                          PALPATE_TEXT("--ratio: found \"%1\", expected NAME=R, as \"lump 12 mm=4.4\""), text);
         }
         const auto ratio = numberOption("--ratio " + text.substr(0, at), text.substr(at + 1), {.isAbove = true});
         if (!ratio.isOk()) {
             return ratio.status();
         }
         if (!ratios.emplace(text.substr(0, at), ratio.value()).second) {
-            return Status(StatusCode::BadCommandLine, "--ratio: found " + text.substr(0, at) + " twice, expected once");
+            return Status(StatusCode::BadCommandLine, PALPATE_TEXT("--ratio: found %1 twice, expected once"),
+                          text.substr(0, at));
         }
     }
     return ratios;
@@ -121,12 +122,17 @@ Result<std::vector<study::OrganPalpability>> feelAll(const meshio::LoadedScene& 
 int writeAndPrint(const FeltCommandOptions& options, const meshio::LoadedScene& scene,
                   const std::vector<study::OrganPalpability>& felt)
 {
-    std::vector<std::string> losses = scene.losses;
+    std::vector<core::Message> losses;
+    const auto lose = [&losses](const std::vector<std::string>& lines) {
+        for (const std::string& line : lines) {
+            losses.push_back(core::Message::untranslated(line));
+        }
+    };
+    lose(scene.losses);
     for (const study::OrganPalpability& one : felt) {
-        losses.insert(losses.end(), one.felt.notes.begin(), one.felt.notes.end());
+        lose(one.felt.notes);
     }
-    const std::vector<std::string> questions = study::ratioQuestions(scene, felt);
-    losses.insert(losses.end(), questions.begin(), questions.end());
+    lose(study::ratioQuestions(scene, felt));
     if (!options.vtp.empty()) {
         const auto bytes = study::feltVtp(felt);
         const Status status = bytes.isOk() ? core::writeAtomically(options.vtp, bytes.value()) : bytes.status();
@@ -181,16 +187,15 @@ int runFelt(const FeltCommandOptions& options)
         return report(scene.status());
     }
     printTouchNotes(scene.value(), *study::hapticScene(scene.value()));
-    const std::string file = options.scene.filename().string() + ": ";
     const auto organs = study::organsWithLumps(scene.value(), ratios.value());
     if (!organs.isOk()) {
-        return report(Status(organs.status().code(), file + organs.status().message()));
+        return report(organs.status().at(options.scene.filename()));
     }
     buried::FeltOptions how;
     how.press_mm = depths.value();
     const auto felt = feelAll(scene.value(), organs.value(), how, radius_mm);
     if (!felt.isOk()) {
-        return report(Status(felt.status().code(), file + felt.status().message()));
+        return report(felt.status().at(options.scene.filename()));
     }
     return writeAndPrint(options, scene.value(), felt.value());
 }

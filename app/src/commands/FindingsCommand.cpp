@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/Commands.h"
-#include "shared/Console.h"
 #include "reports/SessionReport.h"
+#include "shared/Console.h"
 
 #include <palpate/core/AtomicFile.h>
 #include <palpate/meshio/SceneFile.h>
@@ -30,7 +30,7 @@ struct FindingsOptions
 constexpr const char* kStdout = "-";
 
 /// Reads the findings of a scene file or recording. @param damage  gets the damage of a recording
-Result<std::vector<core::Finding>> findingsIn(const std::filesystem::path& file, std::vector<std::string>& damage)
+Result<std::vector<core::Finding>> findingsIn(const std::filesystem::path& file, std::vector<core::Message>& damage)
 {
     if (session::isRecordingFile(file)) {
         const auto reader = session::RecordingReader::open(file);
@@ -41,9 +41,10 @@ Result<std::vector<core::Finding>> findingsIn(const std::filesystem::path& file,
         return study::recordedFindings(*reader.value());
     }
     if (!meshio::isSceneFile(file)) {
-        return Status(StatusCode::BadFormat, file.filename().string() +
-                                                 ": found neither a scene nor a recording, expected a file that keeps "
-                                                 "findings (.palpate.json or .palpate)");
+        return Status(StatusCode::BadFormat,
+                      PALPATE_TEXT("%1: found neither a scene nor a recording, expected a file that keeps findings "
+                                   "(.palpate.json or .palpate)"),
+                      file.filename());
     }
     auto scene = meshio::readScene(file);
     return scene.isOk() ? Result<std::vector<core::Finding>>(std::move(scene).value().findings)
@@ -58,7 +59,7 @@ Status writeTo(const std::filesystem::path& path, const std::string& text)
     }
     return std::fwrite(text.data(), 1, text.size(), stdout) == text.size()
                ? Status()
-               : Status(StatusCode::Unreadable, "stdout: the findings could not be written");
+               : Status(StatusCode::Unreadable, PALPATE_TEXT("stdout: the findings could not be written"));
 }
 
 void printFindings(const std::vector<core::Finding>& findings)
@@ -93,7 +94,7 @@ int runImport(const FindingsOptions& options)
 {
     if (!meshio::isSceneFile(options.file)) {
         return report({StatusCode::BadCommandLine,
-                       "findings --import: found " + options.file.string() + ", expected a scene (.palpate.json)"});
+                       PALPATE_TEXT("findings --import: found %1, expected a scene (.palpate.json)"), options.file});
     }
     auto scene = meshio::readScene(options.file);
     if (!scene.isOk()) {
@@ -118,17 +119,23 @@ int runImport(const FindingsOptions& options)
     }
     print("%s: %s finding%s taken, %s in all\n", options.out.string().c_str(), grouped(count).c_str(),
           count == 1 ? "" : "s", grouped(out.findings.size()).c_str());
-    return reportLosses(markups.value().losses);
+    std::vector<core::Message> losses;
+    for (const std::string& loss : markups.value().losses) {
+        losses.push_back(core::Message::untranslated(loss));
+    }
+    return reportLosses(losses);
 }
 
 int runFindings(const FindingsOptions& options)
 {
     if (options.import.empty() != options.out.empty()) {
-        return report({StatusCode::BadCommandLine, "findings: found one of --import and --out, expected both: the "
-                                                   "scene with what is taken is another file"});
+        return report(
+            {StatusCode::BadCommandLine, PALPATE_TEXT("findings: found one of --import and --out, expected both: the "
+                                                      "scene with what is taken is another file")});
     }
     if (options.csv == kStdout && options.markups == kStdout) {
-        return report({StatusCode::BadCommandLine, "findings: found - for --csv and --markups, expected it for one"});
+        return report({StatusCode::BadCommandLine,
+                       PALPATE_TEXT("findings: found - for --csv and --markups, expected it for one")});
     }
     const auto fileOf = [](const std::filesystem::path& path) {
         return path == kStdout ? std::filesystem::path() : path;
@@ -140,12 +147,14 @@ int runFindings(const FindingsOptions& options)
     }
     if (!options.import.empty()) {
         if (!options.csv.empty() || !options.markups.empty()) {
-            return report({StatusCode::BadCommandLine,
-                           "findings --import: found --csv or --markups too, expected --out alone: export from there"});
+            return report(
+                {StatusCode::BadCommandLine,
+                 PALPATE_TEXT(
+                     "findings --import: found --csv or --markups too, expected --out alone: export from there")});
         }
         return runImport(options);
     }
-    std::vector<std::string> damage;
+    std::vector<core::Message> damage;
     const auto findings = findingsIn(options.file, damage);
     if (!findings.isOk()) {
         return report(findings.status());

@@ -34,8 +34,10 @@ int execEvaluationProgram(char** argv)
         std::filesystem::read_symlink("/proc/self/exe", error).replace_filename(kEvaluationProgram).string();
     ::execv(program.c_str(), argv);
     const int why = errno;
-    printError(program + ": " + std::strerror(why) + ", expected the program that does `palpate " + argv[1] +
-               "`: install it beside palpate, or build all of Palpate");
+    printError(
+        PALPATE_TEXT("%1: %2, expected the program that does `palpate %3`: install it beside palpate, or build all "
+                     "of Palpate"),
+        program, core::systemError(why), argv[1]);
     return kFailed;
 }
 
@@ -46,8 +48,8 @@ void addEvaluationCommands(CLI::App& app, Chosen& chosen)
         command->prefix_command(); // the other program validates the rest of the command line
         command->callback([&chosen, text] {
             chosen = [text] {
-                printError(std::string(text.name) +
-                           ": found after an option, expected as the first word after palpate");
+                printError(PALPATE_TEXT("%1: found after an option, expected as the first word after palpate"),
+                           text.name);
                 return int{kBadInput};
             };
         });

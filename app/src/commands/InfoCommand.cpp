@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/Commands.h"
-#include "shared/Console.h"
 #include "reports/InfoReport.h"
+#include "shared/Console.h"
 #include "shared/LayersOption.h"
 #include "shared/SurfaceOptions.h"
 
@@ -59,11 +59,13 @@ core::Result<Examined> readFile(const std::filesystem::path& file, const meshio:
 {
     std::error_code error;
     if (!std::filesystem::exists(file, error)) {
-        return Status(StatusCode::NotFound, file.string() + ": no such file, expected a mesh, a scene or a folder");
+        return Status(StatusCode::NotFound, PALPATE_TEXT("%1: no such file, expected a mesh, a scene or a folder"),
+                      file);
     }
     if (session::isRecordingFile(file)) {
         return Status(StatusCode::Unsupported,
-                      file.string() + ": found a recording, expected a mesh (palpate session info reads recordings)");
+                      PALPATE_TEXT("%1: found a recording, expected a mesh (palpate session info reads recordings)"),
+                      file);
     }
     Examined one;
     one.report.path = file;
@@ -197,15 +199,16 @@ int runMeshInfo(const InfoOptions& options)
         }
     };
     std::vector<Examined> files;
-    std::vector<std::string> losses;
+    std::vector<core::Message> losses;
     for (const auto& file : options.files) {
         auto one = readFile(file, read.value());
         if (!one.isOk()) {
             return report(one.status());
         }
         files.push_back(std::move(one).value());
-        const std::vector<std::string>& lost = files.back().report.scene.losses;
-        losses.insert(losses.end(), lost.begin(), lost.end());
+        for (const std::string& loss : files.back().report.scene.losses) {
+            losses.push_back(core::Message::untranslated(loss));
+        }
         show(printRead, files.back());
         indexFile(files.back());
         show(printTouch, files.back());

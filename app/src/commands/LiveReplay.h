@@ -19,7 +19,7 @@ struct LiveResult
 {
     std::int64_t lost = 0; ///< rows of the motion not simulated, plus dropped ticks
     std::uint64_t overruns = 0;
-    std::string fault; ///< one line; empty without a fault
+    core::Message fault; ///< one line; empty without a fault
 };
 
 /// Hand of a real-time replay.

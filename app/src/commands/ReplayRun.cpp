@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/ReplayRun.h"
 
+#include "reports/SessionReport.h"
 #include "shared/Console.h"
 #include "shared/Devices.h"
 #include "shared/LayersOption.h"
-#include "reports/SessionReport.h"
 
 #include <palpate/servo/PassivityController.h>
 #include <palpate/study/DeviceLimit.h>
@@ -120,9 +120,11 @@ Status ReplayRun::checkOptions()
     std::error_code error;
     for (const fs::path* path : {&m_options.scene, &m_options.motion}) {
         if (!fs::exists(*path, error)) {
-            return {StatusCode::NotFound, path->string() + ": no such file, expected a " +
-                                              (path == &m_options.scene ? "mesh, a scene or a folder of meshes"
-                                                                        : "motion CSV or a recording")};
+            return {StatusCode::NotFound,
+                    path == &m_options.scene
+                        ? core::Message(
+                              PALPATE_TEXT("%1: no such file, expected a mesh, a scene or a folder of meshes"), *path)
+                        : core::Message(PALPATE_TEXT("%1: no such file, expected a motion CSV or a recording"), *path)};
         }
     }
     return checkOutputs({m_options.scene, m_options.motion}, outputs);
@@ -158,13 +160,15 @@ Status ReplayRun::checkRecord() const
     }
     if (kind != fs::file_type::regular && kind != fs::file_type::symlink) {
         return {StatusCode::BadCommandLine,
-                m_options.record.string() + ": cannot be written: not a file; a recording is one, expected its name"};
+                PALPATE_TEXT("%1: cannot be written: not a file; a recording is one, expected its name"),
+                m_options.record};
     }
     return m_options.isForced
                ? Status()
-               : Status(StatusCode::BadCommandLine, m_options.record.string() +
-                                                        ": found a file of this name, expected a new one for "
-                                                        "the recording, or --force to replace it");
+               : Status(StatusCode::BadCommandLine,
+                        PALPATE_TEXT("%1: found a file of this name, expected a new one for the recording, or --force "
+                                     "to replace it"),
+                        m_options.record);
 }
 
 Status ReplayRun::loadMotion()
@@ -210,12 +214,15 @@ Status ReplayRun::loadScene()
     m_cost.triangles = study::triangleCount(*m_scene);
     m_cost.bytes = m_scene->byteSize();
     if (m_cost.triangles == 0) {
-        return {StatusCode::Empty, m_options.scene.string() + ": found nothing palpable, expected a structure that is"};
+        return {StatusCode::Empty, PALPATE_TEXT("%1: found nothing palpable, expected a structure that is"),
+                m_options.scene};
     }
-    m_losses = loaded.value().losses;
+    for (const std::string& loss : loaded.value().losses) {
+        m_losses.push_back(core::Message::untranslated(loss));
+    }
     for (const std::string& field : meshio::unknownFields(loaded.value().scene)) {
-        printError(m_options.scene.filename().string() + ": " + field +
-                   ": this version does not know this field; it is kept, but not used");
+        printError(PALPATE_TEXT("%1: %2: this version does not know this field; it is kept, but not used"),
+                   m_options.scene.filename(), field);
     }
     if (!m_options.layers.empty()) {
         const auto before = m_scene;
@@ -291,11 +298,17 @@ Status ReplayRun::checkPalpableMatches(const session::SceneRecord& record) const
             }
             const bool isTransmitted = m_isTransmitted[i] != 0;
             return {StatusCode::Mismatch,
-                    m_options.scene.string() + ": structure \"" + structure.name +
-                        "\" was touched by itself in the recording (layer " + std::to_string(structure.layer) +
-                        "), here " +
-                        (isTransmitted ? "it is felt through the structure around it" : "it is not palpable") +
-                        "; expected the scene that was recorded, or --force to replay the motion alone"};
+                    isTransmitted
+                        ? core::Message(
+                              PALPATE_TEXT("%1: structure \"%2\" was touched by itself in the recording (layer %3), "
+                                           "here it is felt through the structure around it; expected the scene "
+                                           "that was recorded, or --force to replay the motion alone"),
+                              m_options.scene, structure.name, structure.layer)
+                        : core::Message(
+                              PALPATE_TEXT("%1: structure \"%2\" was touched by itself in the recording (layer %3), "
+                                           "here it is not palpable; expected the scene that was recorded, or "
+                                           "--force to replay the motion alone"),
+                              m_options.scene, structure.name, structure.layer)};
         }
     }
     return {};
@@ -309,8 +322,8 @@ Status ReplayRun::checkSameGeometry() const
             return status;
         }
         if (const auto built = session::rebuildScene(record, surfaces); !built.isOk()) {
-            return {built.status().code(), m_options.scene.string() + ": " + built.status().message() +
-                                               "; expected the scene that was recorded, or --force"};
+            return {built.status().code(), PALPATE_TEXT("%1: %2; expected the scene that was recorded, or --force"),
+                    m_options.scene, built.status().text()};
         }
     }
     return {};
@@ -354,13 +367,13 @@ Status ReplayRun::feelRecording()
                    take(tick, [&](std::uint32_t number) { return m_recording->structureName(tick.scene, number); });
         });
     if (!result.isOk()) {
-        return {result.status().code(), m_options.motion.string() + ": " + result.status().message()};
+        return result.status().at(m_options.motion);
     }
     m_resimulation = result.value();
     m_summary->setResimulation(*m_resimulation);
     if (m_resimulation->unverified > 0) {
-        m_losses.push_back(m_options.motion.string() + ": " + std::to_string(m_resimulation->unverified) +
-                           " ticks skipped: ticks before them are missing in the recording");
+        m_losses.push_back({PALPATE_TEXT("%1: %2 ticks skipped: ticks before them are missing in the recording"),
+                            m_options.motion, m_resimulation->unverified});
     }
     return {};
 }
@@ -444,11 +457,11 @@ Status ReplayRun::feelLive()
     }
     m_summary->setLive(result.value().lost, result.value().overruns);
     if (result.value().lost != 0) {
-        m_losses.push_back(m_options.motion.string() + ": " + std::to_string(result.value().lost) + " of " +
-                           std::to_string(m_motion.p_WH.size()) + " ticks were lost");
+        m_losses.push_back({PALPATE_TEXT("%1: %2 of %3 ticks were lost"), m_options.motion, result.value().lost,
+                            m_motion.p_WH.size()});
     }
-    if (!result.value().fault.empty()) {
-        m_losses.push_back("the safety gate took the force away: " + result.value().fault);
+    if (!result.value().fault.isEmpty()) {
+        m_losses.push_back({PALPATE_TEXT("the safety gate took the force away: %1"), result.value().fault});
     }
     return {};
 }

@@ -92,7 +92,7 @@ class ReplayRun
     SceneCost m_cost;
     std::optional<ReplaySummary> m_summary;
     std::optional<session::Resimulation> m_resimulation;
-    std::vector<std::string> m_losses; ///< one line per loss
+    std::vector<core::Message> m_losses; ///< one line per loss
     core::Status m_writeStatus;
     std::unique_ptr<device::PluginHost> m_plugins; ///< set if the hand's device comes from a plugin
     std::optional<session::TickCsv> m_csv;

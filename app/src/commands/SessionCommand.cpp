@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/Commands.h"
-#include "shared/Console.h"
 #include "reports/MeasuresReport.h"
 #include "reports/SessionReport.h"
+#include "shared/Console.h"
 
 #include <palpate/core/AtomicFile.h>
 #include <palpate/session/MeasureSession.h>
@@ -52,7 +52,7 @@ int runVerify(const SessionOptions& options)
     }
     const RecordingReader& reader = *opened.value();
     if (const Status status = reader.verify(); !status.isOk()) {
-        printError(status.message());
+        printError(status.text());
         return kFailed;
     }
     print("%s: database sound, checksums of %s ticks right\n", options.file.string().c_str(),
@@ -62,20 +62,21 @@ int runVerify(const SessionOptions& options)
         if (!options.scene.empty()) {
             return report(surfaces.status());
         }
-        printError("not computed again: " + surfaces.status().message() + "; say where the scene is with --scene");
+        printError(PALPATE_TEXT("not computed again: %1; say where the scene is with --scene"),
+                   surfaces.status().text());
         return kSomeLost;
     }
     const auto result = session::resimulate(reader, study::indexedByHash(surfaces.value()));
     if (!result.isOk()) {
-        return report({result.status().code(), options.file.string() + ": " + result.status().message()});
+        return report(result.status().at(options.file));
     }
     const session::Resimulation& again = result.value();
     if (const int code = reportAgreement(options.file, reader.info(), again); code != kDone) {
         return code;
     }
     if (reader.extent().dropped > 0 || again.unverified > 0) {
-        printError(options.file.string() + ": " + std::to_string(reader.extent().dropped) + " ticks are missing and " +
-                   std::to_string(again.unverified) + " after them could not be computed again");
+        printError(PALPATE_TEXT("%1: %2 ticks are missing and %3 after them could not be computed again"), options.file,
+                   reader.extent().dropped, again.unverified);
         return kSomeLost;
     }
     return kDone;
@@ -91,17 +92,18 @@ int runRecover(const SessionOptions& options)
     if (isThere && !options.isForced && std::filesystem::file_size(options.out, error) > 0 &&
         !session::isRecordingFile(options.out)) {
         return report(
-            {StatusCode::BadCommandLine, options.out.string() +
-                                             ": found a file that is no recording, expected another name for the copy, "
-                                             "or --force to replace it"});
+            {StatusCode::BadCommandLine,
+             PALPATE_TEXT("%1: found a file that is no recording, expected another name for the copy, or --force to "
+                          "replace it"),
+             options.out});
     }
     const auto recovered = session::recoverRecording(options.file, options.out);
     if (!recovered.isOk()) {
         return report(recovered.status());
     }
     print("%s: %s ticks recovered\n", options.out.string().c_str(), grouped(recovered.value().ticks).c_str());
-    for (const std::string& loss : recovered.value().losses) {
-        printError(options.file.string() + ": missing in the copy: " + loss);
+    for (const core::Message& loss : recovered.value().losses) {
+        printError(PALPATE_TEXT("%1: missing in the copy: %2"), options.file, loss);
     }
     return recovered.value().losses.empty() ? kDone : kSomeLost;
 }
@@ -139,9 +141,10 @@ core::Result<session::SessionMeasures> measure(const RecordingReader& reader, co
             measures.value().lumps = std::move(lumps).value();
         }
         if (!isWhole) {
-            printError(options.file.string() + ": no coverage of " + names + ": " +
-                       (surfaces.isOk() ? "its surface is another one now" : surfaces.status().message()) +
-                       "; say where the scene is with --scene");
+            printError(PALPATE_TEXT("%1: no coverage of %2: %3; say where the scene is with --scene"), options.file,
+                       names,
+                       surfaces.isOk() ? core::Message(PALPATE_TEXT("its surface is another one now"))
+                                       : surfaces.status().text());
         }
     }
     return measures;
@@ -187,7 +190,8 @@ int runMeasure(const SessionOptions& options)
 int exportAll(const SessionOptions& options, const RecordingReader& reader)
 {
     if (options.csv.empty() && options.vtp.empty()) {
-        return report({StatusCode::BadCommandLine, "session export: found no output, expected --csv or --vtp"});
+        return report(
+            {StatusCode::BadCommandLine, PALPATE_TEXT("session export: found no output, expected --csv or --vtp")});
     }
     // Path and touched surface are separate data sets, so each gets its own file.
     const std::filesystem::path surface = study::surfaceFileOf(options.vtp);
@@ -221,7 +225,7 @@ int exportAll(const SessionOptions& options, const RecordingReader& reader)
     const auto measures = measure(reader, options, isWhole);
     Status status = measures.isOk() ? study::exportSurface(measures.value(), surface) : measures.status();
     if (status.code() == StatusCode::Empty) {
-        printError(status.message());
+        printError(status.text());
         return kSomeLost;
     }
     return !status.isOk() ? report(status) : isWhole ? kDone : kSomeLost;

@@ -40,7 +40,7 @@ core::Result<std::vector<device::DevicePreset>> presetsOf(const std::string& id)
     for (const device::DevicePreset& preset : all) {
         names += (names.empty() ? "" : ", ") + std::string(preset.id);
     }
-    return Status(StatusCode::BadCommandLine, "--device: found \"" + id + "\", expected one of " + names);
+    return Status(StatusCode::BadCommandLine, PALPATE_TEXT("--device: found \"%1\", expected one of %2"), id, names);
 }
 
 void printResult(const stability::Result& result)
@@ -94,8 +94,8 @@ int runStability(const StabilityOptions& options)
     std::error_code error;
     fs::create_directories(options.out, error);
     if (!fs::is_directory(options.out)) {
-        return report(Status(StatusCode::BadCommandLine,
-                             "--out: " + options.out.string() + " cannot be made: " + error.message()));
+        return report(Status(StatusCode::BadCommandLine, PALPATE_TEXT("--out: %1 cannot be made: %2"), options.out,
+                             core::systemError(error.value())));
     }
     std::vector<stability::Shape> shapes;
     std::string subject = "standard shapes";
@@ -115,7 +115,8 @@ int runStability(const StabilityOptions& options)
         shapes.push_back(stability::shapeOf(subject, *scene));
         if (shapes.front().holds.empty()) {
             return report(Status(StatusCode::Empty,
-                                 options.scene.string() + ": found nothing to press, expected a palpable surface"));
+                                 PALPATE_TEXT("%1: found nothing to press, expected a palpable surface"),
+                                 options.scene));
         }
     }
     stability::Options how;
@@ -141,9 +142,10 @@ int runStability(const StabilityOptions& options)
     print("%s\n", (options.out / "stability.html").string().c_str());
     for (const stability::Row& row : result.rows) {
         if (!std::isfinite(row.restless_mm)) {
-            return report(Status(StatusCode::Empty, row.shape + ": a hand on " + row.device +
-                                                        " slips off it wherever it presses; is it the size it should "
-                                                        "be (--unit)?"));
+            return report(Status(StatusCode::Empty,
+                                 PALPATE_TEXT("%1: a hand on %2 slips off it wherever it presses; is it the size it "
+                                              "should be (--unit)?"),
+                                 row.shape, row.device));
         }
     }
     return kDone;

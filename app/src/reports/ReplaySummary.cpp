@@ -136,13 +136,13 @@ std::string ReplaySummary::json() const
         if (m_resimulation->firstDifference) {
             result["differing_ticks"] = static_cast<qint64>(m_resimulation->differing);
             result["first_difference"] = static_cast<qint64>(*m_resimulation->firstDifference);
-            result["difference"] = text(m_resimulation->difference);
+            result["difference"] = text(m_resimulation->difference.english());
             result["farthest_mm"] = m_resimulation->farthest_mm;
             result["farthest_N"] = m_resimulation->farthest_N;
         }
         if (m_resimulation->firstBeyond) {
             result["first_beyond_rounding"] = static_cast<qint64>(*m_resimulation->firstBeyond);
-            result["beyond_rounding"] = text(m_resimulation->beyond);
+            result["beyond_rounding"] = text(m_resimulation->beyond.english());
         }
         root["resimulation"] = result;
     }

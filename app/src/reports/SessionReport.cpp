@@ -14,7 +14,7 @@ void printRecording(const std::filesystem::path& file, const session::RecordingR
     const session::RecordingExtent& extent = reader.extent();
     print("%s: recording of version %d\n", file.string().c_str(), info.version);
     print("  made %s by Palpate %s (%s)\n", info.startedUtc.c_str(), info.palpate.c_str(), info.build.c_str());
-    print("  %s\n", session::endingText(extent).c_str());
+    print("  %s\n", session::endingText(extent).english().c_str());
     print("  %s ticks (%lld to %lld) at %g Hz, %.3f s\n", grouped(extent.ticks).c_str(),
           static_cast<long long>(extent.firstTick), static_cast<long long>(extent.lastTick), info.rate_Hz,
           extent.duration_s);
@@ -47,21 +47,26 @@ void printRecording(const std::filesystem::path& file, const session::RecordingR
     print("  events: %s\n", list.empty() ? "none" : list.c_str());
 }
 
-int reportDamage(const std::filesystem::path& file, const std::vector<std::string>& faults, int code)
+int reportDamage(const std::filesystem::path& file, const std::vector<core::Message>& faults, int code)
 {
     constexpr std::size_t kShown = 10;
     if (faults.empty()) {
         return code;
     }
-    const std::string name = file.string() + ": ";
-    printError(name + "DAMAGED, or changed after it was recorded, in " + grouped(faults.size()) +
-               (faults.size() == 1 ? " place" : " places") +
-               ": ticks that do not match their checksum were left out, and figures are those of the rest");
+    if (faults.size() == 1) {
+        printError(PALPATE_TEXT("%1: DAMAGED, or changed after it was recorded, in 1 place: ticks that do not match "
+                                "their checksum were left out, and figures are those of the rest"),
+                   file);
+    } else {
+        printError(PALPATE_TEXT("%1: DAMAGED, or changed after it was recorded, in %2 places: ticks that do not match "
+                                "their checksum were left out, and figures are those of the rest"),
+                   file, core::Count(faults.size()));
+    }
     for (std::size_t i = 0; i < std::min(kShown, faults.size()); ++i) {
-        printError(name + faults[i]);
+        printError(PALPATE_TEXT("%1: %2"), file, faults[i]);
     }
     if (faults.size() > kShown) {
-        printError(name + "and " + grouped(faults.size() - kShown) + " more");
+        printError(PALPATE_TEXT("%1: and %2 more"), file, core::Count(faults.size() - kShown));
     }
     return code == kDone ? kSomeLost : code;
 }
@@ -75,21 +80,24 @@ int reportAgreement(const std::filesystem::path& file, const session::RecordingI
         return kDone;
     }
     const std::string here = session::buildId();
-    const std::string builds = info.build == here
-                                   ? "; recorded by this build (" + here + ")"
-                                   : "; recorded by another build (" + info.build + "), this one is " + here;
     if (!again.isWithinRounding()) {
-        printError(file.string() + ": " + again.beyond + builds);
+        info.build == here ? printError(PALPATE_TEXT("%1: %2; recorded by this build (%3)"), file, again.beyond, here)
+                           : printError(PALPATE_TEXT("%1: %2; recorded by another build (%3), this one is %4"), file,
+                                        again.beyond, info.build, here);
         return kFailed;
     }
     if (info.build == here && session::isExactBuild(here)) {
-        printError(file.string() + ": " + again.difference + builds + ", which should give the same bits");
+        printError(PALPATE_TEXT("%1: %2; recorded by this build (%3), which should give the same bits"), file,
+                   again.difference, here);
         return kFailed;
     }
+    const std::string builds = info.build == here
+                                   ? "; recorded by this build (" + here + ")"
+                                   : "; recorded by another build (" + info.build + "), this one is " + here;
     print("%s ticks computed again: %s differ, by rounding: by at most %.2g mm (up to %.2g mm is rounding) and %.2g N, "
           "first at %s%s\n",
           ticks.c_str(), grouped(again.differing).c_str(), again.farthest_mm, again.rounding_mm, again.farthest_N,
-          again.difference.c_str(), builds.c_str());
+          again.difference.english().c_str(), builds.c_str());
     return kDone;
 }
 

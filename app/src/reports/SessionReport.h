@@ -19,7 +19,7 @@ namespace palpate::app {
 /// Prints damage of a recording to stderr, as far as the recording was read.
 /// @param code  exit code of the run apart from damage
 /// @return kSomeLost if `code` is kDone and there is damage, otherwise `code`
-[[nodiscard]] int reportDamage(const std::filesystem::path& file, const std::vector<std::string>& faults, int code);
+[[nodiscard]] int reportDamage(const std::filesystem::path& file, const std::vector<core::Message>& faults, int code);
 
 /// Prints a summary of a recording, in about ten lines.
 void printRecording(const std::filesystem::path& file, const session::RecordingReader& reader);

@@ -17,11 +17,11 @@ namespace palpate::app {
 using core::Status;
 using core::StatusCode;
 
-void printError(std::string_view message)
+void printError(const core::Message& message)
 {
     // Keep both ends: the location is at the start, the remedy at the end.
     constexpr std::size_t kHead = 1200, kTail = 700;
-    std::string line = core::visible(message);
+    std::string line = core::visible(message.english());
     if (line.size() > kHead + kTail) {
         const auto isContinued = [&line](std::size_t i) {
             return (static_cast<unsigned char>(line[i]) & 0xc0U) == 0x80U;
@@ -43,7 +43,7 @@ int report(const Status& status)
     if (status.isOk()) {
         return kDone;
     }
-    printError(status.message());
+    printError(status.text());
     switch (status.code()) {
     case StatusCode::Internal:
     case StatusCode::DeviceLost:
@@ -54,9 +54,9 @@ int report(const Status& status)
     }
 }
 
-int reportLosses(const std::vector<std::string>& losses)
+int reportLosses(const std::vector<core::Message>& losses)
 {
-    for (const std::string& loss : losses) {
+    for (const core::Message& loss : losses) {
         printError(loss);
     }
     return losses.empty() ? kDone : kSomeLost;
@@ -135,13 +135,21 @@ core::Result<double> numberOption(std::string_view option, const std::string& te
     if (isGood) {
         return *value;
     }
-    const auto whole = [](double bound) { return std::to_string(static_cast<long long>(bound)); };
-    std::string expected = (range.isAbove ? "above " : "of at least ") + whole(range.least);
-    if (std::isfinite(range.most)) {
-        expected += " and at most " + whole(range.most);
+    const auto least = static_cast<long long>(range.least);
+    if (!std::isfinite(range.most)) {
+        return range.isAbove
+                   ? Status(StatusCode::BadCommandLine, PALPATE_TEXT("%1: found \"%2\", expected a number above %3"),
+                            option, text, least)
+                   : Status(StatusCode::BadCommandLine,
+                            PALPATE_TEXT("%1: found \"%2\", expected a number of at least %3"), option, text, least);
     }
-    return Status(StatusCode::BadCommandLine,
-                  std::string(option) + ": found \"" + text + "\", expected a number " + expected);
+    const auto most = static_cast<long long>(range.most);
+    return range.isAbove ? Status(StatusCode::BadCommandLine,
+                                  PALPATE_TEXT("%1: found \"%2\", expected a number above %3 and at most %4"), option,
+                                  text, least, most)
+                         : Status(StatusCode::BadCommandLine,
+                                  PALPATE_TEXT("%1: found \"%2\", expected a number of at least %3 and at most %4"),
+                                  option, text, least, most);
 }
 
 core::Result<double> unitOption(const std::string& text)
@@ -155,7 +163,7 @@ core::Result<double> unitOption(const std::string& text)
     if (text == "m") {
         return 1000.0;
     }
-    return Status(StatusCode::BadCommandLine, "--unit: found \"" + text + "\", expected m, cm or mm");
+    return Status(StatusCode::BadCommandLine, PALPATE_TEXT("--unit: found \"%1\", expected m, cm or mm"), text);
 }
 
 core::Result<core::FileFrame> frameOption(const std::string& text)
@@ -164,7 +172,7 @@ core::Result<core::FileFrame> frameOption(const std::string& text)
     if (text.empty() || named) {
         return named.value_or(core::FileFrame::Untagged);
     }
-    return Status(StatusCode::BadCommandLine, "--frame: found \"" + text + "\", expected LPS, RAS or Y-up");
+    return Status(StatusCode::BadCommandLine, PALPATE_TEXT("--frame: found \"%1\", expected LPS, RAS or Y-up"), text);
 }
 
 namespace {
@@ -204,9 +212,14 @@ Status checkOutputs(const std::vector<std::filesystem::path>& inputs, const std:
                 }
                 const bool isNamed = overwritesInput(output, inputs[k]);
                 return {StatusCode::BadCommandLine,
-                        output.string() + ": found it as " +
-                            (isNamed ? std::string("input and output") : "output and a file of " + inputs[k].string()) +
-                            ", expected another name for the output"};
+                        isNamed ? core::Message(
+                                      PALPATE_TEXT("%1: found it as input and output, expected another name for the "
+                                                   "output"),
+                                      output)
+                                : core::Message(
+                                      PALPATE_TEXT("%1: found it as output and a file of %2, expected another name for "
+                                                   "the output"),
+                                      output, inputs[k])};
             }
         }
     }
@@ -214,7 +227,7 @@ Status checkOutputs(const std::vector<std::filesystem::path>& inputs, const std:
         for (std::size_t k = 0; k < i; ++k) {
             if (!outputs[i].empty() && placeOf(outputs[i]) == placeOf(outputs[k])) {
                 return {StatusCode::BadCommandLine,
-                        outputs[i].string() + ": found it as two outputs, expected a name for each"};
+                        PALPATE_TEXT("%1: found it as two outputs, expected a name for each"), outputs[i]};
             }
         }
     }

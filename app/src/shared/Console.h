@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/FileFrame.h>
+#include <palpate/core/Message.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/Text.h>
 
@@ -9,6 +10,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace palpate::app {
@@ -24,11 +26,16 @@ enum ExitCode : int
 
 /// Prints one line to stderr. Control and bidirectional characters are made visible (core::visible). The middle of
 /// messages of more than 1,900 bytes, for example with very long paths, is omitted.
-void printError(std::string_view message);
+void printError(const core::Message& message);
+template<class... Arguments>
+void printError(core::MessageText<std::type_identity_t<Arguments>...> text, const Arguments&... arguments)
+{
+    printError(core::Message(text, arguments...));
+}
 /// Prints the status to stderr. @return the exit code of the status
 [[nodiscard]] int report(const core::Status& status);
 /// Prints losses to stderr, one per line. @return the exit code of an otherwise successful run
-[[nodiscard]] int reportLosses(const std::vector<std::string>& losses);
+[[nodiscard]] int reportLosses(const std::vector<core::Message>& losses);
 /// Prints to stdout like printf, always with a decimal point. Control and bidirectional characters in `%s` arguments
 /// are made visible (core::visible); characters of `format`, such as line ends, are not changed.
 [[gnu::format(printf, 1, 2)]] void print(const char* format, ...);

@@ -27,7 +27,7 @@ int probe(const char* file)
 {
     const core::Status status = device::answerProbe(file);
     if (!status.isOk()) {
-        printError(status.message());
+        printError(status.text());
         return kFailed;
     }
     return kDone;
@@ -38,7 +38,7 @@ core::Status checkPluginFolders(const std::vector<std::filesystem::path>& named)
     for (const std::filesystem::path& folder : named) {
         std::error_code error;
         if (!std::filesystem::is_directory(folder, error)) {
-            return {core::StatusCode::BadCommandLine, "--plugin-path: " + folder.string() + ": expected a folder"};
+            return {core::StatusCode::BadCommandLine, PALPATE_TEXT("--plugin-path: %1: expected a folder"), folder};
         }
     }
     return {};

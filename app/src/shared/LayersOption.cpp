@@ -12,7 +12,7 @@ core::Status checkLayers(const std::string& option)
     if (option.empty() || option == "auto") {
         return {};
     }
-    return {core::StatusCode::BadCommandLine, "--layers: found \"" + option + "\", expected auto"};
+    return {core::StatusCode::BadCommandLine, PALPATE_TEXT("--layers: found \"%1\", expected auto"), option};
 }
 
 std::vector<std::string> layOut(const std::filesystem::path& path, meshio::LoadedScene& scene,

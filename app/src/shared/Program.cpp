@@ -38,22 +38,22 @@ int runProgram(int argc, char** argv, int (*run)(int argc, char** argv))
     // Start the server first, while the process has one thread and no open files. Without a server, files are read in
     // this process.
     if (const core::Status server = meshio::startImportServer(); !server.isOk()) {
-        printError(server.message() + "; meshes are read in this process");
+        printError(PALPATE_TEXT("%1; meshes are read in this process"), server.text());
     }
     core::removeScratchOnSignals();
     int code = kFailed;
     try {
         code = run(argc, argv);
     } catch (const std::bad_alloc&) {
-        printError("out of memory");
+        printError(PALPATE_TEXT("out of memory"));
     } catch (const std::exception& error) {
-        printError(error.what());
+        printError(core::Message::untranslated(error.what()));
     } catch (...) {
-        printError("stopped by an unknown error");
+        printError(PALPATE_TEXT("stopped by an unknown error"));
     }
     const bool isFlushed = std::fflush(stdout) == 0;
     if ((!isFlushed || std::ferror(stdout) != 0) && code == kDone) {
-        printError("the output could not be written");
+        printError(PALPATE_TEXT("the output could not be written"));
         code = kFailed;
     }
     return code;
@@ -72,7 +72,7 @@ std::optional<int> parse(CLI::App& cli, int argc, char** argv)
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
             return cli.exit(error); // help or version
         }
-        printError(std::string(error.what()) + " (palpate --help lists what there is)");
+        printError(PALPATE_TEXT("%1 (palpate --help lists what there is)"), error.what());
         return kBadInput;
     }
     return std::nullopt;

@@ -170,7 +170,7 @@ void MainWindow::listRealtimeWarnings(const servo::RealtimeReport& report)
     for (const servo::RealtimeItem& item : report.items) {
         if (!item.isGranted && !item.remedy.empty()) {
             lines << tr("Forces may stutter: %1: %2. %3")
-                         .arg(QString::fromStdString(item.name), QString::fromStdString(item.message),
+                         .arg(ui::translated(item.name), ui::translated(item.message),
                               QString::fromStdString(item.remedy));
         }
     }

@@ -100,12 +100,13 @@ void RecordingControl::refresh()
     const session::RecorderStatus now = m_live.recording();
     if (now.isRecording) {
         const QString losses = lossesText(now.late, now.dropped);
-        const bool isTroubled = !now.problem.empty();
+        const bool isTroubled = !now.problem.isEmpty();
         m_chip.say(isTroubled ? tr("● recording %1, disk not responding").arg(clockText(now.duration_s))
                               : tr("● recording %1, %2").arg(clockText(now.duration_s), losses),
                    Chip::Tone::Recording);
         m_panel.showRecording(now.duration_s, losses);
-        if (std::exchange(m_reportedProblem, now.problem) != now.problem && isTroubled) {
+        const std::string problem = now.problem.english();
+        if (std::exchange(m_reportedProblem, problem) != problem && isTroubled) {
             Q_EMIT writeProblem(ui::engineText(now.problem));
         }
         return;

@@ -238,7 +238,7 @@ bool SceneDocument::writeCopy()
     }
     core::Status status;
     if (m_copy.empty() && !beginCopy()) {
-        status = {core::StatusCode::Unreadable, copyFolder().toStdString() + ": cannot be written"};
+        status = {core::StatusCode::Unreadable, PALPATE_TEXT("%1: cannot be written"), copyFolder().toStdString()};
     } else {
         meshio::SceneFile scene = content();
         QJsonObject extra = QJsonDocument::fromJson(QByteArray::fromStdString(scene.extra)).object();

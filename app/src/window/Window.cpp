@@ -55,7 +55,7 @@ class ScreenshotRun : public QObject
             QCoreApplication::exit(2);
         });
         QTimer::singleShot(kGiveUp_ms, this, [] {
-            app::printError("no picture after " + std::to_string(kGiveUp_ms / 1000) + " s");
+            app::printError(PALPATE_TEXT("no picture after %1 s"), kGiveUp_ms / 1000);
             QCoreApplication::exit(1);
         });
     }
@@ -184,8 +184,9 @@ class SettingsFolder
             }
             m_own = std::make_unique<QTemporaryDir>();
             QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_own->path());
-            app::printError(file.toStdString() + ": found a link, pipe or other special file, expected a file of "
-                                                 "settings; they are not kept. Remove it");
+            app::printError(PALPATE_TEXT("%1: found a link, pipe or other special file, expected a file of settings; "
+                                         "they are not kept. Remove it"),
+                            file.toStdString());
             return;
         }
     }
@@ -224,7 +225,8 @@ bool hasDisplay()
 int runWindow(int argc, char** argv, const WindowOptions& options)
 {
     if (!hasDisplay()) {
-        app::printError("found no display (DISPLAY is not set), expected one for the window; app/run.sh draws without");
+        app::printError(PALPATE_TEXT("found no display (DISPLAY is not set), expected one for the window; app/run.sh "
+                                     "draws without"));
         return app::kFailed;
     }
     useUtf8();
@@ -232,8 +234,10 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
     QApplication application(argc, argv);
     if (!QOpenGLContext().create()) { // without OpenGL, an OpenGL widget crashes
-        app::printError("the display (" + QGuiApplication::platformName().toStdString() +
-                        ") has no OpenGL, expected one that has; app/run.sh draws without a display");
+        app::printError(
+            PALPATE_TEXT("the display (%1) has no OpenGL, expected one that has; app/run.sh draws without a "
+                         "display"),
+            QGuiApplication::platformName().toStdString());
         return app::kFailed;
     }
     QCoreApplication::setOrganizationName(QStringLiteral("Palpate"));

@@ -11,26 +11,26 @@ namespace palpate::core {
 namespace {
 
 constexpr LawParameter kExponential[] = {
-    {"k0_N_per_mm", "Initial stiffness", "N/mm", 1e-6, 1000.0, 0.1},
-    {"beta_per_mm", "Growth with depth", "1/mm", 1e-6, 10.0, 0.35},
-    {"k_max_N_per_mm", "Maximum stiffness", "N/mm", 1e-6, 1000.0, 2.0},
+    {"k0_N_per_mm", PALPATE_TEXT("Initial stiffness"), "N/mm", 1e-6, 1000.0, 0.1},
+    {"beta_per_mm", PALPATE_TEXT("Growth with depth"), "1/mm", 1e-6, 10.0, 0.35},
+    {"k_max_N_per_mm", PALPATE_TEXT("Maximum stiffness"), "N/mm", 1e-6, 1000.0, 2.0},
 };
 constexpr LawParameter kHertz[] = {
-    {"young_kPa", "Young's modulus", "kPa", 1e-3, 1e7, 10.0},
-    {"radius_mm", "Ball radius", "mm", 1e-3, 1000.0, 8.0},
+    {"young_kPa", PALPATE_TEXT("Young's modulus"), "kPa", 1e-3, 1e7, 10.0},
+    {"radius_mm", PALPATE_TEXT("Ball radius"), "mm", 1e-3, 1000.0, 8.0},
 };
 constexpr LawParameter kLayer[] = {
-    {"young_kPa", "Young's modulus", "kPa", 1e-3, 1e7, 10.0},
-    {"radius_mm", "Ball radius", "mm", 1e-3, 1000.0, 8.0},
-    {"thickness_mm", "Layer thickness", "mm", 1e-2, 1000.0, 20.0},
-    {"bonded", "Bonded to the layer below", "", 0.0, 1.0, 1.0, true},
+    {"young_kPa", PALPATE_TEXT("Young's modulus"), "kPa", 1e-3, 1e7, 10.0},
+    {"radius_mm", PALPATE_TEXT("Ball radius"), "mm", 1e-3, 1000.0, 8.0},
+    {"thickness_mm", PALPATE_TEXT("Layer thickness"), "mm", 1e-2, 1000.0, 20.0},
+    {"bonded", PALPATE_TEXT("Bonded to the layer below"), "", 0.0, 1.0, 1.0, true},
 };
 constexpr LawParameter kClick[] = {
-    {"k1_N_per_mm", "Stiffness before the click", "N/mm", 1e-6, 1000.0, 0.5},
-    {"F1_N", "Force at the click", "N", 1e-3, 1000.0, 1.0},
-    {"F2_N", "Force after the click", "N", 0.0, 1000.0, 0.6},
-    {"fall_mm", "Depth of the force drop", "mm", 1e-3, 25.0, 1.0},
-    {"k3_N_per_mm", "Stiffness after the click", "N/mm", 1e-6, 1000.0, 0.5},
+    {"k1_N_per_mm", PALPATE_TEXT("Stiffness before the click"), "N/mm", 1e-6, 1000.0, 0.5},
+    {"F1_N", PALPATE_TEXT("Force at the click"), "N", 1e-3, 1000.0, 1.0},
+    {"F2_N", PALPATE_TEXT("Force after the click"), "N", 0.0, 1000.0, 0.6},
+    {"fall_mm", PALPATE_TEXT("Depth of the force drop"), "mm", 1e-3, 25.0, 1.0},
+    {"k3_N_per_mm", PALPATE_TEXT("Stiffness after the click"), "N/mm", 1e-6, 1000.0, 0.5},
 };
 
 /// @return error of a measured point, by itself or relative to its predecessor; empty if valid.

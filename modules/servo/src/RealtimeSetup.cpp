@@ -16,20 +16,23 @@ namespace palpate::servo {
 
 namespace {
 
-constexpr const char* kLockedMemory = "locked memory";
+core::Message realtimePriority()
+{
+    return core::Message(PALPATE_TEXT("real-time priority"));
+}
+
+core::Message lockedMemory()
+{
+    return core::Message(PALPATE_TEXT("locked memory"));
+}
+
 /// Command that raises both limits, effective from the next login.
 constexpr const char* kRaiseLimits = "printf '%s - rtprio 80\\n%s - memlock unlimited\\n' \"$USER\" \"$USER\" | "
                                      "sudo tee /etc/security/limits.d/70-palpate.conf   # then log out and in again";
 
-std::string reason(int error)
-{
-    char buffer[128];
-    return strerror_r(error, buffer, sizeof(buffer)); // GNU version: returns the text
-}
-
 RealtimeItem priorityItem(int wanted)
 {
-    RealtimeItem item{"real-time priority", false, "", ""};
+    RealtimeItem item{realtimePriority(), false, {}, ""};
     const int lowest = sched_get_priority_min(SCHED_FIFO);
     int priority = std::clamp(wanted, lowest, sched_get_priority_max(SCHED_FIFO));
     sched_param parameter{};
@@ -44,9 +47,9 @@ RealtimeItem priorityItem(int wanted)
     }
     if (error == 0) {
         item.isGranted = true;
-        item.message = "SCHED_FIFO " + std::to_string(priority);
+        item.message = core::Message(PALPATE_TEXT("SCHED_FIFO %1"), priority);
     } else {
-        item.message = "SCHED_FIFO " + std::to_string(priority) + " was refused: " + reason(error);
+        item.message = core::Message(PALPATE_TEXT("SCHED_FIFO %1 was refused: %2"), priority, core::systemError(error));
         item.remedy = kRaiseLimits;
     }
     return item;
@@ -54,10 +57,10 @@ RealtimeItem priorityItem(int wanted)
 
 RealtimeItem memoryItem()
 {
-    RealtimeItem item{kLockedMemory, false, "", ""};
+    RealtimeItem item{lockedMemory(), false, {}, ""};
     // Pages are locked as they are touched: locking all that is mapped would fill memory with untouched stacks.
     if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) {
-        item.message = "mlockall was refused: " + reason(errno);
+        item.message = core::Message(PALPATE_TEXT("mlockall was refused: %1"), core::systemError(errno));
         item.remedy = kRaiseLimits;
         return item;
     }
@@ -70,14 +73,15 @@ RealtimeItem memoryItem()
         const int error = errno;
         if (probe == MAP_FAILED) {
             munlockall();
-            item.message = "only " + std::to_string(limit.rlim_cur / 1024) + " KiB may be locked: " + reason(error);
+            item.message = core::Message(PALPATE_TEXT("only %1 KiB may be locked: %2"), limit.rlim_cur / 1024,
+                                         core::systemError(error));
             item.remedy = kRaiseLimits;
             return item;
         }
         munmap(probe, size);
     }
     item.isGranted = true;
-    item.message = "pages stay in memory once touched";
+    item.message = core::Message(PALPATE_TEXT("pages stay in memory once touched"));
     return item;
 }
 
@@ -138,10 +142,11 @@ core::Status checkCpu(int cpu)
     }
     const bool isThere = cpu >= 0 && cpu < sysconf(_SC_NPROCESSORS_CONF);
     return {core::StatusCode::BadCommandLine,
-            "CPU " + std::to_string(cpu) + ": " +
-                (isThere ? "the program may not run on it (see taskset -p, or the container's settings)"
-                         : "this machine has no such CPU") +
-                ", expected one of " + cpuList(allowed)};
+            isThere ? core::Message(PALPATE_TEXT("CPU %1: the program may not run on it (see taskset -p, or the "
+                                                 "container's settings), expected one of %2"),
+                                    cpu, cpuList(allowed))
+                    : core::Message(PALPATE_TEXT("CPU %1: this machine has no such CPU, expected one of %2"), cpu,
+                                    cpuList(allowed))};
 }
 
 RealtimeReport makeThreadRealtime(const RealtimeRequest& request)
@@ -151,7 +156,8 @@ RealtimeReport makeThreadRealtime(const RealtimeRequest& request)
     char name[16] = {};
     std::strncpy(name, request.threadName, sizeof(name) - 1);
     const int named = pthread_setname_np(pthread_self(), name);
-    report.items.push_back({"thread name", named == 0, named == 0 ? std::string(name) : reason(named), ""});
+    report.items.push_back({core::Message(PALPATE_TEXT("thread name")), named == 0,
+                            named == 0 ? core::Message(PALPATE_TEXT("\"%1\""), name) : core::systemError(named), ""});
 
     if (request.askPriority) {
         report.items.push_back(priorityItem(request.priority));
@@ -159,12 +165,14 @@ RealtimeReport makeThreadRealtime(const RealtimeRequest& request)
         report.isRealtime = report.items[1].isGranted && report.items[2].isGranted;
         touchStack();
     } else {
-        report.items.push_back({"real-time priority", false, "not asked for", ""});
-        report.items.push_back({kLockedMemory, false, "not asked for", ""});
+        const core::Message notAsked(PALPATE_TEXT("not asked for"));
+        report.items.push_back({realtimePriority(), false, notAsked, ""});
+        report.items.push_back({lockedMemory(), false, notAsked, ""});
     }
 
     const bool hasSlack = prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL) == 0;
-    report.items.push_back({"timer slack", hasSlack, hasSlack ? std::string("1 ns") : reason(errno), ""});
+    report.items.push_back({core::Message(PALPATE_TEXT("timer slack")), hasSlack,
+                            hasSlack ? core::Message(PALPATE_TEXT("%1 ns"), 1) : core::systemError(errno), ""});
 
     if (request.cpu >= 0) {
         cpu_set_t set;
@@ -174,22 +182,26 @@ RealtimeReport makeThreadRealtime(const RealtimeRequest& request)
             CPU_SET(static_cast<unsigned>(request.cpu), &set);
             error = pthread_setaffinity_np(pthread_self(), sizeof(set), &set);
         }
-        const std::string cpu = "CPU " + std::to_string(request.cpu);
-        report.items.push_back({"own CPU", error == 0, error == 0 ? cpu : cpu + " was refused: " + reason(error), ""});
+        report.items.push_back(
+            {core::Message(PALPATE_TEXT("own CPU")), error == 0,
+             error == 0 ? core::Message(PALPATE_TEXT("CPU %1"), request.cpu)
+                        : core::Message(PALPATE_TEXT("CPU %1 was refused: %2"), request.cpu, core::systemError(error)),
+             ""});
     }
 
     const bool isDefault = std::fesetenv(FE_DFL_ENV) == 0;
-    report.items.push_back({"floating point", isDefault,
-                            isDefault ? "default environment, denormals kept: a replay gives the same bits"
-                                      : "the default environment could not be set",
-                            ""});
+    report.items.push_back(
+        {core::Message(PALPATE_TEXT("floating point")), isDefault,
+         isDefault ? core::Message(PALPATE_TEXT("default environment, denormals kept: a replay gives the same bits"))
+                   : core::Message(PALPATE_TEXT("the default environment could not be set")),
+         ""});
     return report;
 }
 
 void releaseRealtime(const RealtimeReport& report) noexcept
 {
     for (const RealtimeItem& item : report.items) {
-        if (item.isGranted && item.name == kLockedMemory) {
+        if (item.isGranted && item.name.text() == lockedMemory().text()) {
             munlockall();
         }
     }

@@ -23,12 +23,11 @@ constexpr std::size_t kLargestRing = 1U << 24U;
 Status checkOptions(const ServoOptions& options)
 {
     if (!(options.rate_Hz >= kLowestRate_Hz && options.rate_Hz <= kHighestRate_Hz)) {
-        return {StatusCode::BadCommandLine,
-                "servo rate is " + std::to_string(options.rate_Hz) + " Hz, expected 1 to 10000"};
+        return {StatusCode::BadCommandLine, PALPATE_TEXT("servo rate is %1 Hz, expected 1 to 10000"), options.rate_Hz};
     }
     if (options.ringCapacity < 2 || options.ringCapacity > kLargestRing) {
-        return {StatusCode::BadCommandLine, "the servo ring holds " + std::to_string(options.ringCapacity) +
-                                                " ticks, expected 2 to " + std::to_string(kLargestRing)};
+        return {StatusCode::BadCommandLine, PALPATE_TEXT("the servo ring holds %1 ticks, expected 2 to %2"),
+                options.ringCapacity, kLargestRing};
     }
     return checkCpu(options.cpu);
 }
@@ -53,7 +52,7 @@ ServoLoop::~ServoLoop()
 Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& options)
 {
     if (isRunning()) {
-        return {StatusCode::Internal, "the servo loop is already running"};
+        return {StatusCode::Internal, PALPATE_TEXT("the servo loop is already running")};
     }
     stop(); // cleans up after a thread that ended by an error
     if (Status status = checkOptions(options); !status.isOk()) {
@@ -65,10 +64,10 @@ Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& option
         }
     } catch (const std::exception& e) {
         device.stop();
-        return {StatusCode::Internal, std::string("the device could not be started: ") + e.what()};
+        return {StatusCode::Internal, PALPATE_TEXT("the device could not be started: %1"), e.what()};
     } catch (...) {
         device.stop();
-        return {StatusCode::Internal, "the device could not be started: its driver failed"};
+        return {StatusCode::Internal, PALPATE_TEXT("the device could not be started: its driver failed")};
     }
     m_impl->device = &device;
     m_impl->isResumed = false;
@@ -78,7 +77,7 @@ Status ServoLoop::start(device::HapticDevice& device, const ServoOptions& option
 Status ServoLoop::restart(const ServoOptions& options)
 {
     if (!isRunning()) {
-        return {StatusCode::Internal, "the servo loop is not running"};
+        return {StatusCode::Internal, PALPATE_TEXT("the servo loop is not running")};
     }
     if (Status status = checkOptions(options); !status.isOk()) {
         return status;
@@ -126,14 +125,15 @@ Status ServoLoop::startThread(const ServoOptions& options)
         ready.wait();
     } catch (const std::exception& e) {
         std::exchange(impl.device, nullptr)->stop();
-        return {StatusCode::Internal, std::string("the device or the servo thread could not be started: ") + e.what()};
+        return {StatusCode::Internal, PALPATE_TEXT("the device or the servo thread could not be started: %1"),
+                e.what()};
     } catch (...) {
         std::exchange(impl.device, nullptr)->stop();
-        return {StatusCode::Internal, "the device could not be started: its driver failed"};
+        return {StatusCode::Internal, PALPATE_TEXT("the device could not be started: its driver failed")};
     }
     if (!isRunning()) {
         stop();
-        return {StatusCode::Internal, "the servo thread could not be set up"};
+        return {StatusCode::Internal, PALPATE_TEXT("the servo thread could not be set up")};
     }
     return {};
 }

@@ -14,7 +14,8 @@ using core::StatusCode;
 namespace {
 
 constexpr int kReadTimeout_ms = 50; // maximum delay of `stop`
-constexpr hid::HidDriver::Kind kKind{"spacemouse", "no 6-axis mouse is connected: plug one in", 250'000'000};
+constexpr hid::HidDriver::Kind kKind{"spacemouse", PALPATE_TEXT("no 6-axis mouse is connected: plug one in"),
+                                     250'000'000};
 constexpr std::array<std::uint8_t, 2> kLightOn{4, 1};
 constexpr std::array<std::uint8_t, 2> kLightOff{4, 0};
 constexpr std::uint16_t kDesktopPage = 1;

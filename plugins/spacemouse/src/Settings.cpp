@@ -31,11 +31,12 @@ core::Result<RateSettings> readSettings(const std::vector<std::filesystem::path>
         constexpr qint64 kLargest = 64 * 1024;
         QFile file(QString::fromStdU16String(path.u16string()));
         if (!file.open(QIODevice::ReadOnly)) {
-            return Status(StatusCode::Unreadable, path.string() + ": " + file.errorString().toStdString());
+            return Status(StatusCode::Unreadable, PALPATE_TEXT("%1: %2"), path, file.errorString().toStdString());
         }
         const QJsonDocument document = QJsonDocument::fromJson(file.read(kLargest));
         if (!document.isObject()) {
-            return Status(StatusCode::BadFormat, path.string() + ": expected an object, as {\"dead_zone\": 0.06}");
+            return Status(StatusCode::BadFormat, PALPATE_TEXT("%1: expected an object, as {\"dead_zone\": 0.06}"),
+                          path);
         }
         if (Status status = hid::readNumbers(document.object(), fields, path.string()); !status.isOk()) {
             return status;

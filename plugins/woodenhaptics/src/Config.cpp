@@ -44,9 +44,10 @@ core::Result<Config> parseConfig(std::string_view text, const std::string& name)
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(withoutLastComma(text), &error);
     if (!document.isObject()) {
-        return Status(StatusCode::BadFormat, name + ": at byte " + std::to_string(error.offset) + ": " +
-                                                 error.errorString().toStdString() +
-                                                 ", expected an object of numbers, {\"length_body_a\": 0.080, ...}");
+        return Status(
+            StatusCode::BadFormat,
+            PALPATE_TEXT("%1: at byte %2: %3, expected an object of numbers, {\"length_body_a\": 0.080, ...}"), name,
+            error.offset, error.errorString().toStdString());
     }
     Config c;
     double variant = 0.0;
@@ -100,13 +101,14 @@ core::Result<Config> readConfig(const std::filesystem::path& file)
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error || size > kLargestFile) {
-        return Status(StatusCode::Unreadable,
-                      file.string() + ": " + (error ? error.message() : "too large for a device's configuration"));
+        return Status(StatusCode::Unreadable, PALPATE_TEXT("%1: %2"), file,
+                      error ? core::systemError(error.value())
+                            : core::Message(PALPATE_TEXT("too large for a device's configuration")));
     }
     std::ifstream stream(file, std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
     if (!stream) {
-        return Status(StatusCode::Unreadable, file.string() + ": could not be read");
+        return Status(StatusCode::Unreadable, PALPATE_TEXT("%1: could not be read"), file);
     }
     return parseConfig(text, file.string());
 }

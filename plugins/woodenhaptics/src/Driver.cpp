@@ -22,9 +22,9 @@ constexpr std::uint16_t kProduct = 0x0006;
 constexpr int kReadTimeout_ms = 10;
 constexpr std::int64_t kMillisecond_ns = 1'000'000;
 constexpr std::int64_t kStartTimeout_ns = 1500 * kMillisecond_ns;
-constexpr hid::HidDriver::Kind kKind{"woodenhaptics",
-                                     "no WoodenHaptics arm is connected (USB 1234:0006): plug it in and switch it on",
-                                     100 * kMillisecond_ns};
+constexpr hid::HidDriver::Kind kKind{
+    "woodenhaptics", PALPATE_TEXT("no WoodenHaptics arm is connected (USB 1234:0006): plug it in and switch it on"),
+    100 * kMillisecond_ns};
 // A force expires unless the servo thread renews it.
 constexpr std::int64_t kForceTimeout_ns = 20 * kMillisecond_ns;
 constexpr int kPriority = 75; // above the servo thread; each iteration is short
@@ -100,10 +100,12 @@ Status Driver::start()
     }
     stop();
     if (const std::size_t length = m_unexpectedLength; length != 0) {
-        return {StatusCode::Unsupported, "woodenhaptics: " + path() + ": its reports have " + std::to_string(length) +
-                                             " bytes, expected 14 or 8: another device with mbed's ids"};
+        return {StatusCode::Unsupported,
+                PALPATE_TEXT("woodenhaptics: %1: its reports have %2 bytes, expected 14 or 8: another device with "
+                             "mbed's ids"),
+                path(), length};
     }
-    return {StatusCode::DeviceLost, "woodenhaptics: " + path() + ": it does not answer; is it switched on?"};
+    return {StatusCode::DeviceLost, PALPATE_TEXT("woodenhaptics: %1: it does not answer; is it switched on?"), path()};
 }
 
 void Driver::prepareThread() noexcept

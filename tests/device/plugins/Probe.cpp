@@ -6,8 +6,9 @@
 
 int main(int argc, char** argv)
 {
-    const auto status = argc == 2 ? palpate::device::answerProbe(argv[1])
-                                  : palpate::core::Status(palpate::core::StatusCode::BadCommandLine, "one file");
+    const auto status =
+        argc == 2 ? palpate::device::answerProbe(argv[1])
+                  : palpate::core::Status(palpate::core::StatusCode::BadCommandLine, PALPATE_TEXT("one file"));
     std::fprintf(stderr, "%s", status.message().c_str());
     return status.isOk() ? 0 : 1;
 }

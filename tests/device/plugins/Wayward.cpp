@@ -54,7 +54,7 @@ class Wayward final : public QObject, public palpate::device::DevicePlugin
     palpate::core::Result<std::unique_ptr<palpate::device::HapticDevice>> make(const palpate::device::PluginServices&,
                                                                                const std::string&) override
     {
-        return palpate::core::Status(palpate::core::StatusCode::NotFound, "none");
+        return palpate::core::Status(palpate::core::StatusCode::NotFound, PALPATE_TEXT("none"));
     }
 };
 

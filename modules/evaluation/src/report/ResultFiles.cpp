@@ -349,7 +349,8 @@ core::Status writeReport(const std::filesystem::path& folder, const Evaluation& 
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder)) {
-        return {core::StatusCode::Unreadable, folder.string() + ": cannot be made: " + error.message()};
+        return {core::StatusCode::Unreadable, PALPATE_TEXT("%1: cannot be made: %2"), folder,
+                core::systemError(error.value())};
     }
     const std::vector<std::filesystem::path> files = reportFiles(folder);
     std::size_t next = 0;

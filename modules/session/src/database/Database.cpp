@@ -41,6 +41,20 @@ bool hasWriteAheadLog(const std::filesystem::path& path)
     std::ifstream file(path, std::ios::binary);
     return file.read(head.data(), head.size()) && (head[kWriteVersion] == 2 || head[kReadVersion] == 2);
 }
+
+/// Returns an error text of SQLite; translatable if files cause it frequently.
+core::Message messageOfSqlite(const char* text)
+{
+    const std::array known{core::Message(PALPATE_TEXT("file is not a database")),
+                           core::Message(PALPATE_TEXT("database disk image is malformed")),
+                           core::Message(PALPATE_TEXT("unable to open database file")),
+                           core::Message(PALPATE_TEXT("database or disk is full")),
+                           core::Message(PALPATE_TEXT("attempt to write a readonly database")),
+                           core::Message(PALPATE_TEXT("disk I/O error"))};
+    const auto* const found =
+        std::find_if(known.begin(), known.end(), [text](const core::Message& one) { return one.text() == text; });
+    return found != known.end() ? *found : core::Message::untranslated(oneLine(text));
+}
 } // namespace
 
 struct Database::Work
@@ -169,8 +183,9 @@ core::Result<Database> Database::open(const std::filesystem::path& path, Mode mo
         }
         if (hasWriteAheadLog(path)) {
             return core::Status(core::StatusCode::BadFormat,
-                                path.string() + ": found a database with a write-ahead log, expected one with a "
-                                                "rollback journal, as Palpate writes it: another program changed it");
+                                PALPATE_TEXT("%1: found a database with a write-ahead log, expected one with a "
+                                             "rollback journal, as Palpate writes it: another program changed it"),
+                                path);
         }
         database.m_files = std::make_unique<ReadOnlyVfs>();
         struct stat found
@@ -183,7 +198,7 @@ core::Result<Database> Database::open(const std::filesystem::path& path, Mode mo
                                      database.m_files == nullptr ? nullptr : database.m_files->name());
     database.m_database.reset(handle);
     if (code != SQLITE_OK) {
-        return database.error(mode == Mode::Create ? "cannot be written" : "cannot be read");
+        return mode == Mode::Create ? database.cannotWrite() : database.cannotRead();
     }
     sqlite3_extended_result_codes(handle, 1);
     sqlite3_busy_timeout(handle, kBusyTimeout_ms);
@@ -233,9 +248,8 @@ void Database::startWork() const
 
 core::Status Database::execute(const std::string& sql)
 {
-    return sqlite3_exec(m_database.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK
-               ? core::Status()
-               : error("cannot be written");
+    return sqlite3_exec(m_database.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK ? core::Status()
+                                                                                               : cannotWrite();
 }
 
 Statement Database::prepare(const char* sql) const
@@ -252,18 +266,34 @@ std::int64_t Database::integer(const char* sql) const
     return statement.step() == Statement::Step::Row ? statement.integer(0) : 0;
 }
 
-core::Status Database::error(std::string_view doing) const
+/// Returns the cause of the latest error.
+core::Message Database::cause() const
 {
-    std::string what = m_database ? sqlite3_errmsg(m_database.get()) : "out of memory";
-    if (m_files != nullptr && !m_files->refusal().empty()) {
-        what = m_files->refusal();
-    } else if (m_database && sqlite3_errcode(m_database.get()) == SQLITE_INTERRUPT) {
-        what = "its pages lead to more rows than a file of its size holds";
-    }
     if (isFull()) {
-        return {core::StatusCode::NoSpace, m_path.string() + ": " + std::string(doing) + ": the disk is full"};
+        return core::Message(PALPATE_TEXT("the disk is full"));
     }
-    return {core::StatusCode::Unreadable, m_path.string() + ": " + std::string(doing) + ": " + oneLine(what)};
+    if (m_files != nullptr && !m_files->refusal().isEmpty()) {
+        return m_files->refusal();
+    }
+    if (!m_database) {
+        return core::Message(PALPATE_TEXT("out of memory"));
+    }
+    if (sqlite3_errcode(m_database.get()) == SQLITE_INTERRUPT) {
+        return core::Message(PALPATE_TEXT("its pages lead to more rows than a file of its size holds"));
+    }
+    return messageOfSqlite(sqlite3_errmsg(m_database.get()));
+}
+
+core::Status Database::cannotRead() const
+{
+    return {isFull() ? core::StatusCode::NoSpace : core::StatusCode::Unreadable, PALPATE_TEXT("%1: cannot be read: %2"),
+            m_path, cause()};
+}
+
+core::Status Database::cannotWrite() const
+{
+    return {isFull() ? core::StatusCode::NoSpace : core::StatusCode::Unreadable,
+            PALPATE_TEXT("%1: cannot be written: %2"), m_path, cause()};
 }
 
 bool Database::isFull() const

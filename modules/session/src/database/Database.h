@@ -88,14 +88,15 @@ class Database
     void startWork() const;
     /// Size of the file when opened [bytes]; 0 for a new file.
     [[nodiscard]] std::int64_t fileSize() const noexcept { return m_fileSize; }
-    /// @return an unprepared statement after an error; see `error`.
+    /// @return an unprepared statement after an error; see `cannotRead`.
     [[nodiscard]] Statement prepare(const char* sql) const;
     /// @return first column of the first row, 0 without rows
     [[nodiscard]] std::int64_t integer(const char* sql) const;
-    /// Returns the latest error as one line; code NoSpace for a full disk. @param doing  "cannot be written"
-    [[nodiscard]] core::Status error(std::string_view doing) const;
-    [[nodiscard]] bool isFull() const;   ///< the latest error is a full disk, quota or file size limit
-    [[nodiscard]] int errorCode() const; ///< extended error code of SQLite
+    /// Returns the latest error as one line; code NoSpace for a full disk.
+    [[nodiscard]] core::Status cannotRead() const;
+    [[nodiscard]] core::Status cannotWrite() const; ///< same for an error when writing
+    [[nodiscard]] bool isFull() const;              ///< the latest error is a full disk, quota or file size limit
+    [[nodiscard]] int errorCode() const;            ///< extended error code of SQLite
     /// Returns true outside of a transaction, for example after an automatic rollback.
     [[nodiscard]] bool isIdle() const;
 
@@ -110,6 +111,7 @@ class Database
         void operator()(Work* work) const;
     };
     void limit();
+    [[nodiscard]] core::Message cause() const;
 
     std::filesystem::path m_path;
     std::int64_t m_fileSize = 0;

@@ -17,17 +17,15 @@ core::Status checkJournal(const std::filesystem::path& database)
     std::filesystem::path journal = std::filesystem::canonical(database, error); // as resolved by SQLite
     journal = error ? database : journal;
     journal += "-journal";
-    const auto refuse = [&journal](const std::string& what) {
-        return core::Status(core::StatusCode::BadFormat,
-                            journal.string() + ": " + what +
-                                "; nothing was opened. Move it away to read the recording as it is");
-    };
     const auto kind = std::filesystem::symlink_status(journal, error);
     if (!std::filesystem::exists(kind)) {
         return {};
     }
     if (!std::filesystem::is_regular_file(kind)) {
-        return refuse("found something else than a file, expected the journal of a recording");
+        return {core::StatusCode::BadFormat,
+                PALPATE_TEXT("%1: found something else than a file, expected the journal of a recording; nothing was "
+                             "opened. Move it away to read the recording as it is"),
+                journal};
     }
     std::ifstream file(journal, std::ios::binary);
     std::array<char, kEnd> end{};
@@ -37,8 +35,11 @@ core::Status checkJournal(const std::filesystem::path& database)
     }
     const bool hasName = std::any_of(end.begin(), end.begin() + 4, [](char c) { return c != 0; });
     if (hasName && std::string_view(end.data() + 8, kMagic.size()) == kMagic) {
-        return refuse("found the journal of several databases, which names another file to be deleted; Palpate writes "
-                      "none, so this was not made by Palpate");
+        return {core::StatusCode::BadFormat,
+                PALPATE_TEXT("%1: found the journal of several databases, which names another file to be deleted; "
+                             "Palpate writes none, so this was not made by Palpate; nothing was opened. Move it away "
+                             "to read the recording as it is"),
+                journal};
     }
     return {};
 }

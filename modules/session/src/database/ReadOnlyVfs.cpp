@@ -97,15 +97,22 @@ struct ReadOnlyVfs::Private
     sqlite3_vfs* below = nullptr;
     std::string name;
     std::string path; ///< of the database
-    std::string refusal;
+    core::Message refusal;
     bool isJournalGone = false; ///< rolled back by SQLite
     WrittenSectors written;
 
     [[nodiscard]] std::string journal() const { return path + "-journal"; }
-    void refuse(const char* what, const char* file)
+    void refuseToOpen(const char* file)
     {
-        refusal = std::string("it asks to ") + what + " " + oneLine(file == nullptr ? "a temporary file" : file) +
-                  ", expected nothing but the recording and its journal";
+        const core::Message what = file == nullptr ? core::Message(PALPATE_TEXT("a temporary file"))
+                                                   : core::Message::untranslated(oneLine(file));
+        refusal =
+            core::Message(PALPATE_TEXT("it asks to open %1, expected nothing but the recording and its journal"), what);
+    }
+    void refuseToDelete(const char* file)
+    {
+        refusal = core::Message(
+            PALPATE_TEXT("it asks to delete %1, expected nothing but the recording and its journal"), oneLine(file));
     }
 };
 
@@ -168,7 +175,8 @@ int writeLayered(sqlite3_file* file, const void* bytes, int size, sqlite3_int64 
         code = layered(file).owner->written.write(static_cast<const char*>(bytes), size, offset);
     }
     if (code == SQLITE_IOERR_WRITE) {
-        layered(file).owner->refusal = "its journal holds more than a recorder changes at a time";
+        layered(file).owner->refusal =
+            core::Message(PALPATE_TEXT("its journal holds more than a recorder changes at a time"));
     }
     return code;
 }
@@ -265,7 +273,7 @@ int openLayered(sqlite3_vfs* layer, const char* path, sqlite3_file* out, int fla
     const bool isDatabase = (flags & SQLITE_OPEN_MAIN_DB) != 0 && path != nullptr;
     const bool isJournal = (flags & SQLITE_OPEN_MAIN_JOURNAL) != 0 && path != nullptr && path == d.journal();
     if (!isJournal && !(isDatabase && (d.path.empty() || path == d.path))) {
-        d.refuse("open", path);
+        d.refuseToOpen(path);
         return SQLITE_CANTOPEN;
     }
     if (isJournal && d.isJournalGone) {
@@ -291,7 +299,7 @@ int deleteLayered(sqlite3_vfs* layer, const char* path, int)
 {
     ReadOnlyVfs::Private& d = ownerOf(layer);
     if (path != d.journal()) {
-        d.refuse("delete", path);
+        d.refuseToDelete(path);
         return SQLITE_IOERR_DELETE;
     }
     d.isJournalGone = true;
@@ -345,7 +353,7 @@ const char* ReadOnlyVfs::name() const noexcept
     return m_d->name.c_str();
 }
 
-const std::string& ReadOnlyVfs::refusal() const noexcept
+const core::Message& ReadOnlyVfs::refusal() const noexcept
 {
     return m_d->refusal;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
+
 #include <memory>
 #include <string>
 
@@ -26,7 +28,7 @@ class ReadOnlyVfs
     /// Returns the VFS name for opening one connection.
     [[nodiscard]] const char* name() const noexcept;
     /// Returns the reason why a request of SQLite was refused, as one clause; empty if there was no refusal.
-    [[nodiscard]] const std::string& refusal() const noexcept;
+    [[nodiscard]] const core::Message& refusal() const noexcept;
 
     struct Private;
 

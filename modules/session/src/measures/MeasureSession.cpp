@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/MeasureSession.h"
 
-#include <palpate/core/Numbers.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -179,8 +177,8 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
 {
     if (const double least_mm = minDistance_mm(meshes); !(options.distance_mm >= least_mm)) {
         return Status(StatusCode::OutOfRange,
-                      "distance: found " + core::shortNumber(options.distance_mm) + " mm, expected at least " +
-                          core::shortNumber(std::ceil(100.0 * least_mm) / 100.0) + " mm for surfaces this large");
+                      PALPATE_TEXT("distance: found %1 mm, expected at least %2 mm for surfaces this large"),
+                      options.distance_mm, std::ceil(100.0 * least_mm) / 100.0);
     }
     const double dt_s = reader.info().dt_s;
     MeasureAccumulator sums(dt_s);
@@ -204,7 +202,7 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
         return status;
     }
     if (isCancelled) {
-        return Status(StatusCode::Cancelled, "measuring was cancelled");
+        return Status(StatusCode::Cancelled, PALPATE_TEXT("measuring was cancelled"));
     }
     SessionMeasures out;
     out.distance_mm = options.distance_mm;

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/Recorder.h"
 
-#include "store/TimingEvent.h"
 #include "palpate/session/RecordingWriter.h"
+#include "store/TimingEvent.h"
+#include "tables/Tenths.h"
 
 #include <palpate/core/Clock.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <condition_variable>
-#include <cstdio>
 #include <exception>
 #include <iterator>
 #include <limits>
@@ -93,7 +92,7 @@ struct Recorder::Private
     std::vector<TimedEvent> waiting; // for the next tick
     std::int64_t lastTick = 0;
     std::int64_t lastTime_ns = 0;
-    std::string problem;
+    core::Message problem;
     bool isFull = false; // `problem` is a full disk
     bool hasFailed = false;
     bool hasTiming = false; // the timing event is written
@@ -103,7 +102,7 @@ struct Recorder::Private
 void Recorder::Private::note(const Status& status)
 {
     if (!status.isOk()) {
-        problem = status.message();
+        problem = status.text();
         isFull = status.code() == StatusCode::NoSpace;
     }
 }
@@ -112,7 +111,7 @@ void Recorder::Private::note(const Status& status)
 /// for too long, or writing fails at the end.
 bool Recorder::Private::isOver(bool isLast) const
 {
-    return isFull || writer->ticksDropped() > 0 || (isLast && !problem.empty());
+    return isFull || writer->ticksDropped() > 0 || (isLast && !problem.isEmpty());
 }
 
 void Recorder::Private::addTiming()
@@ -133,16 +132,13 @@ void Recorder::Private::closeAfterFailure()
     (void)writer->abandon({lastTick, "ended", isFull ? R"({"why": "disk-full"})" : R"({"why": "disk-failed"})"});
     hasFailed = true;
     const double felt_s = duration_s();
-    const std::string why = isFull ? "the disk is full" : "the disk cannot be written (" + problem + ")";
-    problem = path.string() + ": ";
-    if (writer->newestStored_ns()) {
-        std::array<char, 32> at{};
-        std::snprintf(at.data(), at.size(), "%.1f", felt_s);
-        problem += std::string("the recording ended at ") + at.data() + " s because " + why +
-                   "; what was felt after is not in it";
-    } else {
-        problem += "nothing was recorded because " + why;
-    }
+    const core::Message why = isFull ? core::Message(PALPATE_TEXT("the disk is full"))
+                                     : core::Message(PALPATE_TEXT("the disk cannot be written (%1)"), problem);
+    problem = writer->newestStored_ns()
+                  ? core::Message(PALPATE_TEXT("%1: the recording ended at %2 s because %3; what was felt after is not "
+                                               "in it"),
+                                  path, internal::tenths(felt_s), why)
+                  : core::Message(PALPATE_TEXT("%1: nothing was recorded because %2"), path, why);
 }
 
 double Recorder::Private::duration_s() const
@@ -198,12 +194,12 @@ void Recorder::Private::store(bool isLast)
     } else {
         late = loop.timing().skipped - skippedAtStart;
     }
-    const bool hadProblem = !problem.empty();
+    const bool hadProblem = !problem.isEmpty();
     const Status status = isLast ? writer->finish() : writer->commit();
     note(status);
     if (status.isOk() && hadProblem) {
         // The error is over: record it as an event and clear the status.
-        problem.clear();
+        problem = {};
         if (!isLast) {
             (void)writer->addEvent({lastTick, "disk", "{\"what\": \"writing failed for a while\"}"});
         }
@@ -254,7 +250,7 @@ void Recorder::Private::run()
                 isLast = true;
             }
         } catch (const std::exception& error) { // out of memory: haptic rendering continues without the recording
-            problem = path.string() + ": recording ended: " + error.what();
+            problem = core::Message(PALPATE_TEXT("%1: recording ended: %2"), path, error.what());
             loop.stopRecording();
             hasFailed = true;
             isLast = true;
@@ -278,19 +274,19 @@ Status Recorder::start(const std::filesystem::path& path, const RecordingInfo& i
     Private& d = *m_d;
     if (d.thread.joinable()) {
         if (status().isRecording) {
-            return {StatusCode::Internal, d.path.string() + ": is still being recorded"};
+            return {StatusCode::Internal, PALPATE_TEXT("%1: is still being recorded"), d.path};
         }
         d.thread.join();
     }
     if (!d.loop.isRunning()) {
-        return {StatusCode::Internal, path.string() + ": cannot be recorded: the servo loop is not running"};
+        return {StatusCode::Internal, PALPATE_TEXT("%1: cannot be recorded: the servo loop is not running"), path};
     }
     d.droppedAtStart = d.loop.droppedTicks();
     d.skippedAtStart = d.loop.timing().skipped;
     d.late = 0;
     const auto start = beginRecording(d.loop);
     if (!start) {
-        return {StatusCode::Internal, path.string() + ": cannot be recorded: the servo loop does not answer"};
+        return {StatusCode::Internal, PALPATE_TEXT("%1: cannot be recorded: the servo loop does not answer"), path};
     }
     RecordingInfo filled = info;
     filled.rate_Hz = d.loop.rate_Hz();
@@ -307,7 +303,7 @@ Status Recorder::start(const std::filesystem::path& path, const RecordingInfo& i
     d.path = path;
     d.first.reset();
     d.lastTick = start->tick;
-    d.problem.clear();
+    d.problem = {};
     d.isFull = d.hasFailed = d.hasTiming = false;
     d.isStopRequested = false;
     d.scenes.clear();
@@ -353,11 +349,11 @@ Status Recorder::stop()
     d.thread.join();
     d.writer.reset();
     const RecorderStatus last = status();
-    if (!last.problem.empty()) {
+    if (!last.problem.isEmpty()) {
         return {d.isFull ? StatusCode::NoSpace : StatusCode::Unreadable, last.problem};
     }
     if (last.dropped > 0) {
-        return {StatusCode::OutOfRange, d.path.string() + ": " + std::to_string(last.dropped) + " ticks were lost"};
+        return {StatusCode::OutOfRange, PALPATE_TEXT("%1: %2 ticks were lost"), d.path, last.dropped};
     }
     return {};
 }

@@ -50,9 +50,9 @@ struct Input
     off_t size = 0; ///< number of bytes to copy
 };
 
-Status cannotRead(const std::filesystem::path& path, const char* reason)
+Status cannotRead(const std::filesystem::path& path, const core::Message& reason)
 {
-    return {StatusCode::Unreadable, path.string() + ": cannot be read: " + reason};
+    return {StatusCode::Unreadable, PALPATE_TEXT("%1: cannot be read: %2"), path, reason};
 }
 
 std::uint32_t bigEndian(const unsigned char* at)
@@ -168,7 +168,8 @@ Status copyRecording(const std::filesystem::path& from, const core::Scratch& to,
 {
     Input database(from.string(), 0);
     if (!database.isRegular) {
-        return cannotRead(from, database.file < 0 ? ::strerrordesc_np(errno) : "not a file");
+        return cannotRead(from,
+                          database.file < 0 ? core::systemError(errno) : core::Message(PALPATE_TEXT("not a file")));
     }
     Input journal(from.string() + "-journal", O_NOFOLLOW); // derived path, not named by the user: do not follow links
     database.size = usedSize(database, journal);
@@ -185,7 +186,7 @@ Status copyRecording(const std::filesystem::path& from, const core::Scratch& to,
     if (error == 0 && readError == 0 && journal.isRegular) {
         error = copy(journal, to.descriptor(), name + "-journal", readError);
     }
-    return readError != 0 ? cannotRead(from, ::strerrordesc_np(readError))
+    return readError != 0 ? cannotRead(from, core::systemError(readError))
            : error != 0   ? core::cannotWrite(output, error)
                           : Status();
 }

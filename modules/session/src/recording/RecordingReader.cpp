@@ -2,12 +2,13 @@
 #include "palpate/session/RecordingReader.h"
 
 #include "database/Bounds.h"
-#include "store/CheckedLines.h"
 #include "database/Database.h"
-#include "tables/MetaTable.h"
 #include "recording/RecordingSurvey.h"
+#include "store/CheckedLines.h"
 #include "store/RecordingTables.h"
 #include "store/SchemaCheck.h"
+#include "tables/MetaTable.h"
+#include "tables/Tenths.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -15,8 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -48,11 +47,8 @@ struct RecordingReader::Private
     /// Adds the file name unless it is present.
     Status named(const Status& status) const
     {
-        return status.isOk() || status.message().starts_with(path.string())
-                   ? status
-                   : Status(status.code(), path.string() + ": " + status.message());
+        return status.isOk() || status.message().starts_with(path.string()) ? status : status.at(path);
     }
-    Status wrong(StatusCode code, const std::string& what) const { return named({code, what}); }
     Status readAll();
     Status readHead();
     Status readMeta();
@@ -71,7 +67,7 @@ struct RecordingReader::Private
     std::vector<SceneRecord> scenes;
     internal::Events eventRows;
     std::vector<RecordingEvent> events;
-    std::string eventsFault; ///< reports a skipped event row
+    core::Message eventsFault; ///< reports a skipped event row
     internal::CheckedLines lines{tables, meta, scenes, eventRows};
 };
 
@@ -94,7 +90,7 @@ Status RecordingReader::Private::readHead()
     // The first read also detects a journal left by a crash and rolls it back in memory.
     Statement head = database.prepare("SELECT count(*) FROM sqlite_master");
     if (head.step() != Step::Row) {
-        return database.error("cannot be read");
+        return database.cannotRead();
     }
     head.reset();
     const Status status = tables.readVersion();
@@ -129,7 +125,7 @@ Status RecordingReader::Private::readEvents()
         events.push_back(event);
     }
     if (status.code() == StatusCode::BadFormat && status.message().starts_with("event ")) {
-        eventsFault = status.message();
+        eventsFault = status.text();
         return {};
     }
     return status;
@@ -201,13 +197,13 @@ core::Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::
     std::error_code error;
     const auto kind = std::filesystem::status(path, error);
     if (!std::filesystem::exists(kind)) {
-        return Status(StatusCode::NotFound, path.string() + ": no such file, expected a recording");
+        return Status(StatusCode::NotFound, PALPATE_TEXT("%1: no such file, expected a recording"), path);
     }
     if (std::filesystem::is_regular_file(kind) && !std::ifstream(path)) {
-        return Status(StatusCode::Unreadable, path.string() + ": cannot be opened: " + std::strerror(errno));
+        return Status(StatusCode::Unreadable, PALPATE_TEXT("%1: cannot be opened: %2"), path, core::systemError(errno));
     }
     if (!isRecordingFile(path)) {
-        return Status(StatusCode::BadFormat, path.string() + ": found no SQLite database, expected a recording");
+        return Status(StatusCode::BadFormat, PALPATE_TEXT("%1: found no SQLite database, expected a recording"), path);
     }
     auto opened = Database::open(path, Database::Mode::Read);
     if (!opened.isOk()) {
@@ -294,10 +290,10 @@ std::optional<servo::TickRecord> RecordingReader::at(std::int64_t tick) const
     return std::nullopt;
 }
 
-std::vector<std::string> RecordingReader::faults() const
+std::vector<core::Message> RecordingReader::faults() const
 {
-    std::vector<std::string> faults = m_d->lines.faults();
-    if (!m_d->eventsFault.empty()) {
+    std::vector<core::Message> faults = m_d->lines.faults();
+    if (!m_d->eventsFault.isEmpty()) {
         faults.insert(faults.begin(), m_d->eventsFault);
     }
     return faults;
@@ -311,7 +307,7 @@ std::vector<std::string> RecordingReader::embeddedHashes() const
 core::Result<geometry::RepairedMesh> RecordingReader::embedded(const std::string& sha256) const
 {
     auto read = m_d->tables.readEmbedded(sha256);
-    return read.isOk() ? std::move(read) : m_d->wrong(read.status().code(), read.status().message());
+    return read.isOk() ? std::move(read) : m_d->named(read.status());
 }
 
 core::Result<Motion> RecordingReader::motion() const
@@ -328,7 +324,8 @@ core::Result<Motion> RecordingReader::motion() const
         return status;
     }
     if (motion.p_WH.empty()) {
-        return m_d->wrong(StatusCode::Empty, "found no tick with a hand, expected at least one");
+        return Status(StatusCode::Empty, PALPATE_TEXT("%1: found no tick with a hand, expected at least one"),
+                      m_d->path);
     }
     return motion;
 }
@@ -337,35 +334,41 @@ Status RecordingReader::verify() const
 {
     const internal::Survey found = internal::survey(m_d->tables, m_d->meta);
     if (!found.faults.empty()) {
-        const std::string more = found.faults.size() > 1
-                                     ? " (and " + std::to_string(found.faults.size() - 1) + " more places)"
-                                     : std::string();
-        return m_d->wrong(StatusCode::Mismatch, found.faults.front() + more);
+        const core::Message& first = found.faults.front();
+        return m_d->named({StatusCode::Mismatch,
+                           found.faults.size() > 1
+                               ? core::Message(PALPATE_TEXT("%1 (and %2 more places)"), first, found.faults.size() - 1)
+                               : first});
     }
     Statement integrity = m_d->database.prepare("PRAGMA integrity_check(1)");
     if (integrity.step() != Step::Row || integrity.bytes(0) != "ok") {
         const std::string what = integrity.isPrepared() ? internal::oneLine(integrity.bytes(0)) : std::string();
-        return what.empty() ? m_d->database.error("cannot be read")
-                            : m_d->wrong(StatusCode::BadFormat, "damaged: " + what);
+        return what.empty() ? m_d->database.cannotRead()
+                            : Status(StatusCode::BadFormat, PALPATE_TEXT("%1: damaged: %2"), m_d->path, what);
     }
     return {};
 }
 
-std::string endingText(const RecordingExtent& extent)
+core::Message endingText(const RecordingExtent& extent)
 {
-    std::array<char, 48> at{};
-    std::snprintf(at.data(), at.size(), "ended at %.1f s", extent.duration_s);
+    const core::MessageArgument end_s = internal::tenths(extent.duration_s);
     switch (extent.end) {
     case RecordingEnd::Closed:
-        return "complete";
+        return core::Message(PALPATE_TEXT("complete"));
     case RecordingEnd::DiskFull:
-        return at.data() + std::string(" because the disk was full; what was felt after is not in it");
+        return core::Message(PALPATE_TEXT("ended at %1 s because the disk was full; what was felt after is not in it"),
+                             end_s);
     case RecordingEnd::DiskFailed:
-        return at.data() + std::string(" because the disk could not be written; what was felt after is not in it");
+        return core::Message(
+            PALPATE_TEXT("ended at %1 s because the disk could not be written; what was felt after is not in it"),
+            end_s);
     case RecordingEnd::CutOff:
         break;
     }
-    return at.data() + std::string(" without being closed (a crash, or a full disk); what was felt after is not in it");
+    return core::Message(
+        PALPATE_TEXT("ended at %1 s without being closed (a crash, or a full disk); what was felt after "
+                     "is not in it"),
+        end_s);
 }
 
 bool isRecordingFile(const std::filesystem::path& path)

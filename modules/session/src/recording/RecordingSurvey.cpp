@@ -12,7 +12,7 @@ Survey survey(const RecordingTables& tables, const MetaTable& meta)
     Survey result;
     const auto note = [&result](const core::Status& status) {
         if (!status.isOk()) {
-            result.faults.push_back(status.message());
+            result.faults.push_back(status.text());
         }
     };
     std::vector<SceneRecord> scenes;
@@ -22,8 +22,8 @@ Survey survey(const RecordingTables& tables, const MetaTable& meta)
     for (const SceneRecord& scene : scenes) {
         for (const StructureRecord& structure : scene.structures) {
             if (mapsText(structure.tissueMaps) != structure.maps) {
-                result.faults.push_back("structure \"" + oneLine(structure.name) +
-                                        "\": a map of its tissue is not there, or damaged");
+                result.faults.push_back({PALPATE_TEXT("structure \"%1\": a map of its tissue is not there, or damaged"),
+                                         oneLine(structure.name)});
             }
         }
     }

@@ -16,7 +16,7 @@ struct Survey
     std::vector<Check> blocks;         ///< intact blocks of ticks, ascending
     CheckedLines::Covered covered;     ///< for scenes and events
     std::vector<std::string> embedded; ///< hashes of the intact surfaces
-    std::vector<std::string> faults;   ///< one line per damaged part; empty if the recording is intact
+    std::vector<core::Message> faults; ///< one line per damaged part; empty if the recording is intact
 };
 
 /// Verifies all checksums of a recording.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/RecordingWriter.h"
 
+#include "recording/RenamedFile.h"
+#include "recording/SceneChanges.h"
 #include "store/DiskReserve.h"
-#include "tables/MetaTable.h"
 #include "store/RecordingPlace.h"
 #include "store/RecordingStore.h"
-#include "recording/SceneChanges.h"
+#include "tables/MetaTable.h"
 
 #include <QDateTime>
 
@@ -32,11 +33,8 @@ constexpr std::size_t kReserve_bytes = 128 * 1024;
 /// Replaces the temporary file name in an SQLite error by the requested name.
 Status named(const Status& status, const std::filesystem::path& made, const std::filesystem::path& path)
 {
-    std::string message = status.message();
-    if (const auto at = message.find(made.string()); at != std::string::npos) {
-        message.replace(at, made.string().size(), path.string());
-    }
-    return {status.code(), message};
+    return status.isOk() ? status
+                         : Status(status.code(), internal::renamed(status.text(), made.string(), path.string()));
 }
 
 } // namespace
@@ -184,13 +182,13 @@ Status RecordingWriter::append(const servo::TickRecord& tick)
 {
     Private& d = *m_d;
     if (d.lastTick && tick.tick <= *d.lastTick) {
-        return {StatusCode::OutOfRange, "tick " + std::to_string(tick.tick) + " after tick " +
-                                            std::to_string(*d.lastTick) + ": ticks must ascend"};
+        return {StatusCode::OutOfRange, PALPATE_TEXT("tick %1 after tick %2: ticks must ascend"), tick.tick,
+                *d.lastTick};
     }
     if (d.pending.ticks.size() >= d.mostPending) {
         ++d.dropped;
         d.dropsPending = true;
-        return {StatusCode::Unreadable, "the disk takes no more: " + std::to_string(d.dropped) + " ticks lost"};
+        return {StatusCode::Unreadable, PALPATE_TEXT("the disk takes no more: %1 ticks lost"), d.dropped};
     }
     if (!d.lastTick) {
         d.file->setFirstTime(tick.time_ns);
@@ -213,7 +211,7 @@ Status RecordingWriter::addScene(const SceneRecord& scene)
 {
     const auto [known, isNew] = m_d->known.emplace(scene.generation, scene);
     if (!isNew) {
-        return {StatusCode::OutOfRange, "scene " + std::to_string(scene.generation) + " is described already"};
+        return {StatusCode::OutOfRange, PALPATE_TEXT("scene %1 is described already"), scene.generation};
     }
     for (StructureRecord& structure : known->second.structures) {
         structure.source.embed.reset(); // release the surface after writing

@@ -3,13 +3,14 @@
 
 #include "database/Bounds.h"
 #include "database/JournalCheck.h"
-#include "store/PageSalvage.h"
-#include "recording/RecordingCopy.h"
-#include "recording/RecordingSurvey.h"
-#include "tables/Schema.h"
-#include "store/SchemaCheck.h"
 #include "palpate/session/RecordingReader.h"
 #include "palpate/session/RecordingWriter.h"
+#include "recording/RecordingCopy.h"
+#include "recording/RecordingSurvey.h"
+#include "recording/RenamedFile.h"
+#include "store/PageSalvage.h"
+#include "store/SchemaCheck.h"
+#include "tables/Schema.h"
 
 #include <palpate/core/Scratch.h>
 
@@ -32,7 +33,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kUnchecked = ": kept without a checksum to hold it against";
 constexpr const char* kSource = "source"; // name in the scratch folder
 
 /// Readable database with its verification result.
@@ -50,7 +50,7 @@ struct Source
     {
         internal::Statement head = database.prepare("SELECT count(*) FROM sqlite_master");
         if (head.step() != internal::Statement::Step::Row) {
-            return {StatusCode::BadFormat, "its first page is damaged"};
+            return {StatusCode::BadFormat, PALPATE_TEXT("its first page is damaged")};
         }
         head.reset();
         if (Status status = tables.readVersion(); !status.isOk()) {
@@ -60,7 +60,7 @@ struct Source
             return status;
         }
         if (Status status = tables.readMeta(meta); !status.isOk()) {
-            faults.push_back(status.message());
+            faults.push_back(status.text());
         }
         survey = internal::survey(tables, meta);
         faults.insert(faults.end(), survey.faults.begin(), survey.faults.end());
@@ -81,7 +81,7 @@ struct Source
     internal::RecordingTables tables;
     internal::MetaTable meta;
     internal::Survey survey;
-    std::vector<std::string> faults;
+    std::vector<core::Message> faults;
 };
 
 class Rescue
@@ -105,18 +105,11 @@ class Rescue
     }
 
   private:
-    Status wrong(StatusCode code, const fs::path& path, const std::string& what) const
-    {
-        return {code, path.string() + ": " + what};
-    }
-    void lose(std::string line)
+    void lose(core::Message line)
     {
         // SQLite messages contain the name of the temporary copy.
         for (const fs::path& work : {source(), pages()}) {
-            const std::string own = work.string();
-            for (auto at = line.find(own); at != std::string::npos; at = line.find(own)) {
-                line.replace(at, own.size(), m_from.filename().string());
-            }
+            line = internal::renamed(line, work.string(), m_from.filename().string());
         }
         m_result.losses.push_back(std::move(line));
     }
@@ -129,14 +122,15 @@ class Rescue
         }
         std::error_code error;
         if (!fs::exists(m_from, error)) {
-            return wrong(StatusCode::NotFound, m_from, "no such file, expected a recording");
+            return {StatusCode::NotFound, PALPATE_TEXT("%1: no such file, expected a recording"), m_from};
         }
         if (fs::equivalent(m_from, m_to, error)) {
-            return wrong(StatusCode::BadCommandLine, m_to, "is the recording itself, expected another name");
+            return {StatusCode::BadCommandLine, PALPATE_TEXT("%1: is the recording itself, expected another name"),
+                    m_to};
         }
         if (const auto kind = fs::status(m_to, error); fs::exists(kind) && !fs::is_regular_file(kind)) {
             // Would be replaced by the copy.
-            return wrong(StatusCode::Unreadable, m_to, "cannot be written: not a file");
+            return {StatusCode::Unreadable, PALPATE_TEXT("%1: cannot be written: not a file"), m_to};
         }
         auto scratch = core::Scratch::create(m_to, core::Scratch::Kind::Folder);
         if (!scratch.isOk()) {
@@ -150,29 +144,29 @@ class Rescue
     /// more data.
     Status chooseSource()
     {
-        Status direct(StatusCode::BadFormat, "found no SQLite database, expected a recording");
+        Status direct(StatusCode::BadFormat, PALPATE_TEXT("found no SQLite database, expected a recording"));
         if (isRecordingFile(m_from)) {
             direct = open(source(), m_chosen);
         }
         if (direct.code() == StatusCode::Mismatch) {
-            return wrong(direct.code(), m_from, direct.message()); // pages of a newer version have a different meaning
+            return direct.at(m_from); // pages of a newer version have a different meaning
         }
         if (!direct.isOk() || !m_chosen->faults.empty()) {
             const auto salvage = internal::salvagePages(source(), pages());
             std::unique_ptr<Source> found;
             if (salvage.isOk() && salvage.value().ticks > 0 && open(pages(), found).isOk() &&
                 (!direct.isOk() || found->worth() > m_chosen->worth())) {
-                const std::string why = direct.isOk() ? m_chosen->faults.front() : direct.message();
+                const core::Message why = direct.isOk() ? m_chosen->faults.front() : direct.text();
                 m_chosen = std::move(found);
-                lose(why + ": " + std::to_string(salvage.value().rows) + " rows were gathered from the file's " +
-                     std::to_string(salvage.value().pages) + " pages one by one");
+                lose(core::Message(PALPATE_TEXT("%1: %2 rows were gathered from the file's %3 pages one by one"), why,
+                                   salvage.value().rows, salvage.value().pages));
                 direct = {};
             }
         }
         if (!direct.isOk()) {
-            return wrong(direct.code(), m_from, direct.message() + ": nothing can be recovered");
+            return {direct.code(), PALPATE_TEXT("%1: %2: nothing can be recovered"), m_from, direct.text()};
         }
-        for (const std::string& fault : m_chosen->faults) {
+        for (const core::Message& fault : m_chosen->faults) {
             lose(fault);
         }
         readInfo();
@@ -218,7 +212,7 @@ class Rescue
             }
             hasStart = hasStart || (isTaken && key == "start");
         }
-        lose("metadata: " + lost + " cannot be read; set to their defaults");
+        lose(core::Message(PALPATE_TEXT("metadata: %1 cannot be read; set to their defaults"), lost));
         m_info = internal::fromMeta(good).value();
         if (!hasStart) {
             // Marks the state before the first tick as unknown for replays. A reader accepts no number below -1.
@@ -238,9 +232,10 @@ class Rescue
         (void)m_chosen->tables.readScenes(scenes); // errors are already reported
         for (SceneRecord& scene : scenes) {
             if (m_chosen->survey.covered.uncheckedScenes.contains(scene.generation)) {
-                lose("scene " + std::to_string(scene.generation) + kUnchecked);
+                lose(core::Message(PALPATE_TEXT("scene %1: kept without a checksum to hold it against"),
+                                   scene.generation));
             } else if (!m_chosen->survey.covered.scenes.contains(scene.generation)) {
-                lose("scene " + std::to_string(scene.generation) + ": left out");
+                lose(core::Message(PALPATE_TEXT("scene %1: left out"), scene.generation));
                 continue;
             }
             for (StructureRecord& structure : scene.structures) {
@@ -260,7 +255,7 @@ class Rescue
         (void)m_chosen->tables.readEvents(events);
         for (const auto& [id, event] : events) {
             if (m_chosen->survey.covered.uncheckedEvents.contains(id)) {
-                lose("event " + std::to_string(id) + kUnchecked);
+                lose(core::Message(PALPATE_TEXT("event %1: kept without a checksum to hold it against"), id));
                 (void)m_writer->addEvent(event);
             } else if (m_chosen->survey.covered.events.contains(id)) {
                 (void)m_writer->addEvent(event);
@@ -280,7 +275,8 @@ class Rescue
                 [&](const servo::TickRecord& tick) {
                     m_firstTime_ns = m_firstTime_ns.value_or(tick.time_ns);
                     if (tick.time_ns < *m_firstTime_ns) {
-                        lose("tick " + std::to_string(tick.tick) + ": found a time before the first tick's: left out");
+                        lose(core::Message(PALPATE_TEXT("tick %1: found a time before the first tick's: left out"),
+                                           tick.tick));
                         return true;
                     }
                     written = m_writer->append(tick);
@@ -290,7 +286,7 @@ class Rescue
                 },
                 &wrongTick);
             if (!read.isOk()) {
-                lose(internal::tickRange(next, last) + ": " + read.message());
+                lose(read.at(internal::tickRange(next, last)).text());
             }
             next = wrongTick < last ? wrongTick + 1 : last + 1; // continue after an invalid row
         }
@@ -307,8 +303,8 @@ class Rescue
             const std::int64_t before = m_result.ticks;
             const Status status = last < next ? Status() : copyRange(next, last, m_result.ticks);
             if (m_result.ticks > before) {
-                lose("up to tick " + std::to_string(m_last) + ": " + std::to_string(m_result.ticks - before) +
-                     " ticks kept without a checksum to hold them against");
+                lose(core::Message(PALPATE_TEXT("up to tick %1: %2 ticks kept without a checksum to hold them against"),
+                                   m_last, m_result.ticks - before));
             }
             return status;
         };
@@ -326,7 +322,7 @@ class Rescue
                     return status;
                 }
             } else {
-                lose(internal::tickRange(check.first, check.last) + ": left out");
+                lose(core::Message(PALPATE_TEXT("%1: left out"), internal::tickRange(check.first, check.last)));
             }
             next = check.last + 1;
         }
@@ -337,11 +333,12 @@ class Rescue
     {
         const bool isComplete = m_chosen->meta.contains(internal::kComplete);
         if (!isComplete) {
-            lose("the end: the recording was not closed; nothing is known after tick " + std::to_string(m_last));
+            lose(core::Message(PALPATE_TEXT("the end: the recording was not closed; nothing is known after tick %1"),
+                               m_last));
         }
         QJsonArray missing;
-        for (const std::string& loss : m_result.losses) {
-            missing.append(QString::fromStdString(loss));
+        for (const core::Message& loss : m_result.losses) {
+            missing.append(QString::fromStdString(loss.english()));
         }
         const QJsonObject json{{"from", QString::fromStdString(m_from.filename().string())}, {"missing", missing}};
         if (!missing.isEmpty()) {

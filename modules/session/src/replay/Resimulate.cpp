@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tables/Contacts.h"
+#include "palpate/session/Replay.h"
 #include "store/MapRows.h"
+#include "tables/Contacts.h"
 #include "tables/OldVelocity.h"
 #include "tables/Packing.h"
-#include "palpate/session/Replay.h"
 
 #include <palpate/core/Numbers.h>
 #include <palpate/haptics/ForceTable.h>
@@ -73,8 +73,8 @@ class Resimulator
         if (scene == nullptr && generation != 0) {
             const SceneRecord* record = m_recording.scene(generation);
             if (record == nullptr) {
-                return {StatusCode::BadFormat,
-                        "scene generation " + std::to_string(generation) + " is not described in the recording"};
+                return {StatusCode::BadFormat, PALPATE_TEXT("scene generation %1 is not described in the recording"),
+                        generation};
             }
             auto built = rebuildScene(*record, m_surfaces);
             if (!built.isOk()) {
@@ -101,10 +101,10 @@ class Resimulator
                 const auto& felt = hasLayer ? scene->layer(i).structures : std::vector<std::uint32_t>();
                 const bool isFelt = std::find(felt.begin(), felt.end(), god.structure[k]) != felt.end();
                 if (!isFelt || god.triangle[k] >= scene->structures()[god.structure[k]].surface->triangleCount()) {
-                    return {StatusCode::BadFormat, "the state before the first tick: found contact with triangle " +
-                                                       std::to_string(god.triangle[k]) + " of structure " +
-                                                       std::to_string(god.structure[k]) +
-                                                       ", expected one of the scene's layer " + std::to_string(i)};
+                    return {StatusCode::BadFormat,
+                            PALPATE_TEXT("the state before the first tick: found contact with triangle %1 of "
+                                         "structure %2, expected one of the scene's layer %3"),
+                            god.triangle[k], god.structure[k], i};
                 }
             }
         }
@@ -168,19 +168,21 @@ class Resimulator
         const double apart_N = (was.f_W - is.f_W).norm();
         m_result.farthest_mm = std::max(m_result.farthest_mm, apart_mm);
         m_result.farthest_N = std::max(m_result.farthest_N, apart_N);
-        const std::string tick = "tick " + std::to_string(row.tick) + ": ";
         const auto places = [&] {
-            return tick + "god-object recorded at " + text(was.p_WG) + ", now " + text(is.p_WG) +
-                   apart(apart_mm, " mm");
+            return core::Message(PALPATE_TEXT("tick %1: god-object recorded at %2, now %3, %4 mm apart"), row.tick,
+                                 text(was.p_WG), text(is.p_WG), core::shortNumber(apart_mm, 3));
         };
         const auto forces = [&] {
-            return tick + "force recorded as " + text(was.f_W) + ", now " + text(is.f_W) + apart(apart_N, " N");
+            return core::Message(PALPATE_TEXT("tick %1: force recorded as %2, now %3, %4 N apart"), row.tick,
+                                 text(was.f_W), text(is.f_W), core::shortNumber(apart_N, 3));
         };
         const auto touches = [&] {
-            return tick + "structure, triangle and constraints recorded as " + touch(was) + ", now " + touch(is);
+            return core::Message(PALPATE_TEXT("tick %1: structure, triangle and constraints recorded as %2, now %3"),
+                                 row.tick, touch(was), touch(is));
         };
         const auto layers = [&] {
-            return tick + "layers (structure, triangle, friction) recorded as " + touched(was) + ", now " + touched(is);
+            return core::Message(PALPATE_TEXT("tick %1: layers (structure, triangle, friction) recorded as %2, now %3"),
+                                 row.tick, touched(was), touched(is));
         };
         if (!m_result.firstDifference) {
             m_result.firstDifference = row.tick;
@@ -215,7 +217,7 @@ class Resimulator
         return apart_mm;
     }
 
-    static std::string touched(const haptics::TickResult& felt)
+    static core::MessageArgument touched(const haptics::TickResult& felt)
     {
         std::string out;
         for (std::size_t i = 0; i < felt.contactCount; ++i) {
@@ -223,12 +225,7 @@ class Resimulator
             out += (i > 0 ? " (" : "(") + std::to_string(contact.structure) + ' ' + std::to_string(contact.triangle) +
                    ' ' + std::to_string(static_cast<int>(contact.friction)) + ')';
         }
-        return out.empty() ? "none" : out;
-    }
-
-    static std::string apart(double value, const char* unit)
-    {
-        return ", " + core::shortNumber(value, 3) + unit + " apart";
+        return out.empty() ? core::MessageArgument(core::Message(PALPATE_TEXT("none"))) : out;
     }
 
     static std::string touch(const haptics::TickResult& felt)
@@ -282,16 +279,16 @@ class Resimulator
 namespace {
 
 /// Returns why the maps of a structure do not fit a surface; empty if they do.
-std::string faultOfMaps(const StructureRecord& structure, const geometry::SurfaceIndex& surface)
+core::Message faultOfMaps(const StructureRecord& structure, const geometry::SurfaceIndex& surface)
 {
     const haptics::TissueMaps& maps = structure.tissueMaps;
     if (internal::mapsText(maps) != structure.maps) {
-        return "a map of its tissue is not in the recording, or damaged";
+        return core::Message(PALPATE_TEXT("a map of its tissue is not in the recording, or damaged"));
     }
     for (const haptics::TissueMap* map : maps.all()) {
         if (!map->isEmpty() && map->corners->size() != surface.triangleCount()) {
-            return "a map of its tissue has " + std::to_string(map->corners->size()) + " triangles, expected " +
-                   std::to_string(surface.triangleCount());
+            return {PALPATE_TEXT("a map of its tissue has %1 triangles, expected %2"), map->corners->size(),
+                    surface.triangleCount()};
         }
     }
     return {};
@@ -311,8 +308,8 @@ core::Result<std::shared_ptr<const haptics::HapticScene>> rebuildScene(const Sce
         if (!structure.lawTable.empty()) {
             auto table = haptics::ForceTable::fromBytes(std::as_bytes(std::span(structure.lawTable)));
             if (!table.isOk()) {
-                return Status(StatusCode::BadFormat, "structure \"" + structure.name +
-                                                         "\" of the recording: law_table: " + table.status().message());
+                return Status(StatusCode::BadFormat, PALPATE_TEXT("structure \"%1\" of the recording: law_table: %2"),
+                              structure.name, table.status().text());
             }
             out.law = std::move(table).value();
         }
@@ -321,20 +318,22 @@ core::Result<std::shared_ptr<const haptics::HapticScene>> rebuildScene(const Sce
         }
         const auto found = surfaces.find(structure.source.sha256);
         if (found == surfaces.end() || found->second == nullptr) {
-            return Status(StatusCode::Mismatch, "structure \"" + structure.name +
-                                                    "\" of the recording: its geometry (SHA-256 " +
-                                                    structure.source.sha256.substr(0, 12) + "...) is not in the scene");
+            return Status(
+                StatusCode::Mismatch,
+                PALPATE_TEXT("structure \"%1\" of the recording: its geometry (SHA-256 %2...) is not in the scene"),
+                structure.name, structure.source.sha256.substr(0, 12));
         }
         out.surface = found->second;
         out.maps = structure.tissueMaps;
-        if (const std::string wrong = faultOfMaps(structure, *out.surface); !wrong.empty()) {
-            return Status(StatusCode::Mismatch, "structure \"" + structure.name + "\" of the recording: " + wrong);
+        if (const core::Message wrong = faultOfMaps(structure, *out.surface); !wrong.isEmpty()) {
+            return Status(StatusCode::Mismatch, PALPATE_TEXT("structure \"%1\" of the recording: %2"), structure.name,
+                          wrong);
         }
     }
     if (!(record.fingertip_mm >= 0.0 && record.fingertip_mm <= haptics::HapticScene::kMostFingertip_mm)) {
-        return Status(StatusCode::BadFormat, "found a fingertip radius of " + std::to_string(record.fingertip_mm) +
-                                                 " mm in the recording, expected 0 to " +
-                                                 std::to_string(haptics::HapticScene::kMostFingertip_mm));
+        return Status(StatusCode::BadFormat,
+                      PALPATE_TEXT("found a fingertip radius of %1 mm in the recording, expected 0 to %2"),
+                      record.fingertip_mm, haptics::HapticScene::kMostFingertip_mm);
     }
     return std::shared_ptr<const haptics::HapticScene>(
         std::make_shared<haptics::HapticScene>(std::move(structures), record.fingertip_mm));

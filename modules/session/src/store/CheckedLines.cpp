@@ -20,29 +20,45 @@ namespace {
 constexpr int kLinesBack = 4;
 
 /// Returns the error in the range or row count of a check for ticks; empty if valid.
-std::string wrongRange(const Check& check)
+core::Message wrongRange(const Check& check)
 {
     if (check.first < 0 || check.last < check.first || check.last > kMaxTick) {
-        return "found " + tickRange(check.first, check.last) + ", expected an ascending range from 0 to 2^53";
+        return {PALPATE_TEXT("found %1, expected an ascending range from 0 to 2^53"),
+                tickRange(check.first, check.last)};
     }
     if (check.rows < 1 || check.rows > kMaxTicksPerCheck || check.rows > check.last - check.first + 1) {
-        return tickRange(check.first, check.last) + ": found a checksum of " + std::to_string(check.rows) +
-               " rows, expected at least one and at most one a tick";
+        return {PALPATE_TEXT("%1: found a checksum of %2 rows, expected at least one and at most one a tick"),
+                tickRange(check.first, check.last), check.rows};
     }
     return {};
 }
 
-std::string otherCount(std::int64_t found, std::int64_t expected)
+core::Message otherCount(std::int64_t found, std::int64_t expected)
 {
-    return found == expected ? std::string()
-                             : "found " + std::to_string(found) + " rows, expected " + std::to_string(expected);
+    return found == expected ? core::Message()
+                             : core::Message(PALPATE_TEXT("found %1 rows, expected %2"), found, expected);
+}
+
+core::Message uncheckedRows(std::int64_t first, std::int64_t last)
+{
+    return {PALPATE_TEXT("%1: found rows without a checksum"), tickRange(first, last)};
+}
+
+core::Message unchecked(const core::Message& name)
+{
+    return {PALPATE_TEXT("%1: found without a checksum"), name};
+}
+
+core::Message sceneName(std::int64_t generation)
+{
+    return {PALPATE_TEXT("scene %1"), generation};
 }
 
 } // namespace
 
-std::string tickRange(std::int64_t first, std::int64_t last)
+core::Message tickRange(std::int64_t first, std::int64_t last)
 {
-    return "ticks " + std::to_string(first) + " to " + std::to_string(last);
+    return {PALPATE_TEXT("ticks %1 to %2"), first, last};
 }
 
 CheckedLines::CheckedLines(const RecordingTables& tables, const MetaTable& meta, const std::vector<SceneRecord>& scenes,
@@ -54,9 +70,9 @@ CheckedLines::CheckedLines(const RecordingTables& tables, const MetaTable& meta,
 {
 }
 
-void CheckedLines::note(const std::string& fault) const
+void CheckedLines::note(const core::Message& fault) const
 {
-    if (m_known.insert(fault).second) {
+    if (m_known.insert(fault.english()).second) {
         m_faults.push_back(fault);
     }
 }
@@ -76,14 +92,14 @@ Status CheckedLines::read()
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         const Check& check = m_lines[i];
         if (!isOld && check.id != std::exchange(expectedId, check.id + 1)) {
-            note("checks: found line " + std::to_string(check.id) + ", expected " + std::to_string(expectedId - 1) +
-                 ": a part of the recording was taken out");
+            note({PALPATE_TEXT("checks: found line %1, expected %2: a part of the recording was taken out"), check.id,
+                  expectedId - 1});
         }
         hasMeta = hasMeta || check.kind == kMetaCheck;
         takeLine(i);
     }
     if (!hasMeta) {
-        note("metadata: found without a checksum");
+        note(unchecked(core::Message(PALPATE_TEXT("metadata"))));
     }
     findUnchecked();
     findUncheckedTicks();
@@ -98,20 +114,20 @@ void CheckedLines::takeLine(std::size_t line)
         return;
     }
     if (check.kind == kMetaCheck) {
-        (void)judge(line, "metadata", contentOf(line).bytes, {});
+        (void)judge(line, core::Message(PALPATE_TEXT("metadata")), contentOf(line).bytes, {});
         return;
     }
     const bool isScene = check.kind == kSceneCheck;
     if (!isScene && check.kind != kEventsCheck) {
-        note("checks: found a line of kind \"" + oneLine(check.kind) + "\", expected one of this version");
+        note({PALPATE_TEXT("checks: found a line of kind \"%1\", expected one of this version"), oneLine(check.kind)});
         return;
     }
-    const std::string name = isScene ? "scene " + std::to_string(check.first)
-                                     : "events " + std::to_string(check.first) + " to " + std::to_string(check.last);
+    const core::Message name =
+        isScene ? sceneName(check.first) : core::Message(PALPATE_TEXT("events %1 to %2"), check.first, check.last);
     const bool isAgain =
         isScene ? !m_seenScenes.insert(static_cast<std::uint32_t>(check.first)).second : check.first <= m_seenEvent;
     if (isAgain) {
-        note(name + ": found a second checksum, expected one");
+        note({PALPATE_TEXT("%1: found a second checksum, expected one"), name});
         return;
     }
     const Content content = contentOf(line);
@@ -133,14 +149,14 @@ void CheckedLines::takeTicks(std::size_t line)
 {
     constexpr int kMaxOverlaps = 100; // each overlap reads a block; only a malicious file has many
     const Check& check = m_lines[line];
-    if (std::string wrong = wrongRange(check); !wrong.empty()) {
-        note("checks: " + wrong);
+    if (const core::Message wrong = wrongRange(check); !wrong.isEmpty()) {
+        note({PALPATE_TEXT("checks: %1"), wrong});
         return;
     }
     while (!m_blocks.empty() && check.first <= m_blocks.back().last) {
         if (++m_overlaps > kMaxOverlaps || block(m_blocks.size() - 1)->isIntact) {
-            note("checks: " + tickRange(check.first, check.last) + ": found behind " +
-                 tickRange(m_blocks.back().first, m_blocks.back().last) + ", expected ascending ranges");
+            note({PALPATE_TEXT("checks: %1: found behind %2, expected ascending ranges"),
+                  tickRange(check.first, check.last), tickRange(m_blocks.back().first, m_blocks.back().last)});
             return;
         }
         m_blocks.pop_back();
@@ -159,7 +175,7 @@ void CheckedLines::findUnchecked()
             m_covered.scenes.insert(scene.generation);
         } else if (!m_seenScenes.contains(scene.generation)) {
             m_covered.uncheckedScenes.insert(scene.generation);
-            note("scene " + std::to_string(scene.generation) + ": found without a checksum");
+            note(unchecked(sceneName(scene.generation)));
         }
     }
     for (const auto* event : m_eventsById) {
@@ -168,7 +184,7 @@ void CheckedLines::findUnchecked()
             m_covered.events.insert(id);
         } else if (id < 1 || id > m_seenEvent) {
             m_covered.uncheckedEvents.insert(id);
-            note("event " + std::to_string(id) + ": found without a checksum");
+            note(unchecked(core::Message(PALPATE_TEXT("event %1"), id)));
         }
     }
 }
@@ -182,10 +198,10 @@ void CheckedLines::findUncheckedTicks()
     }
     const std::int64_t next = m_blocks.empty() ? 0 : m_blocks.back().last + 1;
     if (numbers->first < 0) {
-        note("tick " + std::to_string(numbers->first) + ": found a row without a checksum, expected ticks from 0");
+        note({PALPATE_TEXT("tick %1: found a row without a checksum, expected ticks from 0"), numbers->first});
     }
     if (numbers->second >= next) {
-        note(tickRange(next, numbers->second) + ": found rows without a checksum");
+        note(uncheckedRows(next, numbers->second));
     }
 }
 
@@ -244,16 +260,20 @@ std::string CheckedLines::expectedHash(std::size_t line, const std::string& byte
     return sha256(expectedHash(line - 1, contentOf(line - 1).bytes, depth - 1) + bytes);
 }
 
-bool CheckedLines::judge(std::size_t line, const std::string& name, const std::string& bytes, std::string wrong) const
+bool CheckedLines::judge(std::size_t line, const core::Message& name, const std::string& bytes,
+                         core::Message wrong) const
 {
     const bool coversMeta = m_tables.version() < 2 && line == 0;
-    if (wrong.empty() && expectedHash(line, bytes, kLinesBack) != m_lines[line].hash) {
-        wrong = "found other bits than were written (checksum)";
-        note((coversMeta ? "metadata or " : "") + name + ": " + wrong);
-    } else if (!wrong.empty()) {
-        note(name + ": " + wrong);
+    if (!wrong.isEmpty()) {
+        note({PALPATE_TEXT("%1: %2"), name, wrong});
+        return false;
     }
-    return wrong.empty();
+    if (expectedHash(line, bytes, kLinesBack) != m_lines[line].hash) {
+        note({PALPATE_TEXT("%1: found other bits than were written (checksum)"),
+              coversMeta ? core::Message(PALPATE_TEXT("metadata or %1"), name) : name});
+        return false;
+    }
+    return true;
 }
 
 std::shared_ptr<const CheckedLines::Block> CheckedLines::block(std::size_t number) const
@@ -263,7 +283,8 @@ std::shared_ptr<const CheckedLines::Block> CheckedLines::block(std::size_t numbe
     }
     const Check& check = m_blocks[number];
     auto out = std::make_shared<Block>();
-    std::string content, wrong;
+    std::string content;
+    core::Message wrong;
     std::optional<std::pair<std::int64_t, std::int64_t>> strays; // preceding rows without a check
     const std::int64_t after = number > 0 ? m_blocks[number - 1].last + 1 : 0;
     const Status status = m_tables.readTicks(after, check.last, [&](const servo::TickRecord& tick) {
@@ -276,16 +297,17 @@ std::shared_ptr<const CheckedLines::Block> CheckedLines::block(std::size_t numbe
         return static_cast<std::int64_t>(out->ticks.size()) <= check.rows;
     });
     if (!status.isOk()) {
-        wrong = status.message();
+        wrong = status.text();
     } else {
         wrong = otherCount(static_cast<std::int64_t>(out->ticks.size()), check.rows);
     }
-    if (wrong.empty() && (out->ticks.front().tick != check.first || out->ticks.back().tick != check.last)) {
-        wrong = "found " + tickRange(out->ticks.front().tick, out->ticks.back().tick) + " there";
+    if (wrong.isEmpty() && (out->ticks.front().tick != check.first || out->ticks.back().tick != check.last)) {
+        wrong =
+            core::Message(PALPATE_TEXT("found %1 there"), tickRange(out->ticks.front().tick, out->ticks.back().tick));
     }
     out->isIntact = judge(m_lineOfBlock[number], tickRange(check.first, check.last), content, std::move(wrong));
     if (strays) {
-        note(tickRange(strays->first, strays->second) + ": found rows without a checksum");
+        note(uncheckedRows(strays->first, strays->second));
     }
     if (!out->isIntact) {
         out->ticks.clear();

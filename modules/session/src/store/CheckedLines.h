@@ -15,7 +15,7 @@
 namespace palpate::session::internal {
 
 /// Formats a range: "ticks 250 to 499".
-[[nodiscard]] std::string tickRange(std::int64_t first, std::int64_t last);
+[[nodiscard]] core::Message tickRange(std::int64_t first, std::int64_t last);
 
 /// Rows of a recording's table `checks`, each compared with the data covered by its checksum. Metadata, scenes and
 /// events are verified immediately, blocks of ticks when read.
@@ -55,7 +55,7 @@ class CheckedLines
     [[nodiscard]] const Covered& covered() const noexcept { return m_covered; }
 
     /// Damage found so far, one line each, without duplicates.
-    [[nodiscard]] const std::vector<std::string>& faults() const noexcept { return m_faults; }
+    [[nodiscard]] const std::vector<core::Message>& faults() const noexcept { return m_faults; }
 
   private:
     /// Serialized rows covered by a checksum.
@@ -72,14 +72,14 @@ class CheckedLines
     void findUnchecked();
     void findUncheckedTicks();
     /// Compares data with its checksum. @param wrong  fault that is already known; empty: none
-    bool judge(std::size_t line, const std::string& name, const std::string& bytes, std::string wrong) const;
+    bool judge(std::size_t line, const core::Message& name, const std::string& bytes, core::Message wrong) const;
     [[nodiscard]] const SceneRecord* sceneOf(std::int64_t generation) const;
     /// @return the first event with this id or a later one
     [[nodiscard]] EventsById::const_iterator firstEvent(std::int64_t id) const;
     [[nodiscard]] std::string hashBefore(std::size_t line) const;
     [[nodiscard]] std::string expectedHash(std::size_t line, const std::string& bytes, int depth) const;
     [[nodiscard]] Content contentOf(std::size_t line) const;
-    void note(const std::string& fault) const;
+    void note(const core::Message& fault) const;
 
     const RecordingTables& m_tables;
     const MetaTable& m_meta;
@@ -94,8 +94,8 @@ class CheckedLines
     std::int64_t m_seenEvent = 0;           ///< last event id covered by a row, valid or not
     int m_overlaps = 0;
     Covered m_covered;
-    mutable std::vector<std::string> m_faults;
-    mutable std::set<std::string, std::less<>> m_known; ///< same content, for lookup
+    mutable std::vector<core::Message> m_faults;
+    mutable std::set<std::string, std::less<>> m_known; ///< English texts of m_faults, for lookup
     mutable std::size_t m_newest = 0;
     mutable std::shared_ptr<const Block> m_newestBlock;
 };

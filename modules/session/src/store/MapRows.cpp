@@ -45,16 +45,14 @@ std::string hashOf(std::string_view bytes)
     return QByteArray(hash.data(), static_cast<qsizetype>(hash.size())).toHex().toStdString();
 }
 
-/// Returns the error in the values of a map; null if valid.
-const char* faultIn(const Corners& corners, double factor, bool isAboveZero)
+/// Returns true if all values of a map are in range.
+bool isValid(const Corners& corners, double factor, bool isAboveZero)
 {
     const bool isPossible = std::all_of(corners.begin(), corners.end(), [isAboveZero](const std::array<float, 3>& at) {
         return std::all_of(at.begin(), at.end(),
                            [isAboveZero](float v) { return std::isfinite(v) && (isAboveZero ? v > 0.0F : v >= 0.0F); });
     });
-    return !isPossible                                 ? "numbers out of range"
-           : !(factor > 0.0) || !std::isfinite(factor) ? "a factor that is not positive"
-                                                       : nullptr;
+    return isPossible && factor > 0.0 && std::isfinite(factor);
 }
 
 } // namespace
@@ -84,8 +82,7 @@ void forEachMap(const haptics::TissueMaps& maps,
 }
 
 haptics::TissueMaps mapsOf(const std::string& text,
-                           const std::function<std::optional<std::string>(const std::string&)>& find,
-                           std::string& wrong)
+                           const std::function<std::optional<std::string>(const std::string&)>& find)
 {
     haptics::TissueMaps maps;
     const std::array all = maps.all();
@@ -95,13 +92,8 @@ haptics::TissueMaps mapsOf(const std::string& text,
             kMaps.begin(), kMaps.end(), [&](const NamedMap& n) { return quantity == QLatin1String(n.quantity); });
         const std::string hash = entry["sha256"].toString().toStdString();
         const std::optional<std::string> bytes = find(hash);
-        const std::string name = "map of " + quantity.toStdString() + " " + hash.substr(0, 12) + "...: ";
-        if (named == kMaps.end() || !bytes) {
-            wrong = name + "is not in the recording";
-            continue;
-        }
-        if (hashOf(*bytes) != hash || bytes->size() % sizeof(Corners::value_type) != 0) {
-            wrong = name + "found other bits than were written (checksum)";
+        if (named == kMaps.end() || !bytes || hashOf(*bytes) != hash ||
+            bytes->size() % sizeof(Corners::value_type) != 0) {
             continue;
         }
         auto corners = std::make_shared<Corners>(bytes->size() / sizeof(Corners::value_type));
@@ -109,11 +101,9 @@ haptics::TissueMaps mapsOf(const std::string& text,
             std::memcpy(static_cast<void*>(corners->data()), bytes->data(), bytes->size());
         }
         const double factor = entry["factor"].toDouble();
-        if (const char* fault = faultIn(*corners, factor, named->isAboveZero)) {
-            wrong = name + "found " + fault;
-            continue;
+        if (isValid(*corners, factor, named->isAboveZero)) {
+            *all[static_cast<std::size_t>(named - kMaps.begin())] = {std::move(corners), factor};
         }
-        *all[static_cast<std::size_t>(named - kMaps.begin())] = {std::move(corners), factor};
     }
     return maps;
 }

@@ -18,11 +18,9 @@ namespace palpate::session::internal {
 void forEachMap(const haptics::TissueMaps& maps,
                 const std::function<void(const std::string& sha256, std::string_view bytes)>& take);
 
-/// Restores maps from the serialized text and verifies the hashes.
+/// Restores maps from the serialized text and verifies the hashes. Missing and damaged maps stay empty.
 /// @param find  returns the bytes for a hash; empty if missing
-/// @param wrong  receives the missing or damaged data in one line; empty without errors
 [[nodiscard]] haptics::TissueMaps mapsOf(const std::string& text,
-                                         const std::function<std::optional<std::string>(const std::string&)>& find,
-                                         std::string& wrong);
+                                         const std::function<std::optional<std::string>(const std::string&)>& find);
 
 } // namespace palpate::session::internal

@@ -2,9 +2,9 @@
 #include "store/PageSalvage.h"
 
 #include "database/Database.h"
+#include "palpate/session/Recording.h"
 #include "tables/Schema.h"
 #include "tables/TickTable.h"
-#include "palpate/session/Recording.h"
 
 #include <algorithm>
 #include <array>
@@ -348,7 +348,7 @@ core::Result<Salvage> salvagePages(const std::filesystem::path& from, const std:
 {
     std::ifstream file(from, std::ios::binary);
     if (!file) {
-        return Status(StatusCode::Unreadable, from.string() + ": cannot be read");
+        return Status(StatusCode::Unreadable, PALPATE_TEXT("%1: cannot be read"), from);
     }
     auto opened = Database::open(to, Database::Mode::Create);
     if (!opened.isOk()) {

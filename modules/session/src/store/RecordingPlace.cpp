@@ -36,6 +36,11 @@ bool lock(int file) noexcept
     return ::fcntl(file, F_OFD_SETLK, &range) == 0 || (errno != EAGAIN && errno != EACCES);
 }
 
+core::Message nameIsTaken()
+{
+    return core::Message(PALPATE_TEXT("there is a file of this name; choose another name"));
+}
+
 } // namespace
 
 RecordingPlace::RecordingPlace(std::filesystem::path path)
@@ -54,9 +59,9 @@ RecordingPlace::~RecordingPlace()
     }
 }
 
-Status RecordingPlace::cannot(const std::string& why) const
+Status RecordingPlace::cannot(const core::Message& why) const
 {
-    return {StatusCode::Unreadable, m_path.string() + ": cannot be written: " + why};
+    return {StatusCode::Unreadable, PALPATE_TEXT("%1: cannot be written: %2"), m_path, why};
 }
 
 /// Returns true if a name in the folder refers to this file.
@@ -86,8 +91,9 @@ Status RecordingPlace::checkBeside() const
         };
         if (const std::string side = m_name + suffix;
             ::fstatat(m_folder, side.c_str(), &is, AT_SYMLINK_NOFOLLOW) == 0) {
-            return cannot("the file " + side +
-                          " would be taken for a part of it; move that away or choose another name");
+            return cannot(core::Message(
+                PALPATE_TEXT("the file %1 would be taken for a part of it; move that away or choose another name"),
+                side));
         }
     }
     return {};
@@ -100,13 +106,15 @@ Status RecordingPlace::lockOld()
         return {}; // replaces the link, not its target
     }
     if (!S_ISREG(m_oldIs.st_mode)) {
-        return cannot("not a file");
+        return cannot(core::Message(PALPATE_TEXT("not a file")));
     }
     m_old = ::openat(m_folder, m_name.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (m_old < 0) {
         return core::cannotWrite(m_path, errno);
     }
-    return lock(m_old) ? Status() : cannot("another program is recording into it; choose another name");
+    return lock(m_old)
+               ? Status()
+               : cannot(core::Message(PALPATE_TEXT("another program is recording into it; choose another name")));
 }
 
 Status RecordingPlace::open(ExistingFile old)
@@ -118,7 +126,7 @@ Status RecordingPlace::open(ExistingFile old)
     }
     m_isOldThere = ::fstatat(m_folder, m_name.c_str(), &m_oldIs, AT_SYMLINK_NOFOLLOW) == 0;
     if (m_isOldThere && old == ExistingFile::Refuse) {
-        return cannot(S_ISREG(m_oldIs.st_mode) ? "there is a file of this name; choose another name" : "not a file");
+        return cannot(S_ISREG(m_oldIs.st_mode) ? nameIsTaken() : core::Message(PALPATE_TEXT("not a file")));
     }
     if (m_isOldThere) {
         if (Status status = lockOld(); !status.isOk()) {
@@ -154,8 +162,7 @@ Status RecordingPlace::settle()
     const int error =
         core::renameWithoutRace(m_scratch->descriptor(), kMade, m_folder, m_name.c_str(), ExistingFile::Refuse);
     if (error != 0) {
-        return error == EEXIST ? cannot("there is a file of this name; choose another name")
-                               : core::cannotWrite(m_path, error);
+        return error == EEXIST ? cannot(nameIsTaken()) : core::cannotWrite(m_path, error);
     }
     m_scratch.reset();
     return {};
@@ -186,7 +193,9 @@ Status RecordingPlace::complete()
     }
     m_scratch.reset();
     core::syncFolder(m_folder);
-    return kept.empty() ? Status() : cannot("another program wrote a file of this name meanwhile; kept as " + kept);
+    return kept.empty() ? Status()
+                        : cannot(core::Message(
+                              PALPATE_TEXT("another program wrote a file of this name meanwhile; kept as %1"), kept));
 }
 
 void RecordingPlace::discard()

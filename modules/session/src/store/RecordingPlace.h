@@ -44,7 +44,7 @@ class RecordingPlace
     core::Status lockOld();
     [[nodiscard]] core::Status checkBeside() const;
     [[nodiscard]] bool isAt(const std::string& name, const struct stat& file) const;
-    [[nodiscard]] core::Status cannot(const std::string& why) const;
+    [[nodiscard]] core::Status cannot(const core::Message& why) const;
 
     const std::filesystem::path m_path;
     const std::string m_name; ///< file name in the folder

@@ -46,7 +46,7 @@ Status RecordingStore::makeFile(const std::filesystem::path& path, const MetaTab
         insert.bind(0, pair->first);
         pair->first == "start" ? insert.bindBlob(1, pair->second) : insert.bind(1, pair->second);
         if (insert.step() != Statement::Step::Done) {
-            status = database.error("cannot be written");
+            status = database.cannotWrite();
         }
     }
     Statement check = database.prepare(kInsertCheck);
@@ -56,7 +56,7 @@ Status RecordingStore::makeFile(const std::filesystem::path& path, const MetaTab
         check.bindNull(2);
         check.bind(3, static_cast<std::int64_t>(meta.size()));
         check.bindBlob(4, firstLink(meta));
-        status = check.step() == Statement::Step::Done ? Status() : database.error("cannot be written");
+        status = check.step() == Statement::Step::Done ? Status() : database.cannotWrite();
     }
     return status.isOk() ? database.execute("COMMIT") : status;
 }

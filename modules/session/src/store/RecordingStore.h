@@ -2,8 +2,8 @@
 #pragma once
 
 #include "database/Database.h"
-#include "tables/MetaTable.h"
 #include "palpate/session/Recording.h"
+#include "tables/MetaTable.h"
 
 #include <palpate/core/Status.h>
 #include <palpate/servo/TickRecord.h>
@@ -55,7 +55,7 @@ class RecordingStore
     core::Status storeTicks(const RecordingBatch& batch, std::string& hash);
     core::Status storeCheck(const char* kind, std::int64_t first, std::int64_t last, std::size_t rows,
                             const std::string& content, std::string& hash);
-    [[nodiscard]] core::Status failed() const { return m_database.error("cannot be written"); }
+    [[nodiscard]] core::Status failed() const { return m_database.cannotWrite(); }
 
     Database m_database;
     Statement m_insertTick, m_insertCheck, m_insertEvent, m_insertScene, m_insertMesh, m_insertStructure,

@@ -3,12 +3,10 @@
 
 #include "database/Bounds.h"
 #include "database/LawText.h"
+#include "palpate/session/GeometryHash.h"
 #include "store/MapRows.h"
 #include "tables/Packing.h"
 #include "tables/Schema.h"
-#include "palpate/session/GeometryHash.h"
-
-#include <palpate/core/Numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,24 +60,30 @@ class BytesRead
 
 } // namespace
 
-Status RecordingTables::tooMany(const char* what, std::size_t most) const
+Status RecordingTables::tooMany(const core::Message& what, std::size_t most) const
 {
-    return {StatusCode::BadFormat, "found more than " + std::to_string(most) + " " + what +
-                                       ", or more bytes of them than the file has, expected what a recorder writes"};
+    return {StatusCode::BadFormat,
+            PALPATE_TEXT("found more than %1 %2, or more bytes of them than the file has, expected what a recorder "
+                         "writes"),
+            most, what};
 }
 
 Status RecordingTables::readVersion()
 {
     if (m_database.integer("PRAGMA application_id") != kRecordingApplicationId) {
-        return {StatusCode::BadFormat, "found another program's SQLite database, expected a Palpate recording"};
+        return {StatusCode::BadFormat,
+                PALPATE_TEXT("found another program's SQLite database, expected a Palpate recording")};
     }
     m_version = static_cast<int>(m_database.integer("PRAGMA user_version"));
     if (m_version > kRecordingVersion || m_version < 1) {
-        const std::string found = "found a recording of version " + std::to_string(m_version) + ", expected ";
         return m_version < 1
-                   ? Status(StatusCode::BadFormat, found + "1 to " + std::to_string(kRecordingVersion) + ": damaged")
+                   ? Status(StatusCode::BadFormat,
+                            PALPATE_TEXT("found a recording of version %1, expected 1 to %2: damaged"), m_version,
+                            kRecordingVersion)
                    : Status(StatusCode::Mismatch,
-                            found + "at most " + std::to_string(kRecordingVersion) + ": a newer Palpate made it");
+                            PALPATE_TEXT("found a recording of version %1, expected at most %2: a newer Palpate made "
+                                         "it"),
+                            m_version, kRecordingVersion);
     }
     return {};
 }
@@ -94,7 +98,7 @@ Status RecordingTables::readMeta(MetaTable& out) const
         std::string key = bytes.take(row.bytes(0));
         out[std::move(key)] = bytes.take(row.bytes(1));
         if (++rows > kMaxMeta || bytes.isTooMany()) {
-            return tooMany("values of the metadata", kMaxMeta);
+            return tooMany(core::Message(PALPATE_TEXT("values of the metadata")), kMaxMeta);
         }
     }
     return step == Step::Failed ? damaged() : Status();
@@ -103,20 +107,19 @@ Status RecordingTables::readMeta(MetaTable& out) const
 namespace {
 
 /// Formats an error: "found -1 for stiffness_N_per_mm, expected 0 to 1000".
-std::string outOfRange(double value, std::string_view key, double least, double most)
+core::Message outOfRange(double value, std::string_view key, double least, double most)
 {
-    return "found " + core::shortNumber(value) + " for " + std::string(key) + ", expected " + core::shortNumber(least) +
-           " to " + core::shortNumber(most);
+    return {PALPATE_TEXT("found %1 for %2, expected %3 to %4"), value, key, least, most};
 }
 
 /// Checks a structure's numbers against the limits of scene files. @return the error; empty if valid
-std::optional<std::string> wrongNumber(const StructureRecord& structure, const Statement& row)
+std::optional<core::Message> wrongNumber(const StructureRecord& structure, const Statement& row)
 {
     constexpr double kLeastUnit_mm = 1e-6, kMostUnit_mm = 1e6;
     constexpr int kUnit = 4, kLayer = 8;
     if (!row.isInteger(kLayer) || row.integer(kLayer) < 0 ||
         row.integer(kLayer) > std::numeric_limits<std::uint32_t>::max()) {
-        return "found the layer " + std::to_string(row.integer(kLayer)) + ", expected one from 0";
+        return core::Message(PALPATE_TEXT("found the layer %1, expected one from 0"), row.integer(kLayer));
     }
     for (const core::TissueTerm& term : core::kTissueTerms) {
         const double value = structure.tissue.*term.member;
@@ -125,7 +128,7 @@ std::optional<std::string> wrongNumber(const StructureRecord& structure, const S
         }
     }
     if (row.isNull(kUnit)) { // the outer join found no mesh, so a copy of the scene could not refer to any mesh
-        return "found no mesh with a unit, expected one of the recording's meshes";
+        return core::Message(PALPATE_TEXT("found no mesh with a unit, expected one of the recording's meshes"));
     }
     const double unit_mm = structure.source.unit_mm;
     if (!(unit_mm >= kLeastUnit_mm && unit_mm <= kMostUnit_mm)) {
@@ -152,8 +155,7 @@ class ReadMaps
     {
         auto found = m_byText.find(text);
         if (found == m_byText.end()) {
-            std::string wrong; // error, reported by the caller that needs the table
-            found = m_byText.emplace(text, mapsOf(text, m_find, wrong)).first;
+            found = m_byText.emplace(text, mapsOf(text, m_find)).first;
         }
         return found->second;
     }
@@ -177,18 +179,17 @@ Status RecordingTables::readGenerations(std::vector<SceneRecord>& out) const
         if (!row.isInteger(0) || generation < 0 || generation > std::numeric_limits<std::uint32_t>::max() ||
             (!out.empty() && generation <= out.back().generation)) {
             return {StatusCode::BadFormat,
-                    "found the scene " + std::to_string(generation) + ", expected ascending generations of 32 bits"};
+                    PALPATE_TEXT("found the scene %1, expected ascending generations of 32 bits"), generation};
         }
         if (!(fingertip_mm >= 0.0 && fingertip_mm <= haptics::HapticScene::kMostFingertip_mm)) {
-            return {StatusCode::BadFormat,
-                    "scene " + std::to_string(generation) + ": " +
-                        outOfRange(fingertip_mm, "fingertip_mm", 0.0, haptics::HapticScene::kMostFingertip_mm)};
+            return {StatusCode::BadFormat, PALPATE_TEXT("scene %1: %2"), generation,
+                    outOfRange(fingertip_mm, "fingertip_mm", 0.0, haptics::HapticScene::kMostFingertip_mm)};
         }
         SceneRecord& scene = out.emplace_back();
         scene.generation = static_cast<std::uint32_t>(generation);
         scene.fingertip_mm = fingertip_mm;
         if (out.size() > kMaxScenes) {
-            return tooMany("scenes", kMaxScenes);
+            return tooMany(core::Message(PALPATE_TEXT("scenes")), kMaxScenes);
         }
     }
     return step == Step::Failed ? damaged() : Status();
@@ -208,7 +209,7 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
     Step step = rows.step();
     for (; step == Step::Row; step = rows.step()) {
         if (++structures > kMaxStructures) {
-            return tooMany("structures", kMaxStructures);
+            return tooMany(core::Message(PALPATE_TEXT("structures")), kMaxStructures);
         }
         const std::int64_t generation = rows.integer(0);
         const auto found = std::lower_bound(out.begin(), out.end(), generation,
@@ -235,18 +236,19 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         for (const core::TissueTerm& term : tissueTerms(m_version)) {
             structure.tissue.*term.member = rows.real(column++);
         }
-        std::optional<std::string> wrong = wrongNumber(structure, rows);
+        std::optional<core::Message> wrong = wrongNumber(structure, rows);
         if (auto law = parseLaw(rows.bytes(10))) {
             structure.tissue.law = std::move(*law);
         } else {
-            wrong = "found the law " + oneLine(rows.bytes(10)) + ", expected one of this version";
+            wrong =
+                core::Message(PALPATE_TEXT("found the law %1, expected one of this version"), oneLine(rows.bytes(10)));
         }
         if (wrong) {
             wrongScenes.insert(found->generation);
         }
         if (wrong && status.isOk()) {
-            status = Status(StatusCode::BadFormat, "scene " + std::to_string(generation) + ", structure \"" +
-                                                       oneLine(structure.name) + "\": " + *wrong);
+            status = Status(StatusCode::BadFormat, PALPATE_TEXT("scene %1, structure \"%2\": %3"), generation,
+                            oneLine(structure.name), *wrong);
         }
     }
     std::erase_if(out, [&](const SceneRecord& scene) { return wrongScenes.contains(scene.generation); });
@@ -274,14 +276,14 @@ Status RecordingTables::readEvents(Events& out) const
         if (!row.isInteger(1) || tick < -1 || tick > kMaxTick || row.type(2) != Statement::Type::Text ||
             row.type(3) != Statement::Type::Text) {
             status = Status(StatusCode::BadFormat,
-                            "event " + std::to_string(row.integer(0)) +
-                                ": found values of another type or a tick out of range, expected a tick, a kind and "
-                                "its text: left out");
+                            PALPATE_TEXT("event %1: found values of another type or a tick out of range, expected a "
+                                         "tick, a kind and its text: left out"),
+                            row.integer(0));
             continue;
         }
         out.push_back({row.integer(0), {tick, bytes.take(row.bytes(2)), bytes.take(row.bytes(3))}});
         if (out.size() > kMaxEvents || bytes.isTooMany()) {
-            return tooMany("events", kMaxEvents);
+            return tooMany(core::Message(PALPATE_TEXT("events")), kMaxEvents);
         }
     }
     // Sorted here because SQLite would buffer all rows before returning the first.
@@ -303,7 +305,7 @@ Status RecordingTables::readChecks(std::vector<Check>& out) const
         const Check& check = out.emplace_back(
             Check{row.integer(0), row.bytes(1), row.integer(2), row.integer(3), row.integer(4), row.bytes(5)});
         if (out.size() > kMaxChecks || check.kind.size() > kMostBytes || check.hash.size() > kMostBytes) {
-            return tooMany("lines of checks", kMaxChecks);
+            return tooMany(core::Message(PALPATE_TEXT("lines of checks")), kMaxChecks);
         }
     }
     return step == Step::Failed ? damaged() : Status();
@@ -322,22 +324,22 @@ Status RecordingTables::readTicks(std::int64_t first, std::int64_t last,
     row.bind(1, last);
     Step step = row.step();
     std::int64_t before = std::numeric_limits<std::int64_t>::min();
-    std::string wrong;
+    core::Message wrong;
     for (; step == Step::Row; step = row.step()) {
         const std::int64_t number = row.integer(0);
         const servo::TickRecord tick = readTick(row, m_version, wrong);
         if (number <= before) { // a damaged b-tree returns rows in arbitrary order
             row.reset();
-            return {StatusCode::BadFormat, "tick " + std::to_string(number) + ": found behind tick " +
-                                               std::to_string(before) + ", expected ascending ticks: damaged"};
+            return {StatusCode::BadFormat,
+                    PALPATE_TEXT("tick %1: found behind tick %2, expected ascending ticks: damaged"), number, before};
         }
         before = number;
-        if (!wrong.empty()) {
+        if (!wrong.isEmpty()) {
             row.reset();
             if (stoppedAt != nullptr) {
                 *stoppedAt = number;
             }
-            return {StatusCode::BadFormat, "tick " + std::to_string(number) + ": " + wrong};
+            return {StatusCode::BadFormat, PALPATE_TEXT("tick %1: %2"), number, wrong};
         }
         if (!sink(tick)) {
             row.reset();
@@ -372,7 +374,7 @@ std::vector<std::string> RecordingTables::embeddedHashes() const
 
 core::Result<geometry::RepairedMesh> RecordingTables::readEmbedded(const std::string& sha256) const
 {
-    const std::string name = "embedded surface " + oneLine(sha256.substr(0, 12)) + "...";
+    const std::string name = oneLine(sha256.substr(0, 12));
     Statement row = m_version < 2 ? Statement()
                                   : m_database.prepare("SELECT vertices, triangles, two_sided, source, all_sha256 "
                                                        "FROM embedded WHERE sha256 = ?");
@@ -380,14 +382,15 @@ core::Result<geometry::RepairedMesh> RecordingTables::readEmbedded(const std::st
         row.bind(0, std::string_view(sha256));
     }
     if (row.step() != Step::Row) {
-        return Status(StatusCode::NotFound, name + ": is not in the recording");
+        return Status(StatusCode::NotFound, PALPATE_TEXT("embedded surface %1...: is not in the recording"), name);
     }
     geometry::RepairedMesh surface;
     const bool isWhole = copyBlob(row.bytes(0), surface.mesh.vertices) &&
                          copyBlob(row.bytes(1), surface.mesh.triangles) && copyBlob(row.bytes(2), surface.twoSided) &&
                          copyBlob(row.bytes(3), surface.source);
     if (!isWhole || embeddedHash(surface) != row.bytes(4) || geometryHash(surface.mesh) != sha256) {
-        return Status(StatusCode::Mismatch, name + ": found other bits than were written (checksum)");
+        return Status(StatusCode::Mismatch,
+                      PALPATE_TEXT("embedded surface %1...: found other bits than were written (checksum)"), name);
     }
     // The hash does not authenticate the data: a malicious file must not cause an index out of range.
     const std::size_t triangles = surface.mesh.triangles.size();
@@ -404,9 +407,10 @@ core::Result<geometry::RepairedMesh> RecordingTables::readEmbedded(const std::st
         }
     }
     if (!isInRange || triangles == 0) {
-        return Status(StatusCode::BadFormat, name +
-                                                 ": found indices or coordinates out of range, expected triangles of "
-                                                 "three vertices within 1e7 mm");
+        return Status(StatusCode::BadFormat,
+                      PALPATE_TEXT("embedded surface %1...: found indices or coordinates out of range, expected "
+                                   "triangles of three vertices within 1e7 mm"),
+                      name);
     }
     surface.report.bounds = surface.mesh.bounds();
     surface.report.vertices = surface.report.inputVertices = surface.mesh.vertices.size();

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "database/Database.h"
-#include "tables/MetaTable.h"
 #include "palpate/session/Recording.h"
+#include "tables/MetaTable.h"
 
 #include <palpate/core/Status.h>
 #include <palpate/servo/TickRecord.h>
@@ -68,8 +68,8 @@ class RecordingTables
   private:
     [[nodiscard]] std::optional<std::string> mapBytes(const std::string& hash) const;
     core::Status readGenerations(std::vector<SceneRecord>& out) const;
-    [[nodiscard]] core::Status tooMany(const char* what, std::size_t most) const;
-    [[nodiscard]] core::Status damaged() const { return m_database.error("cannot be read"); }
+    [[nodiscard]] core::Status tooMany(const core::Message& what, std::size_t most) const;
+    [[nodiscard]] core::Status damaged() const { return m_database.cannotRead(); }
 
     const Database& m_database;
     int m_version = kRecordingVersion;

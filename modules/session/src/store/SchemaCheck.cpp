@@ -27,11 +27,10 @@ using Columns = std::vector<Column>;
 constexpr std::string_view kView = "tick_values";
 constexpr std::string_view kOptionalTable = "maps"; // exists only in a recording with maps
 
-Status refuse(const std::string& found, const std::string& expected)
+Status refuse(const core::Message& wrong)
 {
-    return {StatusCode::BadFormat, "found " + found + ", expected " + expected +
-                                       ": not made by Palpate, or damaged (palpate session recover gathers what is "
-                                       "whole)"};
+    return {StatusCode::BadFormat,
+            PALPATE_TEXT("%1: not made by Palpate, or damaged (palpate session recover gathers what is whole)"), wrong};
 }
 
 /// @pre `table` is a table name of Palpate
@@ -78,9 +77,10 @@ Status readEntries(const Database& database, std::vector<Entry>& out)
         out.push_back({row.bytes(0), row.bytes(1), row.bytes(2)});
     }
     if (step == Step::Row) {
-        return refuse("more than " + std::to_string(kMostEntries) + " tables and views", "the tables of a recording");
+        return refuse(core::Message(
+            PALPATE_TEXT("found more than %1 tables and views, expected the tables of a recording"), kMostEntries));
     }
-    return step == Step::Failed ? database.error("cannot be read") : Status();
+    return step == Step::Failed ? database.cannotRead() : Status();
 }
 
 using Tables = std::map<std::string, Columns>;
@@ -142,17 +142,21 @@ Status checkSchema(const Database& database, int version)
             tables.push_back(entry.name);
         } else if (!isIndexOfKey && !isOwnView(entry, version)) {
             const std::string what = entry.sql.empty() ? entry.type : squeezed(entry.sql).substr(0, 60);
-            return refuse("\"" + oneLine(what) + "\" for " + oneLine(entry.type) + " \"" + oneLine(entry.name) + "\"",
-                          "only the tables of version " + std::to_string(version) + " and the view tick_values");
+            return refuse(
+                core::Message(PALPATE_TEXT("found \"%1\" for %2 \"%3\", expected only the tables of version %4 "
+                                           "and the view tick_values"),
+                              oneLine(what), oneLine(entry.type), oneLine(entry.name), version));
         }
     }
     for (const auto& [name, columns] : expected) {
         if (std::find(tables.begin(), tables.end(), name) == tables.end()) {
             if (name != kOptionalTable) {
-                return refuse("no table \"" + name + "\"", "the tables of version " + std::to_string(version));
+                return refuse(core::Message(PALPATE_TEXT("found no table \"%1\", expected the tables of version %2"),
+                                            name, version));
             }
         } else if (columnsOf(database, name) != columns) {
-            return refuse("other columns in the table \"" + name + "\"", "those of version " + std::to_string(version));
+            return refuse(core::Message(
+                PALPATE_TEXT("found other columns in the table \"%1\", expected those of version %2"), name, version));
         }
     }
     return {};

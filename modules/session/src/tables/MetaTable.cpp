@@ -47,7 +47,7 @@ class MetaReader
         static const std::string kEmpty;
         const auto found = m_meta.find(key);
         if (found == m_meta.end()) {
-            complain(std::string("meta has no value \"") + key + "\"");
+            complain(core::Message(PALPATE_TEXT("meta has no value \"%1\""), key));
             return kEmpty;
         }
         return found->second;
@@ -57,8 +57,8 @@ class MetaReader
     {
         const auto value = core::parseNumber(string(key));
         if (!value || !(*value >= least && *value <= most)) {
-            complain(std::string("meta value \"") + key + "\" is not a valid number, expected " +
-                     core::shortNumber(least) + " to " + core::shortNumber(most));
+            complain(core::Message(PALPATE_TEXT("meta value \"%1\" is not a valid number, expected %2 to %3"), key,
+                                   least, most));
             return least;
         }
         return *value;
@@ -70,26 +70,26 @@ class MetaReader
         std::int64_t value = 0;
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (error != std::errc{} || end != digits.data() + digits.size()) {
-            complain(std::string("meta value \"") + key + "\" is not a whole number");
+            complain(core::Message(PALPATE_TEXT("meta value \"%1\" is not a whole number"), key));
         } else if (value < least || value > most) {
-            complain(std::string("meta value \"") + key + "\" is " + std::to_string(value) + ", expected " +
-                     std::to_string(least) + " to " + std::to_string(most));
+            complain(
+                core::Message(PALPATE_TEXT("meta value \"%1\" is %2, expected %3 to %4"), key, value, least, most));
         }
         return std::clamp(value, least, most);
     }
 
-    void complain(const std::string& what)
+    void complain(const core::Message& what)
     {
-        if (m_complaint.empty()) {
+        if (m_complaint.isEmpty()) {
             m_complaint = what;
         }
     }
 
-    const std::string& complaint() const { return m_complaint; }
+    const core::Message& complaint() const { return m_complaint; }
 
   private:
     const MetaTable& m_meta;
-    std::string m_complaint;
+    core::Message m_complaint;
 };
 
 } // namespace
@@ -156,7 +156,7 @@ core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
     info.rate_Hz = in.number("rate_Hz", 1.0 / kMaxPeriod_s, 1.0 / kMinPeriod_s);
     info.dt_s = in.number("dt_s", kMinPeriod_s, kMaxPeriod_s);
     if (!isPeriodOf(info.dt_s, info.rate_Hz)) {
-        in.complain("meta value \"dt_s\" is not one period of \"rate_Hz\"");
+        in.complain(core::Message(PALPATE_TEXT("meta value \"dt_s\" is not one period of \"rate_Hz\"")));
     }
     info.device.id = in.string("device_id");
     info.device.name = in.string("device_name");
@@ -174,9 +174,9 @@ core::Result<RecordingInfo> fromMeta(const MetaTable& meta)
     if (const auto state = unpackState(in.string("start"))) {
         info.start = *state;
     } else {
-        in.complain("meta value \"start\" is not a state of this version");
+        in.complain(core::Message(PALPATE_TEXT("meta value \"start\" is not a state of this version")));
     }
-    if (!in.complaint().empty()) {
+    if (!in.complaint().isEmpty()) {
         return core::Status(core::StatusCode::BadFormat, in.complaint());
     }
     return info;

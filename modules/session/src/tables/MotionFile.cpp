@@ -90,7 +90,8 @@ class MotionParser
     {
         ++m_line;
         return wrong(StatusCode::OutOfRange,
-                     "found more than " + core::grouped(kLongestLine) + " bytes without a line end, expected a CSV");
+                     core::Message(PALPATE_TEXT("found more than %1 bytes without a line end, expected a CSV"),
+                                   core::Count(kLongestLine)));
     }
 
     core::Result<Motion> finish()
@@ -100,31 +101,32 @@ class MotionParser
         }
         if (m_motion.p_WH.empty()) {
             m_line = 1;
-            return wrong(StatusCode::Empty, "found no rows after the header, expected one a servo tick");
+            return wrong(StatusCode::Empty,
+                         core::Message(PALPATE_TEXT("found no rows after the header, expected one a servo tick")));
         }
         return finished();
     }
 
   private:
-    Status wrong(StatusCode code, const std::string& what, std::string_view column = {}) const
+    Status wrong(StatusCode code, const core::Message& what, std::string_view column = {}) const
     {
-        std::string message = std::string(m_name) + ": line " + std::to_string(m_line);
-        if (!column.empty()) {
-            message += ", column " + std::string(column);
-        }
-        return {code, message + ": " + what};
+        return column.empty() ? Status(code, PALPATE_TEXT("%1: line %2: %3"), m_name, m_line, what)
+                              : Status(code, PALPATE_TEXT("%1: line %2, column %3: %4"), m_name, m_line, column, what);
     }
 
     Status wrongFieldCount(std::size_t fields) const
     {
-        return wrong(StatusCode::BadFormat, "found " + std::to_string(fields) + (fields == 1 ? " field" : " fields") +
-                                                ", expected " + std::to_string(m_fields) + " as in the header");
+        return wrong(StatusCode::BadFormat,
+                     fields == 1 ? core::Message(PALPATE_TEXT("found 1 field, expected %1 as in the header"), m_fields)
+                                 : core::Message(PALPATE_TEXT("found %1 fields, expected %2 as in the header"), fields,
+                                                 m_fields));
     }
 
     Status readHeader(std::string_view header)
     {
         if (trimmed(header).empty()) {
-            return wrong(StatusCode::Empty, "found an empty line, expected a header with x, y and z");
+            return wrong(StatusCode::Empty,
+                         core::Message(PALPATE_TEXT("found an empty line, expected a header with x, y and z")));
         }
         m_fields = fieldCount(header);
         m_place.fill(m_fields);
@@ -136,15 +138,16 @@ class MotionParser
             }
             std::size_t& place = m_place[static_cast<std::size_t>(known - kColumns.begin())];
             if (place != m_fields) {
-                return wrong(StatusCode::BadFormat, "found the column twice, expected it once", *known);
+                return wrong(StatusCode::BadFormat,
+                             core::Message(PALPATE_TEXT("found the column twice, expected it once")), *known);
             }
             place = i;
         }
         for (std::size_t c = 0; c < kTimeColumn; ++c) {
             if (m_place[c] == m_fields) {
-                return wrong(StatusCode::BadFormat, "found no column " + std::string(kColumns[c]) + " in " +
-                                                        core::inQuotes(trimmed(header)) +
-                                                        ", expected a header with x, y and z");
+                return wrong(StatusCode::BadFormat,
+                             core::Message(PALPATE_TEXT("found no column %1 in %2, expected a header with x, y and z"),
+                                           kColumns[c], core::inQuotes(trimmed(header))));
             }
         }
         return {};
@@ -156,8 +159,10 @@ class MotionParser
             return wrongFieldCount(fields);
         }
         if (m_motion.p_WH.size() == kMostRows) {
-            return wrong(StatusCode::OutOfRange, "found more than " + core::grouped(kMostRows) +
-                                                     " rows, expected at most a day at 1 kHz: split the file");
+            return wrong(
+                StatusCode::OutOfRange,
+                core::Message(PALPATE_TEXT("found more than %1 rows, expected at most a day at 1 kHz: split the file"),
+                              core::Count(kMostRows)));
         }
         std::array<double, 4> values{};
         for (std::size_t i = 0; i < m_fields; ++i) {
@@ -168,16 +173,20 @@ class MotionParser
             }
             const auto value = core::parseNumber(field);
             if (!value) {
-                return wrong(StatusCode::BadFormat, "found " + core::inQuotes(trimmed(field)) + ", expected a number",
+                return wrong(StatusCode::BadFormat,
+                             core::Message(PALPATE_TEXT("found %1, expected a number"), core::inQuotes(trimmed(field))),
                              kColumns[c]);
             }
             if (!std::isfinite(*value)) {
-                return wrong(StatusCode::NonFinite,
-                             "found " + core::inQuotes(trimmed(field)) + ", expected a finite number", kColumns[c]);
+                return wrong(
+                    StatusCode::NonFinite,
+                    core::Message(PALPATE_TEXT("found %1, expected a finite number"), core::inQuotes(trimmed(field))),
+                    kColumns[c]);
             }
             if (c != kTimeColumn && std::abs(*value) > kLargest_mm) {
                 return wrong(StatusCode::OutOfRange,
-                             "found " + core::inQuotes(trimmed(field)) + ", expected a coordinate within 1e9 mm",
+                             core::Message(PALPATE_TEXT("found %1, expected a coordinate within 1e9 mm"),
+                                           core::inQuotes(trimmed(field))),
                              kColumns[c]);
             }
             values[c] = *value;
@@ -185,8 +194,10 @@ class MotionParser
         if (m_motion.p_WH.empty()) {
             m_first_s = values[kTimeColumn];
         } else if (hasTime() && !(values[kTimeColumn] >= m_last_s)) {
-            return wrong(StatusCode::BadFormat, "found a time before the previous row's, expected ascending times",
-                         kColumns[kTimeColumn]);
+            return wrong(
+                StatusCode::BadFormat,
+                core::Message(PALPATE_TEXT("found a time before the previous row's, expected ascending times")),
+                kColumns[kTimeColumn]);
         }
         m_last_s = values[kTimeColumn];
         m_motion.p_WH.emplace_back(values[0], values[1], values[2]);
@@ -203,14 +214,17 @@ class MotionParser
                 m_motion.dt_s = kNominalPeriod_s;
             }
             if (m_last_s == m_first_s) {
-                return wrong(StatusCode::BadFormat, "found that no time passes, expected ascending times",
+                return wrong(StatusCode::BadFormat,
+                             core::Message(PALPATE_TEXT("found that no time passes, expected ascending times")),
                              kColumns[kTimeColumn]);
             }
             if (!(m_motion.dt_s >= kShortestPeriod_s && m_motion.dt_s <= kLongestPeriod_s)) {
-                return wrong(StatusCode::OutOfRange,
-                             "found " + core::shortNumber(m_motion.dt_s) +
-                                 " s between rows on average, expected 1e-05 to 1 s: one row a servo tick",
-                             kColumns[kTimeColumn]);
+                return wrong(
+                    StatusCode::OutOfRange,
+                    core::Message(PALPATE_TEXT("found %1 s between rows on average, expected 1e-05 to 1 s: one "
+                                               "row a servo tick"),
+                                  m_motion.dt_s),
+                    kColumns[kTimeColumn]);
             }
         }
         return std::move(m_motion);
@@ -246,15 +260,14 @@ core::Result<Motion> readMotion(const std::filesystem::path& path)
 {
     const std::string name = path.string();
     const auto unreadable = [&name](int error) {
-        return Status(
-            error == ENOENT ? StatusCode::NotFound : StatusCode::Unreadable,
-            name + ": " +
-                (error == ENOENT ? "no such file" : "cannot be read: " + std::generic_category().message(error)) +
-                ", expected a motion CSV");
+        return error == ENOENT
+                   ? Status(StatusCode::NotFound, PALPATE_TEXT("%1: no such file, expected a motion CSV"), name)
+                   : Status(StatusCode::Unreadable, PALPATE_TEXT("%1: cannot be read: %2, expected a motion CSV"), name,
+                            core::systemError(error));
     };
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
-        return Status(StatusCode::Unreadable, name + ": found a directory, expected a motion CSV");
+        return Status(StatusCode::Unreadable, PALPATE_TEXT("%1: found a directory, expected a motion CSV"), name);
     }
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
     if (file == nullptr) {

@@ -150,7 +150,7 @@ namespace {
 class TickRow
 {
   public:
-    TickRow(const Statement& row, std::string& wrong)
+    TickRow(const Statement& row, core::Message& wrong)
         : m_row(row)
         , m_wrong(wrong)
     {
@@ -165,7 +165,7 @@ class TickRow
         if (std::abs(value) <= most) {
             return value;
         }
-        note(column, place, "a number within " + core::shortNumber(most));
+        note(column, place, core::Message(PALPATE_TEXT("a number within %1"), most));
         return 0.0;
     }
 
@@ -176,7 +176,7 @@ class TickRow
         if (m_row.isInteger(place) && value >= least && value <= most) {
             return value;
         }
-        note(column, place, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+        note(column, place, core::Message(PALPATE_TEXT("a whole number from %1 to %2"), least, most));
         return least;
     }
 
@@ -184,7 +184,7 @@ class TickRow
     void skipVector(const TickColumn& column)
     {
         if (!m_row.isNull(m_place + 1) || !m_row.isNull(m_place + 2)) {
-            note(column, m_place, "three numbers or none");
+            note(column, m_place, core::Message(PALPATE_TEXT("three numbers or none")));
         }
         m_place += 3;
     }
@@ -194,39 +194,39 @@ class TickRow
     {
         const int place = m_place++;
         if (!m_row.isNull(place) && m_row.type(place) != Statement::Type::Blob) {
-            note(column, place, "bytes");
+            note(column, place, core::Message(PALPATE_TEXT("bytes")));
             return {};
         }
         return m_row.bytes(place);
     }
 
-    void note(const TickColumn& column, int place, const std::string& expected)
+    void note(const TickColumn& column, int place, const core::Message& expected)
     {
-        if (m_wrong.empty()) {
-            m_wrong = "found " + found(place) + " for " + std::string(column.name) + ", expected " + expected;
+        if (m_wrong.isEmpty()) {
+            m_wrong = core::Message(PALPATE_TEXT("found %1 for %2, expected %3"), found(place), column.name, expected);
         }
     }
 
   private:
-    [[nodiscard]] std::string found(int place) const
+    [[nodiscard]] core::MessageArgument found(int place) const
     {
         switch (m_row.type(place)) {
         case Statement::Type::Null:
-            return "nothing";
+            return core::Message(PALPATE_TEXT("nothing"));
         case Statement::Type::Text:
-            return "text";
+            return core::Message(PALPATE_TEXT("text"));
         case Statement::Type::Blob:
-            return "bytes";
+            return core::Message(PALPATE_TEXT("bytes"));
         case Statement::Type::Integer:
-            return std::to_string(m_row.integer(place));
+            return m_row.integer(place);
         case Statement::Type::Real:
             break;
         }
-        return core::shortNumber(m_row.real(place));
+        return m_row.real(place);
     }
 
     const Statement& m_row;
-    std::string& m_wrong;
+    core::Message& m_wrong;
     int m_place = 0;
 };
 
@@ -250,7 +250,7 @@ std::pair<std::int64_t, std::int64_t> rangeOf(const TickColumn& column)
 
 } // namespace
 
-servo::TickRecord readTick(const Statement& row, int version, std::string& wrong)
+servo::TickRecord readTick(const Statement& row, int version, core::Message& wrong)
 {
     servo::TickRecord tick;
     std::string layers;
@@ -285,8 +285,8 @@ servo::TickRecord readTick(const Statement& row, int version, std::string& wrong
     if (version < 3) {
         tick.felt.n_W = springDirection(tick);
     }
-    if (!unpackLayers(layers, tick) && wrong.empty()) {
-        wrong = "found no contacts of layers in the column layers";
+    if (!unpackLayers(layers, tick) && wrong.isEmpty()) {
+        wrong = core::Message(PALPATE_TEXT("found no contacts of layers in the column layers"));
     }
     return tick;
 }

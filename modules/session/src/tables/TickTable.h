@@ -34,6 +34,6 @@ void bindTick(Statement& row, const servo::TickRecord& tick);
 /// contact normal is the spring direction, and the reported layer is the only contact.
 /// @param wrong  set to the fault if a value has a wrong type or exceeds Bounds.h: "found text for hip_x, expected a
 ///               number"; the value is then zero
-[[nodiscard]] servo::TickRecord readTick(const Statement& row, int version, std::string& wrong);
+[[nodiscard]] servo::TickRecord readTick(const Statement& row, int version, core::Message& wrong);
 
 } // namespace palpate::session::internal

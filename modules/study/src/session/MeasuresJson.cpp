@@ -167,8 +167,8 @@ std::string measuresJson(const session::SessionMeasures& m)
     out["structures"] = structures;
     out["coverage_distance_mm"] = m.distance_mm;
     QJsonArray damaged;
-    for (const std::string& fault : m.damaged) {
-        damaged.append(text(fault));
+    for (const core::Message& fault : m.damaged) {
+        damaged.append(text(fault.english()));
     }
     out["damaged"] = damaged;
     out["lost_ticks"] = static_cast<qint64>(m.lostTicks);

@@ -134,8 +134,8 @@ class Reopening
 
     Result<meshio::LoadedScene> run()
     {
-        for (const std::string& fault : m_reader.faults()) {
-            m_out.losses.push_back(m_reader.path().filename().string() + ": " + fault);
+        for (const core::Message& fault : m_reader.faults()) {
+            m_out.losses.push_back(m_reader.path().filename().string() + ": " + fault.english());
         }
         m_found.resize(m_records.size());
         for (std::size_t i = 0; i < m_records.size(); ++i) {

@@ -139,7 +139,8 @@ void DeviceChoice::usePuck(SixAxisMouseUse use)
     if (use == SixAxisMouseUse::Nothing) {
         (void)m_puck.use(nullptr);
     } else if (m_chosen == kPuckPlugin) {
-        status = Status(StatusCode::Unsupported, "the SpaceMouse is the hand now; choose another device for it first");
+        status = Status(StatusCode::Unsupported,
+                        PALPATE_TEXT("the SpaceMouse is the hand now; choose another device for it first"));
     } else if (!m_puck.isOn()) {
         auto made = m_plugins->make(kPuckPlugin);
         status = made.isOk() ? m_puck.use(std::move(made).value()) : made.status();
@@ -171,7 +172,8 @@ Status DeviceChoice::choose(const std::string& id)
 {
     Status status;
     if (id == kPuckPlugin && m_puck.isOn()) {
-        status = Status(StatusCode::Unsupported, "the SpaceMouse moves the view or presses; switch that off first");
+        status = Status(StatusCode::Unsupported,
+                        PALPATE_TEXT("the SpaceMouse moves the view or presses; switch that off first"));
     } else {
         auto made = make(id);
         status = made.isOk() ? m_live.useDevice(std::move(made).value()) : made.status();
@@ -200,7 +202,7 @@ core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::make(const std
         return makePlayback();
     }
     if (m_plugins == nullptr) {
-        return Status(StatusCode::NotFound, "no device is called \"" + id + '"');
+        return Status(StatusCode::NotFound, PALPATE_TEXT("no device is called \"%1\""), id);
     }
     return m_plugins->make(id);
 }
@@ -211,8 +213,9 @@ core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::makeSimulated(
     const view::Ray ray = m_viewport.rayAt(middle);
     const auto pick = m_viewport.view().pick(ray);
     if (!pick) {
-        return Status(StatusCode::Empty, "the simulated hand palpates what is in the middle of the view: found nothing "
-                                         "palpable there");
+        return Status(StatusCode::Empty,
+                      PALPATE_TEXT("the simulated hand palpates what is in the middle of the view: found nothing "
+                                   "palpable there"));
     }
     auto script = device::HandScript::make(palpationAt(pick->hit.p_W, ray.d_W));
     if (!script.isOk()) {
@@ -224,7 +227,8 @@ core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::makeSimulated(
 core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::makePlayback()
 {
     if (m_playback.recording() == nullptr) {
-        return Status(StatusCode::NotFound, "no recording is open whose motion could be felt anew");
+        return Status(StatusCode::NotFound,
+                      PALPATE_TEXT("found no open recording, expected one whose motion the device repeats"));
     }
     const auto reader = session::RecordingReader::open(m_playback.recording()->path());
     if (!reader.isOk()) {

@@ -54,8 +54,8 @@ QString realtimeText(const servo::RealtimeReport& report)
     QStringList lines;
     for (const servo::RealtimeItem& item : report.items) {
         lines << QStringLiteral("%1 %2: %3")
-                     .arg(item.isGranted ? QStringLiteral("✓") : QStringLiteral("✗"), QString::fromStdString(item.name),
-                          QString::fromStdString(item.message));
+                     .arg(item.isGranted ? QStringLiteral("✓") : QStringLiteral("✗"), translated(item.name),
+                          translated(item.message));
         if (!item.remedy.empty()) {
             lines << QStringLiteral("    ") + QString::fromStdString(item.remedy);
         }

@@ -3,7 +3,7 @@
 
 #include "palpate/ui/EngineTexts.h"
 
-#include "palpate/ui/TermTexts.h"
+#include "palpate/ui/Translated.h"
 #include "tissue/LawPlot.h"
 #include "widgets/ShownComboBox.h"
 
@@ -110,7 +110,7 @@ void LawEditor::show(const core::Tissue& tissue, double greatest_N_per_mm)
         m_form->setRowVisible(field, isField);
         if (isField) {
             const core::LawParameter& term = terms[i];
-            const QString name = termText(term.name), unit = QString::fromUtf8(term.unit.data());
+            const QString name = translated(core::Message(term.name)), unit = QString::fromUtf8(term.unit.data());
             static_cast<QLabel*>(m_form->labelForField(field))->setText(name);
             field->setRange(0.0, term.most); // too small values are rejected with a message instead
             field->setDecimals(term.usual < 1.0 ? 3 : 2);
@@ -121,7 +121,7 @@ void LawEditor::show(const core::Tissue& tissue, double greatest_N_per_mm)
             field->setValue(tissue.law.numbers[i]);
         } else if (i < terms.size()) {
             m_form->setRowVisible(m_switch, true);
-            m_switch->setText(termText(terms[i].name));
+            m_switch->setText(translated(core::Message(terms[i].name)));
             m_switch->setChecked(tissue.law.numbers[i] != 0.0);
         }
     }

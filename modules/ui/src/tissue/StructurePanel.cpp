@@ -6,7 +6,7 @@
 #include "structures/StructureList.h"
 #include "widgets/ShownComboBox.h"
 
-#include "palpate/ui/TermTexts.h"
+#include "palpate/ui/Translated.h"
 
 #include "palpate/ui/LawEditor.h"
 #include "palpate/ui/MapEditor.h"
@@ -191,10 +191,10 @@ QDoubleSpinBox* StructurePanel::makeField(const core::TissueTerm& term, QWidget*
     field->setKeyboardTracking(false);
     field->setDecimals(term.decimals);
     field->setSingleStep(term.step);
-    const QString name = termText(term.name), unit = QString::fromUtf8(term.unit.data());
+    const QString name = translated(core::Message(term.name)), unit = QString::fromUtf8(term.unit.data());
     field->setSuffix(QLatin1Char(' ') + unit);
-    field->setToolTip(tr("%1 [%2]: %3").arg(name, unit, termText(term.meaning)));
-    field->setAccessibleName(tr("%1 in %2").arg(name, termText(term.accessibleUnit)));
+    field->setToolTip(tr("%1 [%2]: %3").arg(name, unit, translated(core::Message(term.meaning))));
+    field->setAccessibleName(tr("%1 in %2").arg(name, translated(core::Message(term.accessibleUnit))));
     // Fields round to fewer digits than the scene stores: take over only the edited one.
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, &term](double value) {
         changeTissue([&](haptics::Tissue& tissue) { tissue.*term.member = value; });
@@ -299,7 +299,7 @@ void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
             addFriction(form, box);
         }
         m_terms[i] = makeField(core::kTissueTerms[i], box);
-        auto* name = new QLabel(termText(core::kTissueTerms[i].name), box);
+        auto* name = new QLabel(translated(core::Message(core::kTissueTerms[i].name)), box);
         name->setWordWrap(true); // a long label must not widen the panel
         name->setFixedWidth(std::min(name->fontMetrics().horizontalAdvance(name->text()) + 2,
                                      kNameLetters * fontMetrics().averageCharWidth()));
@@ -719,7 +719,7 @@ QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const hap
         QString why = engineText(law);
         // Label of the field instead of the file's key.
         for (const core::LawParameter& term : core::lawParameters(asked.law.kind)) {
-            why.replace(QLatin1String(term.key.data()), termText(term.name));
+            why.replace(QLatin1String(term.key.data()), translated(core::Message(term.name)));
         }
         return tr("Invalid force law: %1.").arg(why);
     }

@@ -94,7 +94,8 @@ core::Status LiveTouch::setLoop(double rate_Hz, int cpu)
         return {};
     }
     if (m_session.recording().isRecording) {
-        return {core::StatusCode::Unsupported, "rate and CPU cannot be changed while a recording runs; stop it first"};
+        return {core::StatusCode::Unsupported,
+                PALPATE_TEXT("rate and CPU cannot be changed while a recording runs; stop it first")};
     }
     if (core::Status allowed = servo::checkCpu(cpu); !allowed.isOk()) {
         return allowed;
@@ -168,7 +169,8 @@ core::Status LiveTouch::start()
 core::Status LiveTouch::useDevice(std::unique_ptr<device::HapticDevice> device)
 {
     if (m_session.recording().isRecording) {
-        return {core::StatusCode::Unsupported, "the device cannot be changed while a recording runs; stop it first"};
+        return {core::StatusCode::Unsupported,
+                PALPATE_TEXT("the device cannot be changed while a recording runs; stop it first")};
     }
     if (device == nullptr && usesPointer()) {
         return {};
@@ -255,9 +257,9 @@ void LiveTouch::measure()
     if (fault.isFaulted() && !m_wasFaulted) {
         const bool isLost =
             fault.fault.kind == servo::FaultKind::DeviceLost || fault.fault.kind == servo::FaultKind::StaleInput;
-        const QJsonObject what{{"what", QString::fromUtf8(fault.message)}};
+        const QJsonObject what{{"what", QString::fromStdString(fault.message.english())}};
         note(isLost ? "device-lost" : "fault", QJsonDocument(what).toJson(QJsonDocument::Compact).toStdString());
-        Q_EMIT faulted(engineText(fault.message));
+        Q_EMIT faulted(translated(fault.message));
         if (m_info.actuatedAxes == 0) {
             m_session.loop().rearm(); // a device without motors cannot push: resume touch with a ramp
         }

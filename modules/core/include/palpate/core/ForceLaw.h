@@ -49,7 +49,7 @@ struct ForceLaw
 struct LawParameter
 {
     std::string_view key; ///< key in scene files
-    std::string_view name;
+    MessageText<> name;
     std::string_view unit;
     double least, most;
     double usual;          ///< default if missing in a file

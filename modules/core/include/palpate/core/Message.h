@@ -40,6 +40,7 @@ template<class... Arguments>
 class MessageText
 {
   public:
+    constexpr MessageText() = default; ///< empty text
     consteval MessageText(internal::MarkedText marked)
         : m_text(marked.text)
     {

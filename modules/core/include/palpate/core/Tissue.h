@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/core/ForceLaw.h"
+#include "palpate/core/Message.h"
 
 #include <array>
 #include <limits>
@@ -32,10 +33,10 @@ struct TissueTerm
     std::string_view key;    ///< key in events and recording columns, and in scene files if `group` is empty
     std::string_view option; ///< command-line option; empty: none
     double Tissue::*member;
-    std::string_view name;    ///< display name
-    std::string_view meaning; ///< description as part of a sentence
+    MessageText<> name;    ///< display name
+    MessageText<> meaning; ///< description as part of a sentence
     std::string_view unit;
-    std::string_view accessibleUnit;
+    MessageText<> accessibleUnit;
     double most;              ///< maximum value in files and panels
     int decimals;             ///< decimals in panels
     double step;              ///< step of the panel's field
@@ -45,19 +46,21 @@ struct TissueTerm
 
 /// All tissue properties, in the order of the recording columns. Append new ones at the end.
 inline constexpr std::array kTissueTerms{
-    TissueTerm{"stiffness_N_per_mm", "--stiffness", &Tissue::stiffness_N_per_mm, "Stiffness",
-               "force per millimetre of depth", "N/mm", "newton per millimetre", 1000.0, 2, 0.05},
-    TissueTerm{"damping_Ns_per_mm", "--damping", &Tissue::damping_Ns_per_mm, "Damping",
-               "resisting force per mm/s of movement", "N·s/mm", "newton seconds per millimetre", 1000.0, 4, 0.0005},
-    TissueTerm{"friction_static", "", &Tissue::friction_static, "Static friction",
-               "tangential force that starts sliding, as a fraction of the normal force", "", "", 5.0, 2, 0.05,
-               "friction", "static"},
-    TissueTerm{"friction_dynamic", "", &Tissue::friction_dynamic, "Sliding friction",
-               "tangential force while sliding, as a fraction of the normal force", "", "", 5.0, 2, 0.05, "friction",
-               "dynamic"},
-    TissueTerm{"friction_drag_Ns_per_mm", "", &Tissue::friction_drag_Ns_per_mm, "Drag",
-               "resisting force per mm/s of sliding", "N·s/mm", "newton seconds per millimetre", 1000.0, 4, 0.0005,
-               "friction", "drag_Ns_per_mm"},
+    TissueTerm{"stiffness_N_per_mm", "--stiffness", &Tissue::stiffness_N_per_mm, PALPATE_TEXT("Stiffness"),
+               PALPATE_TEXT("force per millimetre of depth"), "N/mm", PALPATE_TEXT("newton per millimetre"), 1000.0, 2,
+               0.05},
+    TissueTerm{"damping_Ns_per_mm", "--damping", &Tissue::damping_Ns_per_mm, PALPATE_TEXT("Damping"),
+               PALPATE_TEXT("resisting force per mm/s of movement"), "N·s/mm",
+               PALPATE_TEXT("newton seconds per millimetre"), 1000.0, 4, 0.0005},
+    TissueTerm{"friction_static", "", &Tissue::friction_static, PALPATE_TEXT("Static friction"),
+               PALPATE_TEXT("tangential force that starts sliding, as a fraction of the normal force"), "",
+               MessageText<>(), 5.0, 2, 0.05, "friction", "static"},
+    TissueTerm{"friction_dynamic", "", &Tissue::friction_dynamic, PALPATE_TEXT("Sliding friction"),
+               PALPATE_TEXT("tangential force while sliding, as a fraction of the normal force"), "", MessageText<>(),
+               5.0, 2, 0.05, "friction", "dynamic"},
+    TissueTerm{"friction_drag_Ns_per_mm", "", &Tissue::friction_drag_Ns_per_mm, PALPATE_TEXT("Drag"),
+               PALPATE_TEXT("resisting force per mm/s of sliding"), "N·s/mm",
+               PALPATE_TEXT("newton seconds per millimetre"), 1000.0, 4, 0.0005, "friction", "drag_Ns_per_mm"},
 };
 
 /// @return upper bounds that do not limit any tissue.

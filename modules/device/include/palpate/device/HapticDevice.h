@@ -93,7 +93,10 @@ class HapticDevice
     [[nodiscard]] virtual DeviceReport report() const { return {}; }
     /// Starts a calibration at the current pose of the device and returns immediately; `report` shows the completion.
     /// Any thread except the servo thread.
-    virtual core::Status calibrate() { return {core::StatusCode::Unsupported, "This device needs no calibration."}; }
+    virtual core::Status calibrate()
+    {
+        return {core::StatusCode::Unsupported, PALPATE_TEXT("This device needs no calibration.")};
+    }
 
     HapticDevice() = default;
     HapticDevice(const HapticDevice&) = delete;

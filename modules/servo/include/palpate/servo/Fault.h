@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
+
 #include <cstdint>
 
 namespace palpate::servo {
@@ -19,8 +21,8 @@ enum class FaultKind : std::uint8_t
     LoopFailed,     ///< an exception ended the servo thread
 };
 
-/// @return one line for the user with the cause and the remedy; static storage.
-[[nodiscard]] const char* text(FaultKind kind) noexcept;
+/// @return the cause and the remedy for the user; empty for None
+[[nodiscard]] core::Message text(FaultKind kind);
 
 /// A latched fault.
 struct Fault

@@ -11,9 +11,9 @@ namespace palpate::servo {
 /// Result of one request to the operating system.
 struct RealtimeItem
 {
-    std::string name; ///< "real-time priority", "locked memory", ...
+    core::Message name; ///< "real-time priority", "locked memory", ...
     bool isGranted = false;
-    std::string message; ///< the granted setting, or the reason for the refusal
+    core::Message message; ///< the granted setting, or the reason for the refusal
     std::string
         remedy; ///< shell command that grants permission, with the next step; empty when granted or without remedy
 };

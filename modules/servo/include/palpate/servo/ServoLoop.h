@@ -39,7 +39,7 @@ struct RecordingStart
 struct FaultReport
 {
     Fault fault;
-    const char* message = ""; ///< one line for the user, empty without a fault
+    core::Message message; ///< for the user, empty without a fault
     [[nodiscard]] bool isFaulted() const noexcept { return fault.kind != FaultKind::None; }
 };
 

@@ -75,7 +75,7 @@ struct SessionMeasures
     std::vector<std::string> unmeasured;   ///< structures without an available mesh
     std::int64_t lostTicks = 0;            ///< ticks dropped because the disk was too slow
     std::optional<std::int64_t> lateTicks; ///< periods skipped by the servo; empty if unknown
-    std::vector<std::string> damaged;      ///< data with failed checksums, see RecordingReader::faults
+    std::vector<core::Message> damaged;    ///< data with failed checksums, see RecordingReader::faults
 };
 
 /// Returns the smallest measuring distance for these surfaces [mm]. Triangles are split to edges of half the distance;

@@ -28,7 +28,7 @@ struct RecorderStatus
     std::uint64_t late = 0;    ///< periods skipped by the servo because a tick took too long
     double duration_s = 0.0;   ///< recorded duration
     std::uint64_t fileBytes = 0;
-    std::string problem;    ///< most recent disk error, one line; empty without errors
+    core::Message problem;  ///< most recent disk error, one line; empty without errors
     bool hasFailed = false; ///< the recording ended after an error; `problem` gives the reason and the loss
 };
 

@@ -42,7 +42,7 @@ struct RecordingExtent
 
 /// Describes the end of a recording in one clause, such as "complete" or "ended at 8.7 s because the disk was full;
 /// what was felt after is not in it".
-[[nodiscard]] std::string endingText(const RecordingExtent& extent);
+[[nodiscard]] core::Message endingText(const RecordingExtent& extent);
 
 /// Reads a recording from an untrusted source. Opens quickly and never loads the whole file: rows are streamed, and
 /// each block of ticks (a quarter of a second) is verified against the checksum before use. Never writes to the file or
@@ -83,7 +83,7 @@ class RecordingReader
     /// Returns one line for each damaged part found so far ("ticks 250 to 499: found other bits than were written
     /// (checksum)"). Opening checks metadata, scenes, events and the last block; every requested block of ticks is
     /// checked when read.
-    [[nodiscard]] std::vector<std::string> faults() const;
+    [[nodiscard]] std::vector<core::Message> faults() const;
 
     /// Reads the path of the HIP with one sample per tick with a hand present. Needs 24 bytes of memory per tick.
     [[nodiscard]] core::Result<Motion> motion() const;

@@ -13,8 +13,8 @@ namespace palpate::session {
 /// Result of the recovery of a damaged or incomplete recording.
 struct Recovery
 {
-    std::int64_t ticks = 0;          ///< number of ticks in the copy
-    std::vector<std::string> losses; ///< missing data, one line each; empty: complete
+    std::int64_t ticks = 0;            ///< number of ticks in the copy
+    std::vector<core::Message> losses; ///< missing data, one line each; empty: complete
 };
 
 /// Writes the best readable copy of a recording: all data with a valid checksum, and all readable data whose checksum

@@ -51,12 +51,12 @@ struct Resimulation
     std::int64_t unverified = 0;                 ///< ticks after a loss, before the state was known again
     std::int64_t differing = 0;                  ///< ticks with any different bit
     std::optional<std::int64_t> firstDifference; ///< first differing tick; empty: all bits are equal
-    std::string difference;                      ///< first difference, one line
+    core::Message difference;                    ///< first difference, one line
     double farthest_mm = 0.0;                    ///< largest distance between recorded and recomputed god-object
     double farthest_N = 0.0;                     ///< largest difference between recorded and recomputed force
     double rounding_mm = 0.0;                ///< maximum god-object distance that rounding explains, over all scenes
     std::optional<std::int64_t> firstBeyond; ///< first tick with a difference beyond rounding
-    std::string beyond;                      ///< that difference with its amount, one line
+    core::Message beyond;                    ///< that difference with its amount, one line
 
     /// True if all bits of all god-objects, forces and contacts are equal.
     bool isSame() const noexcept { return !firstDifference.has_value(); }
