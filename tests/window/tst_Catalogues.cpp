@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/Language.h"
 #include "TestRunner.h"
+#include "shell/Language.h"
 
 #include <QDir>
 #include <QDirIterator>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileLimits.h"
-#include "window/SceneDocument.h"
 #include "TestRunner.h"
+#include "scene/SceneDocument.h"
 
 #include <QDir>
 #include <QFile>

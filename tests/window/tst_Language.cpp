@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
-#include "window/Language.h"
 #include "TestRunner.h"
+#include "shell/Language.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the dialog of measures on the phantom's recording.
-#include "window/MeasuresDialog.h"
 #include "TestRunner.h"
+#include "touch/MeasuresDialog.h"
 
 #include <QClipboard>
 #include <QFile>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Shapes.h"
-#include "window/CoordinatesChoice.h"
 #include "Desk.h"
 #include "TestRunner.h"
+#include "scene/CoordinatesChoice.h"
 
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/MessageList.h>

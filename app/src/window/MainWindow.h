@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "window/CoordinatesChoice.h"
-#include "window/FindingsDesk.h"
-#include "window/RecordingControl.h"
-#include "window/SceneDocument.h"
-#include "window/ShowAround.h"
-#include "window/SoundChoice.h"
+#include "scene/CoordinatesChoice.h"
+#include "scene/SceneDocument.h"
+#include "shell/ShowAround.h"
+#include "shell/SoundChoice.h"
+#include "touch/FindingsDesk.h"
+#include "touch/RecordingControl.h"
 
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/ChipRow.h>

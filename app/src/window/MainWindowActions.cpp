@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Commands of the window. Menus and the list of keys are built from these.
-#include "window/FingertipMenu.h"
-#include "window/Help.h"
-#include "window/Language.h"
+#include "shell/Help.h"
+#include "shell/Language.h"
+#include "touch/FingertipMenu.h"
 #include "window/MainWindow.h"
 
 #include <palpate/ui/ViewKeys.h>

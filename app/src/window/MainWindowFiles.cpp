@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opening and saving scenes and recordings; files dropped on the window.
-#include "window/FingertipMenu.h"
-#include "window/MainWindow.h"
 #include "shared/Paths.h"
+#include "touch/FingertipMenu.h"
+#include "window/MainWindow.h"
 
 #include <palpate/meshio/MeshFormats.h>
 #include <palpate/session/RecordingReader.h>

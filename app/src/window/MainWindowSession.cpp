@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Recording, playback, marking and measuring.
-#include "window/MainWindow.h"
-#include "window/MeasuresDialog.h"
 #include "shared/Paths.h"
+#include "touch/MeasuresDialog.h"
+#include "window/MainWindow.h"
 
 #include <palpate/core/AtomicFile.h>
 #include <palpate/ui/EngineTexts.h>

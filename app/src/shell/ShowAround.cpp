@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/ShowAround.h"
+#include "shell/ShowAround.h"
 
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/Tour.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/FindingsDesk.h"
+#include "touch/FindingsDesk.h"
 
 #include "shared/Console.h"
 #include "shared/Paths.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/Help.h"
+#include "shell/Help.h"
 
 #include "shared/Paths.h"
 #include "shared/ProgramFolders.h"

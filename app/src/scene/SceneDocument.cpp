@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/SceneDocument.h"
+#include "scene/SceneDocument.h"
 
 #include "shared/Paths.h"
 

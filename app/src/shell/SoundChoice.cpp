@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/SoundChoice.h"
+#include "shell/SoundChoice.h"
 
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/TouchPanel.h>

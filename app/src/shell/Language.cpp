@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/Language.h"
+#include "shell/Language.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/RecordingControl.h"
+#include "touch/RecordingControl.h"
 
 #include "shared/Paths.h"
 

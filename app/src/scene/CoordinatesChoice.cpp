@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/CoordinatesChoice.h"
+#include "scene/CoordinatesChoice.h"
 
 #include <palpate/ui/Theme.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/FingertipMenu.h"
+#include "touch/FingertipMenu.h"
 
 #include <palpate/ui/LiveTouch.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "window/SceneDocument.h"
+#include "scene/SceneDocument.h"
 
 #include <palpate/ui/CameraFlight.h>
 #include <palpate/ui/FindingsPanel.h>
