@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
-#include "window/MainWindow.h"
 #include "TestRunner.h"
+#include "window/MainWindow.h"
 
 #include "../support/Shapes.h"
 
@@ -11,7 +11,12 @@
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
 #include <palpate/ui/LumpMaps.h>
+#include <palpate/ui/MessageBar.h>
+#include <palpate/ui/PalpationController.h>
+#include <palpate/ui/Playback.h>
 #include <palpate/ui/RecordedTouch.h>
+#include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QFile>
 #include <QPushButton>
@@ -247,7 +252,8 @@ class BuriedLump : public QObject
                    {"mesh": "two/tumour.stl", "name": "tumour"}]})";
         open({folder() / "flat.palpate.json"});
         QVERIFY(message().isVisible());
-        QVERIFY2(message().text().contains(QStringLiteral("tumour lies in liver, but this scene has all in one layer")),
+        QVERIFY2(message().text().contains(
+                     QStringLiteral("tumour lies in liver, but this scene has all in one layer")),
                  qPrintable(message().text()));
         const double flat_N = pressed(view::ViewFrom::Front);
         QVERIFY2(flat_N > 5.9 && flat_N < 6.1, qPrintable(QString::number(flat_N)));

@@ -151,7 +151,7 @@ class Catalogues : public QObject
         QTranslator translator;
         QVERIFY(translator.load(QStringLiteral("palpate_") + code, QStringLiteral(":/translations")));
         QCOMPARE(translator.language(), code);
-        QVERIFY(!translator.translate("MainWindow", "Session").isEmpty());
+        QVERIFY(!translator.translate("palpate::app::RecordingPart", "Session").isEmpty());
     }
 
     void isFinished_data() { addLanguages(); }

@@ -5,6 +5,8 @@
 #include "shell/Help.h"
 
 #include <palpate/session/Recording.h>
+#include <palpate/ui/Pieces.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAccessible>
 #include <QAction>

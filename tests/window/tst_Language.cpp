@@ -3,6 +3,9 @@
 #include "TestRunner.h"
 #include "shell/Language.h"
 
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/VtkViewport.h>
+
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
 #include <QAction>

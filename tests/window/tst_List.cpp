@@ -6,6 +6,14 @@
 
 #include <palpate/meshio/SceneFile.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/ui/MessageBar.h>
+#include <palpate/ui/PalpationController.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/RecordedTouch.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/StructurePanel.h>
+#include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
 #include <QApplication>

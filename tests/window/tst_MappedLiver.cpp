@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/MainWindow.h"
 #include "TestRunner.h"
+#include "window/MainWindow.h"
 
 #include "../support/Shapes.h"
 
 #include <palpate/meshio/MeshFile.h>
 #include <palpate/ui/MessageList.h>
+#include <palpate/ui/PalpationController.h>
+#include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QComboBox>
 #include <QLabel>

@@ -6,6 +6,8 @@
 
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/MessageList.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
 #include <QApplication>

@@ -5,7 +5,12 @@
 #include <palpate/session/Findings.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/RecordingWriter.h>
+#include <palpate/ui/MessageBar.h>
 #include <palpate/ui/Pieces.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/Theme.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
 #include <QApplication>
