@@ -205,7 +205,7 @@ class Records : public QObject
         QVERIFY(chip()->text().startsWith(QStringLiteral("recording failed")));
         m_desk->pressKeyOf("fit");
         QTRY_VERIFY(chip()->text().isEmpty());
-        QCOMPARE(test::answerOf(message())->text(), QStringLiteral("Open what was recorded"));
+        QCOMPARE(test::answerOf(message())->text(), QStringLiteral("Open the recording"));
         test::answerOf(message())->click();
         QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
         QVERIFY2(message().text().contains(QStringLiteral("what was felt after is not in it")),

@@ -50,7 +50,7 @@ void CoordinatesPart::readAs(core::FileFrame frame)
         return;
     }
     if (m_core.live.recording().isRecording) {
-        m_core.notices.say(tr("Stop the recording first: it holds the surfaces as they lie now."));
+        m_core.notices.say(tr("Stop the recording first: it uses the current coordinates."));
         return;
     }
     m_isEdited = false;

@@ -58,9 +58,9 @@ void DocumentPart::addActions()
                         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}),
             &QAction::triggered, this, &DocumentPart::saveAs);
     QUndoStack& stack = m_core.model.undoStack();
-    QAction* undo = actions.add("undo", ActionGroup::Edit, tr("Undo"), tr("Undo the newest change"),
+    QAction* undo = actions.add("undo", ActionGroup::Edit, tr("Undo"), tr("Undo the last change"),
                                 {QKeySequence(Qt::CTRL | Qt::Key_Z)}, ui::Symbol::Undo);
-    QAction* redo = actions.add("redo", ActionGroup::Edit, tr("Redo"), tr("Do it again"),
+    QAction* redo = actions.add("redo", ActionGroup::Edit, tr("Redo"), tr("Redo the last undone change"),
                                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
                                 ui::Symbol::Redo);
     actions.addSeparator(ActionGroup::Edit);
@@ -107,11 +107,11 @@ bool DocumentPart::save()
         return saveAs();
     }
     if (m_document.isFileChanged()) {
-        QMessageBox box(QMessageBox::Warning, tr("The scene was changed elsewhere"),
-                        tr("%1 was saved by another window or program since it was opened here. To save it would "
-                           "replace what was saved there.")
-                            .arg(toText(m_document.file().filename())),
-                        QMessageBox::Cancel, &m_core.window);
+        QMessageBox box(
+            QMessageBox::Warning, tr("The scene was changed elsewhere"),
+            tr("Another window or program has saved %1 since it was opened here. Saving would replace that version.")
+                .arg(toText(m_document.file().filename())),
+            QMessageBox::Cancel, &m_core.window);
         QPushButton* const anyway = box.addButton(tr("Save anyway"), QMessageBox::DestructiveRole);
         QPushButton* const elsewhere = box.addButton(tr("Save as…"), QMessageBox::AcceptRole);
         box.setDefaultButton(elsewhere);
@@ -180,7 +180,7 @@ void DocumentPart::offerLeftover()
     const auto copy = SceneDocument::findLeftover();
     if (copy && m_core.model.rowCount() == 0) {
         m_core.notices.bar().offer(
-            tr("Palpate ended unexpectedly and left unsaved changes of a scene."), tr("Restore"),
+            tr("Palpate ended unexpectedly. Unsaved changes of a scene can be restored."), tr("Restore"),
             [this, copy] {
                 if (m_document.claimLeftover(*copy)) {
                     Q_EMIT openWanted(*copy);

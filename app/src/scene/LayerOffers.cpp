@@ -29,9 +29,7 @@ QString joinedSentences(const QStringList& sentences)
     if (sentences.size() <= 2) {
         return sentences.join(QStringLiteral("; ")) + QLatin1Char('.');
     }
-    return LayerOffers::tr("%1; %2 more of that kind: Felt in the panel has each.")
-        .arg(first)
-        .arg(sentences.size() - 1);
+    return LayerOffers::tr("%1; %2 more are listed in the panel.").arg(first).arg(sentences.size() - 1);
 }
 
 /// Layer of a structure by nesting in structures that were open before others were added.
@@ -74,7 +72,7 @@ void LayerOffers::layOut(const ui::OpenedScene& scene, bool hasRecording)
     } else if (areMeshes) {
         const LumpLayout found(m_model, scene.layering, 0);
         if (isLayered) {
-            ui::feel(m_model, found.ways(), tr("Feel what is inside below what is around it"));
+            ui::feel(m_model, found.ways(), tr("Feel inner structures below outer ones"));
             m_model.undoStack().setClean(); // automatic changes do not make the document modified
             offerOther(found, joinedSentences(found.lines()));
         } else if (!found.lines().isEmpty()) {
@@ -91,7 +89,7 @@ void LayerOffers::offerOther(const LumpLayout& layout, const QString& line)
     }
     if (layout.hasTransmittedLump()) {
         m_bar.offer(line, tr("Feel it as a layer"), [this, ways = layout.inLayers()] {
-            ui::feel(m_model, ways, tr("Feel what is inside below what is around it"));
+            ui::feel(m_model, ways, tr("Feel inner structures below outer ones"));
         });
         return;
     }
@@ -111,12 +109,12 @@ void LayerOffers::offer(const study::Layering& layering)
     for (std::size_t row = 0; row < isFelt.size(); ++row) {
         const auto in = isFelt[row] ? layering.palpableParent(row, isFelt) : std::nullopt;
         if (in) {
-            m_bar.offer(tr("%1 lies in %2, but this scene has all in one layer: it is not felt through %2.")
-                            .arg(ui::readableName(m_model.structure(static_cast<int>(row)).name),
-                                 ui::readableName(m_model.structure(static_cast<int>(*in)).name)),
-                        tr("Feel it below"), [this, layers] {
-                            m_model.setLayers(layers, tr("Feel what is inside below what is around it"));
-                        });
+            m_bar.offer(
+                tr("%1 lies in %2, but all structures of this scene are in one layer: %1 cannot be felt through %2.")
+                    .arg(ui::readableName(m_model.structure(static_cast<int>(row)).name),
+                         ui::readableName(m_model.structure(static_cast<int>(*in)).name)),
+                tr("Feel it below"),
+                [this, layers] { m_model.setLayers(layers, tr("Feel inner structures below outer ones")); });
             return;
         }
     }
@@ -139,15 +137,15 @@ void LayerOffers::layOutAdded(const ui::OpenedScene& scene, bool isUnsaved)
     if (!isOther) {
         return;
     }
-    const QString text = tr("Feel what is inside below what is around it");
+    const QString text = tr("Feel inner structures below outer ones");
     if (isAsFound) {
         ui::feel(m_model, layout.ways(), text);
         if (!layout.lines().isEmpty()) {
             offerOther(layout, layout.lines().back() + QLatin1Char('.'));
         }
     } else if (!layout.lines().isEmpty()) {
-        m_bar.offer(tr("What was added lies in or around other structures, but the layers that were set are kept."),
-                    tr("Feel it below"), [this, ways = layout.inLayers(), text] { ui::feel(m_model, ways, text); });
+        m_bar.offer(tr("Added structures lie in or around others. The existing layers were kept."), tr("Feel it below"),
+                    [this, ways = layout.inLayers(), text] { ui::feel(m_model, ways, text); });
     }
 }
 

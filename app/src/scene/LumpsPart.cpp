@@ -63,7 +63,7 @@ void LumpsPart::connectMaps()
 void LumpsPart::addActions()
 {
     QAction* shown = m_core.actions.add("felt", ui::ActionGroup::View, tr("What can be felt here"),
-                                        tr("Colour organs by how much of the lumps below a hand feels, with a table"),
+                                        tr("Colour organs by the palpability of the lumps below, with a table"),
                                         {QKeySequence(Qt::Key_B)});
     shown->setCheckable(true);
     shown->setEnabled(false);

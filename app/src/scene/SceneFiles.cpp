@@ -91,10 +91,10 @@ void SceneFiles::addActions()
                         {QKeySequence(Qt::CTRL | Qt::Key_O)}, ui::Symbol::Open),
             &QAction::triggered, this, &SceneFiles::choose);
     connect(actions.add("add", ActionGroup::File, tr("Add to the scene…"),
-                        tr("Open more meshes or a scene beside what is open"),
+                        tr("Add meshes or a scene to the open scene"),
                         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)}),
             &QAction::triggered, this, &SceneFiles::chooseAdded);
-    connect(actions.add("close", ActionGroup::File, tr("Close the scene"), tr("Close what is open"),
+    connect(actions.add("close", ActionGroup::File, tr("Close the scene"), tr("Close the open scene"),
                         {QKeySequence(Qt::CTRL | Qt::Key_W)}),
             &QAction::triggered, this, &SceneFiles::closeWanted);
 }
@@ -195,7 +195,7 @@ void SceneFiles::openPhantom()
         open({*folder / "phantom.palpate.json", *folder / "palpation.palpate"});
         return;
     }
-    const QString line = tr("The phantom was not found beside the program.");
+    const QString line = tr("The phantom was not found next to the program.");
     m_core.notices.showError(line);
     Q_EMIT openFailed(line);
 }
@@ -222,9 +222,10 @@ void SceneFiles::offerReadingAsMetres(double size_mm)
                     [](const std::filesystem::path& file) { return meshio::isSceneFile(file) || isRecording(file); })) {
         return;
     }
-    m_core.notices.bar().offer(
-        tr("This anatomy is %1 mm across: its numbers are probably metres.").arg(QLocale().toString(size_mm, 'g', 2)),
-        tr("Read as metres"), [this, files = m_opening, frame = m_openingFrame] { open(files, 1000.0, frame); });
+    m_core.notices.bar().offer(tr("This anatomy is only %1 mm across. Its coordinates are probably in metres.")
+                                   .arg(QLocale().toString(size_mm, 'g', 2)),
+                               tr("Read as metres"),
+                               [this, files = m_opening, frame = m_openingFrame] { open(files, 1000.0, frame); });
 }
 
 void SceneFiles::choose()

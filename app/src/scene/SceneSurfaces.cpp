@@ -48,7 +48,7 @@ SceneSurfaces::SceneSurfaces(const WindowCore& core, ui::SceneLoader& loader, St
     connect(&core.model, &StructureModel::edited, this, &SceneSurfaces::follow);
     connect(&core.model, &StructureModel::mapsWanted, this, &SceneSurfaces::requestMaps);
     connect(&core.model, &StructureModel::surfaceWanted, this, [this](int row) {
-        m_core.notices.say(tr("Making the surface of %1…").arg(nameOf(row)), 60000);
+        m_core.notices.say(tr("Computing the surface of %1…").arg(nameOf(row)), 60000);
         m_loader.buildSurface(row, m_core.model.rows()[static_cast<std::size_t>(row)].loaded);
     });
     connect(&core.model, &StructureModel::surfaceReplaced, this, &SceneSurfaces::followSurface);
@@ -72,7 +72,7 @@ void SceneSurfaces::connectLoader()
             }
             model.setMaps(row, found->description.maps, found->maps, problems);
             m_core.notices.say(problems.isEmpty()
-                                   ? tr("The map of %1 is felt.").arg(ui::readableName(found->description.name))
+                                   ? tr("The map of %1 was applied.").arg(ui::readableName(found->description.name))
                                    : problems.join(QLatin1Char(' ')));
         });
     connect(&m_loader, &ui::SceneLoader::notesFound, &m_core.notices, &Notices::warn);
@@ -99,7 +99,7 @@ void SceneSurfaces::drawAdded(const std::vector<StructureRow>& rows)
 
 void SceneSurfaces::requestMaps(int row)
 {
-    m_core.notices.say(tr("Reading what varies over %1…").arg(nameOf(row)), 60000);
+    m_core.notices.say(tr("Reading the maps of %1…").arg(nameOf(row)), 60000);
     m_progress.showBusy();
     m_loader.buildMaps(row, m_core.model.rows()[static_cast<std::size_t>(row)].loaded);
 }
@@ -156,7 +156,7 @@ void SceneSurfaces::followSurface(int row)
         m_layers.offer(found);
     }
     m_core.viewport.update();
-    m_core.notices.say(model.defects(row).isEmpty() ? tr("%1 has another surface now.").arg(nameOf(row))
+    m_core.notices.say(model.defects(row).isEmpty() ? tr("The surface of %1 was replaced.").arg(nameOf(row))
                                                     : model.defects(row).join(QStringLiteral(". ")));
 }
 
@@ -181,10 +181,8 @@ void SceneSurfaces::offerSmoothing()
                                   locale.toString(voxel.z(), 'g', 3));
     m_core.notices.bar().offer(
         rows.size() == 1
-            ? tr("%1 is a staircase of about %2 voxels: the hand feels its steps.").arg(nameOf(rows.front()), size)
-            : tr("%1 surfaces are staircases, of about %2 voxels: the hand feels their steps.")
-                  .arg(rows.size())
-                  .arg(size),
+            ? tr("%1 has voxel steps of about %2, which can be felt.").arg(nameOf(rows.front()), size)
+            : tr("%1 surfaces have voxel steps of about %2, which can be felt.").arg(rows.size()).arg(size),
         rows.size() == 1 ? tr("Smooth it") : tr("Smooth them"), [&model] { model.smooth(model.steppedRows()); });
 }
 
@@ -195,11 +193,11 @@ void SceneSurfaces::offerTurning()
     if (rows.empty()) {
         return;
     }
-    m_core.notices.bar().offer(rows.size() == 1
-                                   ? tr("%1 is inside out: felt from within only.").arg(nameOf(rows.front()))
-                                   : tr("%1 surfaces are inside out: felt from within only.").arg(rows.size()),
-                               rows.size() == 1 ? tr("Turn it around") : tr("Turn them around"),
-                               [&model] { model.turnOutwards(model.insideOutRows()); });
+    m_core.notices.bar().offer(
+        rows.size() == 1 ? tr("%1 is inside out: it can be felt only from inside.").arg(nameOf(rows.front()))
+                         : tr("%1 surfaces are inside out: they can be felt only from inside.").arg(rows.size()),
+        rows.size() == 1 ? tr("Turn it around") : tr("Turn them around"),
+        [&model] { model.turnOutwards(model.insideOutRows()); });
 }
 
 QString SceneSurfaces::nameOf(int row) const

@@ -69,16 +69,15 @@ void StructuresPart::addActions()
                         {QKeySequence(Qt::CTRL | Qt::Key_F)}),
             &QAction::triggered, m_panel, &ui::StructurePanel::focusFilter);
     // F2 and Del are handled by the focused list: see ActionGroup::InList.
-    connect(actions.add("rename", ActionGroup::Edit, tr("Rename the structure…"),
-                        tr("Write another name for the selected structure")),
+    connect(actions.add("rename", ActionGroup::Edit, tr("Rename the structure…"), tr("Rename the selected structure")),
             &QAction::triggered, m_panel, &ui::StructurePanel::renameCurrent);
     connect(actions.add("remove", ActionGroup::Edit, tr("Remove from the scene"),
-                        tr("Take the selected structures out of the scene; their files stay")),
+                        tr("Remove the selected structures from the scene; their files are kept")),
             &QAction::triggered, m_panel, &ui::StructurePanel::removeSelected);
-    actions.addGesture(ActionGroup::InList, tr("Ctrl+E  Ctrl+H"), tr("show or hide, feel or not"));
-    actions.addGesture(ActionGroup::InList, tr("letters"), tr("go to the structure that begins so"));
+    actions.addGesture(ActionGroup::InList, tr("Ctrl+E  Ctrl+H"), tr("show or hide, turn touch on or off"));
+    actions.addGesture(ActionGroup::InList, tr("letters"), tr("go to the structure whose name starts with them"));
     actions.addGesture(ActionGroup::InList, tr("F2  Del"), tr("rename, remove from the scene"));
-    actions.addGesture(ActionGroup::InList, tr("Ctrl+↓  ↑"), tr("felt a layer deeper, farther out"));
+    actions.addGesture(ActionGroup::InList, tr("Ctrl+↓  ↑"), tr("move one layer deeper or outwards"));
 }
 
 void StructuresPart::addPanel(Docks& docks)

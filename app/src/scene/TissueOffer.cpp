@@ -25,16 +25,17 @@ struct TissueTexts
 /// Message with the number of structures with and without a preset.
 QString tissueLine(const StructureModel& model, const std::vector<StructureModel::Edited>& changed)
 {
-    QString line =
-        changed.size() == 1
-            ? TissueTexts::tr("%1 got its tissue by its name.").arg(ui::readableName(changed.front().description.name))
-            : TissueTexts::tr("%1 structures got tissue by their names.").arg(changed.size());
+    QString line = changed.size() == 1
+                       ? TissueTexts::tr("The tissue of %1 was chosen by its name.")
+                             .arg(ui::readableName(changed.front().description.name))
+                       : TissueTexts::tr("The tissue of %1 structures was chosen by their names.").arg(changed.size());
     int unnamed = 0;
     for (const ui::StructureRow& row : model.rows()) {
         unnamed += !row.isRemoved && row.loaded.description.tissue == core::Tissue() ? 1 : 0;
     }
     if (unnamed > 0) {
-        line += QLatin1Char(' ') + TissueTexts::tr("%n did not: felt as “Firm organ”, 0.5 N/mm.", nullptr, unnamed);
+        line += QLatin1Char(' ') +
+                TissueTexts::tr("No preset matches the name of %n: “Firm organ”, 0.5 N/mm.", nullptr, unnamed);
     }
     return line;
 }
@@ -51,7 +52,7 @@ void applyTissueByName(StructureModel& model, ui::MessageBar& bar, const study::
     for (const StructureModel::Edited& one : edits) {
         before.push_back({one.row, model.structure(one.row)});
     }
-    model.editAll(std::move(edits), TissueTexts::tr("Tissue by names"));
+    model.editAll(std::move(edits), TissueTexts::tr("Tissue by name"));
     bar.offer(tissueLine(model, before), TissueTexts::tr("Undo"), [&model, before] {
         std::vector<StructureModel::Edited> back;
         for (const StructureModel::Edited& one : before) { // keeps the current name, layer and colour
@@ -60,7 +61,7 @@ void applyTissueByName(StructureModel& model, ui::MessageBar& bar, const study::
             back.back().description.opacity = one.description.opacity;
             back.back().description.palpable = one.description.palpable;
         }
-        model.editAll(std::move(back), TissueTexts::tr("Tissue as before"));
+        model.editAll(std::move(back), TissueTexts::tr("Restore tissue"));
     });
 }
 

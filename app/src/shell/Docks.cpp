@@ -29,10 +29,11 @@ Docks::Docks(QMainWindow& window, ui::ActionList& actions)
 void Docks::addActions()
 {
     connect(m_actions.add("next-panel", ActionGroup::View, tr("Next panel"),
-                          tr("The keys go to the next panel, and on to the view"), {QKeySequence(Qt::Key_F6)}),
+                          tr("Move the keyboard focus to the next panel, after the last to the view"),
+                          {QKeySequence(Qt::Key_F6)}),
             &QAction::triggered, this, [this] { m_round.go(1); });
     connect(m_actions.add("previous-panel", ActionGroup::View, tr("Previous panel"),
-                          tr("The keys go to the panel before"), {QKeySequence(Qt::SHIFT | Qt::Key_F6)}),
+                          tr("Move the keyboard focus to the previous panel"), {QKeySequence(Qt::SHIFT | Qt::Key_F6)}),
             &QAction::triggered, this, [this] { m_round.go(-1); });
     connect(m_actions.add("panels", ActionGroup::View, tr("Hide or show all panels"), tr("Hide or show all panels"),
                           {QKeySequence(Qt::Key_F9)}),

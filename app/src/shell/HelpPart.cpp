@@ -52,9 +52,9 @@ void HelpPart::addLetterKeys()
 {
     ui::ActionList& actions = m_core.actions;
     actions.addSeparator(ActionGroup::Edit);
-    QAction* letters = actions.add("letter-keys", ActionGroup::Edit, tr("Single-letter keys"),
-                                   tr("Commands by one letter; off: letters do nothing, for speech input and for hands "
-                                      "that touch keys by chance"));
+    QAction* letters = actions.add(
+        "letter-keys", ActionGroup::Edit, tr("Single-letter keys"),
+        tr("Run commands by single letters. Turn this off for speech input, or if keys are pressed by accident"));
     letters->setCheckable(true);
     connect(letters, &QAction::toggled, this, [&actions](bool isOn) {
         actions.setLetterKeys(isOn);

@@ -23,9 +23,9 @@ StatusProgress::StatusProgress(QStatusBar& bar, ui::HintLine& hint, QObject* par
 {
     m_bar->setRange(0, kProgressSteps);
     m_bar->setFixedWidth(180);
-    m_bar->setAccessibleName(tr("Progress of opening"));
+    m_bar->setAccessibleName(tr("Progress"));
     m_cancel->setText(tr("Cancel"));
-    m_cancel->setToolTip(tr("Stop reading; what was open stays"));
+    m_cancel->setToolTip(tr("Cancel; the open scene does not change"));
     connect(m_cancel, &QToolButton::clicked, this, &StatusProgress::cancelled);
     bar.addWidget(m_bar);
     bar.addWidget(m_cancel);

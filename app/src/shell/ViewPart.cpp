@@ -33,7 +33,7 @@ void ViewPart::addActions()
 {
     ui::ActionList& actions = m_core.actions;
     QAction* dent = actions.add("dent", ActionGroup::View, tr("Dent under the finger"),
-                                tr("Draw soft tissue bent where it is pressed, with a fine grid on it"));
+                                tr("Draw soft tissue deformed at the contact, with a fine grid"));
     dent->setCheckable(true);
     dent->setChecked(QSettings().value(QLatin1String(kDentKey), true).toBool());
     m_core.viewport.view().setBending(dent->isChecked());

@@ -59,8 +59,8 @@ void DevicePart::connectDevices(StructuresPart& structures)
     connect(m_devices, &ui::DeviceChoice::pushed, &m_palpation, &ui::PalpationController::push);
     connect(m_devices, &ui::DeviceChoice::pressingWanted, this, [this] {
         m_core.actions.at("effort").setChecked(true);
-        m_core.notices.say(tr("The pointer says where, the SpaceMouse how hard: push its puck down. P palpate, wheel "
-                              "for the hardest press"),
+        m_core.notices.say(tr("The pointer sets the place, the SpaceMouse the force: push its cap down. P palpate, "
+                              "wheel for the force limit"),
                            60000);
     });
     connect(m_devices, &ui::DeviceChoice::changed, this, [this, &structures] {
@@ -74,8 +74,8 @@ void DevicePart::addActions()
 {
     ui::ActionList& actions = m_core.actions;
     QAction* effort = actions.add("effort", ActionGroup::Session, tr("Press by effort"),
-                                  tr("Effort in, depth out: the force rises while the button is held, or is a pen's "
-                                     "pressure, and a stiff place gives way less; off: the wheel says how deep"),
+                                  tr("Press with a set force: it rises while the button is held, or follows the "
+                                     "pressure of a pen, and stiff tissue yields less. Off: the wheel sets the depth"),
                                   {QKeySequence(Qt::Key_E)});
     effort->setCheckable(true);
     takePress(m_panel->settings());
@@ -85,24 +85,24 @@ void DevicePart::addActions()
             m_core.notices.say(howToTouch(), 60000); // the hint about the wheel is no longer valid
         }
     });
-    QAction* clutch =
-        actions.add("clutch", ActionGroup::Session, tr("Lift the hand"),
-                    tr("Move the device without the hand in the scene, as a mouse is lifted; again to go on"),
-                    {QKeySequence(Qt::Key_C)}, ui::Symbol::Hand);
+    QAction* clutch = actions.add(
+        "clutch", ActionGroup::Session, tr("Lift the hand"),
+        tr("Move the device without moving the hand in the scene, like lifting a mouse; press again to continue"),
+        {QKeySequence(Qt::Key_C)}, ui::Symbol::Hand);
     clutch->setCheckable(true);
     connect(clutch, &QAction::toggled, m_hand, &ui::HandControl::setClutched);
     const auto addFit = [&](const char* id, const QString& text, const QString& tip, Qt::Key key, ui::MapFill fill) {
         connect(actions.add(id, ActionGroup::Device, text, tip, {QKeySequence(key)}, ui::Symbol::Fit),
                 &QAction::triggered, m_hand, [this, fill] { m_hand->fit(fill); });
     };
-    addFit("fit-device-all", tr("Zoom the hand's space to everything"),
-           tr("The device's whole way goes through all that is shown"), Qt::Key_W, ui::MapFill::Scene);
-    addFit("fit-device-organ", tr("Zoom the hand's space to the organ"),
-           tr("The device's whole way goes through the organ that is touched or pointed at"), Qt::Key_O,
+    addFit("fit-device-all", tr("Fit the workspace to the scene"),
+           tr("The workspace of the device covers everything shown"), Qt::Key_W, ui::MapFill::Scene);
+    addFit("fit-device-organ", tr("Fit the workspace to the organ"),
+           tr("The workspace of the device covers the organ that is touched or under the pointer"), Qt::Key_O,
            ui::MapFill::Organ);
-    addFit("fit-device-lump", tr("Zoom the hand's space to the lump"),
-           tr("The device's whole way is 10 mm, about what is touched, pointed at or found"), Qt::Key_L,
-           ui::MapFill::Lump);
+    addFit("fit-device-lump", tr("Fit the workspace to the lump"),
+           tr("The workspace of the device covers 10 mm around the place that is touched, under the pointer or marked"),
+           Qt::Key_L, ui::MapFill::Lump);
 }
 
 void DevicePart::addPanel(Docks& docks)
@@ -159,9 +159,9 @@ void DevicePart::use(const std::string& id)
 QString DevicePart::howToTouch() const
 {
     if (!m_core.live.usesPointer()) {
-        return tr("Touch with the device; O or L zooms its space to the organ or lump, C lifts the hand");
+        return tr("Touch with the device; O or L fits the workspace to the organ or lump, C lifts the hand");
     }
-    return m_panel->settings().isByEffort ? tr("P palpate, hold to press harder, wheel for the hardest press")
+    return m_panel->settings().isByEffort ? tr("P palpate, hold to press harder, wheel for the force limit")
                                           : tr("P palpate, drag to press, wheel for depth");
 }
 
@@ -182,7 +182,7 @@ void DevicePart::tellFault(const QString& line)
         m_core.notices.say(line);
         return;
     }
-    m_core.notices.bar().offer(line, tr("Feel again"), [this] { m_core.live.rearm(); });
+    m_core.notices.bar().offer(line, tr("Restore the force"), [this] { m_core.live.rearm(); });
 }
 
 } // namespace palpate::app

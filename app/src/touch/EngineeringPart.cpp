@@ -22,7 +22,7 @@ EngineeringPart::EngineeringPart(const WindowCore& core, const ui::TouchPanel& t
     , m_core(core)
     , m_touch(touch)
     , m_panel(new ui::EngineeringPanel(&core.window))
-    , m_chip(*core.chips.add("running", tr("How touch runs"), 1))
+    , m_chip(*core.chips.add("running", tr("State of the servo loop"), 1))
 {
     m_chip.setCursor(Qt::PointingHandCursor);
     connect(&core.live, &ui::LiveTouch::statusChanged, this, &EngineeringPart::refresh);
@@ -39,7 +39,7 @@ void EngineeringPart::addActions()
 {
     m_core.actions
         .add("engineering", ui::ActionGroup::View, tr("Engineering"),
-             tr("Show or hide solver, servo loop and device in numbers"))
+             tr("Show or hide measurements of solver, servo loop and device"))
         ->setCheckable(true);
 }
 

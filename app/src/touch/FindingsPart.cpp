@@ -50,10 +50,11 @@ void FindingsPart::addActions()
 {
     ui::ActionList& actions = m_core.actions;
     connect(actions.add("import-findings", ActionGroup::File, tr("Import findings…"),
-                        tr("Take the points of a 3D Slicer markups file (.mrk.json) as findings")),
+                        tr("Import the points of a 3D Slicer markups file (.mrk.json) as findings")),
             &QAction::triggered, this, &FindingsPart::importFindings);
-    QAction* exports = actions.add("export-findings", ActionGroup::File, tr("Export findings…"),
-                                   tr("Write findings and notes as a table (CSV) or as 3D Slicer markups (.mrk.json)"));
+    QAction* exports =
+        actions.add("export-findings", ActionGroup::File, tr("Export findings…"),
+                    tr("Export findings and notes as a table (CSV) or as 3D Slicer markups (.mrk.json)"));
     exports->setEnabled(false);
     connect(exports, &QAction::triggered, this, &FindingsPart::exportFindings);
     QAction* shown =
@@ -66,11 +67,10 @@ void FindingsPart::addActions()
         m_core.viewport.update();
     });
     connect(actions.add("mark", ActionGroup::Session, tr("Mark a finding"),
-                        tr("Mark the place that is touched, in the scene and in the recording"),
-                        {QKeySequence(Qt::Key_M)}),
+                        tr("Mark the touched place in the scene and in the recording"), {QKeySequence(Qt::Key_M)}),
             &QAction::triggered, m_desk, &FindingsDesk::mark);
     connect(actions.add("mark-and-write", ActionGroup::Session, tr("Mark a finding and write…"),
-                        tr("Mark the place that is touched and write about it"), {QKeySequence(Qt::CTRL | Qt::Key_M)}),
+                        tr("Mark the touched place and write a note on it"), {QKeySequence(Qt::CTRL | Qt::Key_M)}),
             &QAction::triggered, this, [this] {
                 if (m_desk->mark()) {
                     raise();
@@ -84,13 +84,15 @@ void FindingsPart::addActions()
                 m_panel->startNote();
             });
     connect(actions.add("next-finding", ActionGroup::Session, tr("Next finding"),
-                        tr("Go to the next finding, in the view from which it was marked"), {QKeySequence(Qt::Key_J)}),
+                        tr("Go to the next finding and restore the view in which it was marked"),
+                        {QKeySequence(Qt::Key_J)}),
             &QAction::triggered, this, [this] { m_desk->step(1); });
     connect(actions.add("previous-finding", ActionGroup::Session, tr("Previous finding"),
-                        tr("Go to the finding before"), {QKeySequence(Qt::SHIFT | Qt::Key_J)}),
+                        tr("Go to the previous finding"), {QKeySequence(Qt::SHIFT | Qt::Key_J)}),
             &QAction::triggered, this, [this] { m_desk->step(-1); });
     actions.addGesture(ActionGroup::InView, tr("Enter  F2  Del"), tr("in the findings: go there, edit, delete"));
-    actions.addGesture(ActionGroup::InView, tr("Shift+Enter"), tr("in the findings: play where it was marked"));
+    actions.addGesture(ActionGroup::InView, tr("Shift+Enter"),
+                       tr("in the findings: play the recording from the marked moment"));
 }
 
 void FindingsPart::addPanel(Docks& docks)

@@ -65,7 +65,7 @@ void RecordingPart::addActions()
 {
     ui::ActionList& actions = m_core.actions;
     QAction* record =
-        actions.add("record", ActionGroup::Session, tr("Record"), tr("Record what the hand feels, at every moment"),
+        actions.add("record", ActionGroup::Session, tr("Record"), tr("Record the motion and the force of the hand"),
                     {QKeySequence(Qt::Key_R)}, ui::Symbol::Record);
     record->setCheckable(true);
     connect(record, &QAction::triggered, this, &RecordingPart::toggle);
@@ -73,7 +73,7 @@ void RecordingPart::addActions()
                                 {QKeySequence(Qt::Key_K)}, ui::Symbol::Play);
     connect(play, &QAction::triggered, this, &RecordingPart::togglePlaying);
     QAction* restart =
-        actions.add("to-start", ActionGroup::Session, tr("To the start"), tr("Back to the recording's start"),
+        actions.add("to-start", ActionGroup::Session, tr("To the start"), tr("Return to the start of the recording"),
                     {QKeySequence(Qt::Key_Home)}, ui::Symbol::Restart);
     connect(restart, &QAction::triggered, m_playback, &ui::Playback::toStart);
     actions.addSeparator(ActionGroup::Session);
@@ -128,9 +128,9 @@ void RecordingPart::open(const std::filesystem::path& path)
         m_core.notices.showError(losses);
     }
     if (m_core.model.rowCount() == 0) {
-        m_core.notices.showError(tr("%1 can be played, but the meshes that it was made on are not where they were. "
-                                    "Open them to see what was touched.")
-                                     .arg(toText(path.filename())));
+        m_core.notices.showError(
+            tr("%1 can be played, but its meshes were not found. Open them to see what was touched.")
+                .arg(toText(path.filename())));
         Q_EMIT shownAlone();
     }
 }
@@ -183,7 +183,7 @@ void RecordingPart::takeFailure(const QString& line)
 {
     m_core.actions.at("record").setChecked(false);
     Q_EMIT stateChanged();
-    m_core.notices.bar().offer(line, tr("Open what was recorded"), [this] { open(m_control->path()); });
+    m_core.notices.bar().offer(line, tr("Open the recording"), [this] { open(m_control->path()); });
 }
 
 void RecordingPart::togglePlaying()
@@ -208,11 +208,11 @@ void RecordingPart::takeFingertip()
     const auto first = recording != nullptr ? recording->at(0.0) : std::nullopt;
     const double radius_mm = first ? recording->fingertip_mm(*first) : chosenFingertip_mm();
     if (first && radius_mm != m_core.live.fingertip_mm()) {
-        m_core.notices.say(radius_mm > 0.0
-                               ? tr("As recorded, the fingertip is a ball of %1 mm radius (Session › Fingertip).")
-                                     .arg(QLocale().toString(radius_mm))
-                               : tr("As recorded, the fingertip is a point (Session › Fingertip)."),
-                           20000);
+        m_core.notices.say(
+            radius_mm > 0.0 ? tr("The fingertip is a ball of %1 mm radius, as in the recording (Session › Fingertip).")
+                                  .arg(QLocale().toString(radius_mm))
+                            : tr("The fingertip is a point, as in the recording (Session › Fingertip)."),
+            20000);
     }
     m_core.live.setFingertip(radius_mm);
 }

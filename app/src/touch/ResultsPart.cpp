@@ -34,10 +34,11 @@ void ResultsPart::addActions()
 {
     ui::ActionList& actions = m_core.actions;
     connect(actions.add("measures", ActionGroup::Session, tr("Results…"),
-                        tr("Forces, coverage and findings of the recording, and exports"), {QKeySequence(Qt::Key_I)}),
+                        tr("Show and export forces, coverage and findings of the recording"),
+                        {QKeySequence(Qt::Key_I)}),
             &QAction::triggered, this, &ResultsPart::show);
-    QAction* embed = actions.add("embed", ActionGroup::Session, tr("Keep the surfaces inside recordings"),
-                                 tr("One file then holds the whole session; it grows by what the meshes take"));
+    QAction* embed = actions.add("embed", ActionGroup::Session, tr("Store the surfaces in recordings"),
+                                 tr("A recording then contains the whole session and grows by the size of the meshes"));
     embed->setCheckable(true);
     embed->setChecked(QSettings().value(QLatin1String(kEmbedKey)).toBool());
     connect(embed, &QAction::toggled, this, [](bool isOn) { QSettings().setValue(QLatin1String(kEmbedKey), isOn); });

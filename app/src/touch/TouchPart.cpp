@@ -27,10 +27,10 @@ TouchPart::TouchPart(const WindowCore& core, ui::StructurePanel& structures)
     , m_core(core)
     , m_panel(new ui::TouchPanel(&core.window))
     , m_palpation(new ui::PalpationController(core.viewport, core.live, core.model, this))
-    , m_chip(*core.chips.add("mode", tr("What the pointer or the device does"), 3))
+    , m_chip(*core.chips.add("mode", tr("Use of the pointer or the device"), 3))
 {
-    m_chip.setToolTip(tr("What the pointer does: it turns the view, or it presses this far along the line of sight "
-                         "[mm] or with this force [N]; the wheel sets it (P switches)"));
+    m_chip.setToolTip(tr("The pointer turns the view, or presses this far along the line of sight [mm] or with this "
+                         "force [N]. The wheel sets the value; P switches between the two"));
     m_panel->setForceLimit(core.live.deviceInfo().maxForce_N);
     connect(m_palpation, &ui::PalpationController::touched, m_panel, &ui::TouchPanel::show);
     connect(m_palpation, &ui::PalpationController::touched, &structures, &ui::StructurePanel::showTouch);
@@ -77,16 +77,17 @@ void TouchPart::addActions()
 void TouchPart::addGestures()
 {
     ui::ActionList& actions = m_core.actions;
-    actions.addGesture(ActionGroup::InView, tr("hold Space"), tr("palpate while it is held"));
+    actions.addGesture(ActionGroup::InView, tr("hold Space"), tr("palpate while the key is held"));
     actions.addGesture(ActionGroup::InView, tr("drag"), tr("camera: rotate · palpate: press and slide"));
-    actions.addGesture(ActionGroup::InView, tr("click"), tr("camera: select the structure (with Ctrl: one more)"));
+    actions.addGesture(ActionGroup::InView, tr("click"),
+                       tr("camera: select the structure (with Ctrl: add to the selection)"));
     actions.addGesture(ActionGroup::InView, tr("right drag"), tr("camera: zoom · palpate: rotate"));
     actions.addGesture(ActionGroup::InView, tr("middle drag"), tr("pan"));
     actions.addGesture(ActionGroup::InView, tr("wheel"),
                        tr("camera: zoom · palpate: depth in mm, or effort in N (with Ctrl: zoom)"));
     actions.addGesture(ActionGroup::InView, tr("double-click"), tr("centre the view on the point"));
     ui::ViewKeys::describe(actions);
-    connect(actions.add("let-go", ActionGroup::InView, tr("Let go"), tr("let go, then back to the camera"),
+    connect(actions.add("let-go", ActionGroup::InView, tr("Let go"), tr("lift the hand, then return to the camera"),
                         {QKeySequence(Qt::Key_Escape)}),
             &QAction::triggered, this, &TouchPart::letGoWanted);
 }

@@ -160,7 +160,7 @@ void MainWindow::makeMenus()
     m_actions.addSeparator(ActionGroup::View);
     m_actions.addSeparator(ActionGroup::File);
     connect(
-        m_actions.add("quit", ActionGroup::File, tr("Quit"), tr("End Palpate"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}),
+        m_actions.add("quit", ActionGroup::File, tr("Quit"), tr("Quit Palpate"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}),
         &QAction::triggered, this, &QWidget::close);
     QMenu* file = menuBar()->addMenu(tr("&File"));
     m_actions.fill(*file, ActionGroup::File);

@@ -116,7 +116,8 @@ void SceneChanges::greet(const ui::OpenedScene& scene)
     const QString told = notes == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(notes);
     m_core.notices.say(notes == 0 ? how : tr("%1  ·  %2 (F4 lists them)").arg(how, told), 60000);
     if (scene.isReopened) {
-        m_core.notices.say(tr("Read again with coordinates %1: tissue and findings are kept, undo starts anew.")
+        m_core.notices.say(tr("The meshes were read again with coordinates %1. Tissue and findings are kept; earlier "
+                              "changes cannot be undone.")
                                .arg(m_parts.coordinates.axesText()),
                            20000);
     }
