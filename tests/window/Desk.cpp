@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
 
+#include <palpate/ui/VtkViewport.h>
+
 #include <QAbstractScrollArea>
 #include <QAction>
 #include <QApplication>
@@ -62,11 +64,7 @@ void Desk::close()
 
 QAction& Desk::command(const char* id)
 {
-    QAction* action = m_window->commands().find(QLatin1String(id));
-    if (action == nullptr) {
-        qFatal("no command \"%s\"", id);
-    }
-    return *action;
+    return m_window->commands().at(id);
 }
 
 void Desk::press(Qt::Key key, Qt::KeyboardModifiers modifiers)

@@ -3,6 +3,8 @@
 
 #include "window/MainWindow.h"
 
+#include <palpate/ui/MessageBar.h>
+
 #include <QImage>
 #include <QPushButton>
 #include <QTemporaryDir>

@@ -11,7 +11,12 @@
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
 #include <palpate/ui/LumpMaps.h>
+#include <palpate/ui/MessageBar.h>
+#include <palpate/ui/PalpationController.h>
+#include <palpate/ui/Playback.h>
 #include <palpate/ui/RecordedTouch.h>
+#include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QFile>
 #include <QPushButton>
@@ -247,7 +252,8 @@ class BuriedLump : public QObject
                    {"mesh": "two/tumour.stl", "name": "tumour"}]})";
         open({folder() / "flat.palpate.json"});
         QVERIFY(message().isVisible());
-        QVERIFY2(message().text().contains(QStringLiteral("tumour lies in liver, but this scene has all in one layer")),
+        QVERIFY2(message().text().contains(
+                     QStringLiteral("tumour lies in liver, but all structures of this scene are in one layer")),
                  qPrintable(message().text()));
         const double flat_N = pressed(view::ViewFrom::Front);
         QVERIFY2(flat_N > 5.9 && flat_N < 6.1, qPrintable(QString::number(flat_N)));
@@ -274,7 +280,7 @@ class BuriedLump : public QObject
         open({folder() / "two/liver.stl", folder() / "two/liver.stl"});
         QVERIFY(message().isVisible());
         QCOMPARE(test::newest(message().text()), QStringLiteral("liver and liver are the same surface twice."));
-        QCOMPARE(action("Undo")->text(), QStringLiteral("Undo: Tissue by names")); // layers are unchanged
+        QCOMPARE(action("Undo")->text(), QStringLiteral("Undo: Tissue by name")); // layers are unchanged
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
-#include "window/Language.h"
+#include "shell/Language.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -151,7 +151,7 @@ class Catalogues : public QObject
         QTranslator translator;
         QVERIFY(translator.load(QStringLiteral("palpate_") + code, QStringLiteral(":/translations")));
         QCOMPARE(translator.language(), code);
-        QVERIFY(!translator.translate("MainWindow", "Session").isEmpty());
+        QVERIFY(!translator.translate("palpate::app::RecordingPart", "Session").isEmpty());
     }
 
     void isFinished_data() { addLanguages(); }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
-#include "window/Help.h"
-#include "shared/ProgramFolders.h"
 #include "TestRunner.h"
+#include "shared/ProgramFolders.h"
+#include "shell/Help.h"
 
 #include <palpate/session/Recording.h>
+#include <palpate/ui/Pieces.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAccessible>
 #include <QAction>

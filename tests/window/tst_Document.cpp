@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileLimits.h"
 #include "TestRunner.h"
-#include "window/SceneDocument.h"
+#include "scene/SceneDocument.h"
 
 #include <QDir>
 #include <QFile>

@@ -4,6 +4,9 @@
 
 #include <palpate/meshio/MeshFile.h>
 #include <palpate/ui/HintLine.h>
+#include <palpate/ui/PalpationController.h>
+#include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QApplication>
 #include <QComboBox>

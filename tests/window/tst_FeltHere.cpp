@@ -7,7 +7,10 @@
 #include <palpate/study/RecordedScene.h>
 #include <palpate/ui/FeltOverlay.h>
 #include <palpate/ui/FeltPanel.h>
+#include <palpate/ui/LumpMaps.h>
+#include <palpate/ui/StructurePanel.h>
 #include <palpate/ui/Theme.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QApplication>
 #include <QComboBox>

@@ -7,8 +7,11 @@
 #include <palpate/meshio/MeshFile.h>
 #include <palpate/study/FeltFile.h>
 #include <palpate/study/RecordedScene.h>
+#include <palpate/ui/FeltOverlay.h>
 #include <palpate/ui/FeltPanel.h>
 #include <palpate/ui/LumpMaps.h>
+#include <palpate/ui/MessageBar.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <cmath>
 #include <map>

@@ -4,6 +4,10 @@
 
 #include <palpate/session/Findings.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/ui/FindingsModel.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/RecordedTouch.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
 #include <QApplication>

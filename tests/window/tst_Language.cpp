@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
 #include "TestRunner.h"
-#include "window/Language.h"
+#include "shell/Language.h"
+
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>

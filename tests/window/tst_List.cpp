@@ -6,6 +6,14 @@
 
 #include <palpate/meshio/SceneFile.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/ui/MessageBar.h>
+#include <palpate/ui/PalpationController.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/RecordedTouch.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/StructurePanel.h>
+#include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
 #include <QApplication>
@@ -212,9 +220,10 @@ class List : public QObject
     {
         QVERIFY(m_desk->show());
         QVERIFY(m_desk->open({m_liver, m_vein}));
-        QCOMPARE(test::newest(message().text()),
-                 QStringLiteral(
-                     "2 structures got tissue by their names. 1 did not: felt as \u201CFirm organ\u201D, 0.5 N/mm."));
+        QCOMPARE(
+            test::newest(message().text()),
+            QStringLiteral("The tissue of 2 structures was chosen by their names. No preset matches the name of 1: "
+                           "\u201CFirm organ\u201D, 0.5 N/mm."));
         QVERIFY(!window().isWindowModified());
         const view::SceneView& view = window().viewport().view();
         QTRY_VERIFY(view.structure(1).touchable == nullptr);

@@ -2,6 +2,14 @@
 #include "Desk.h"
 #include "TestRunner.h"
 
+#include <palpate/ui/HintLine.h>
+#include <palpate/ui/Looks.h>
+#include <palpate/ui/Pieces.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/Theme.h>
+#include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/VtkViewport.h>
+
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests stiffness ratio and verdict of lumps: the window's model and the commands felt, replay and info agree to the
 // last digit.
-#include "shared/LumpLayout.h"
 #include "TestRunner.h"
+#include "shared/LumpLayout.h"
 
 #include "../support/Shapes.h"
 

@@ -6,6 +6,9 @@
 
 #include <palpate/meshio/MeshFile.h>
 #include <palpate/ui/MessageList.h>
+#include <palpate/ui/PalpationController.h>
+#include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QComboBox>
 #include <QLabel>

@@ -4,6 +4,9 @@
 
 #include <palpate/meshio/SceneFile.h>
 #include <palpate/study/FindingsFile.h>
+#include <palpate/ui/FindingsModel.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAbstractItemView>
 #include <QAction>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the dialog of measures on the phantom's recording.
 #include "TestRunner.h"
-#include "window/MeasuresDialog.h"
+#include "touch/MeasuresDialog.h"
 
 #include <QClipboard>
 #include <QFile>

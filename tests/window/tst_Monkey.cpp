@@ -3,6 +3,8 @@
 #include "ResidentMemory.h"
 #include "TestRunner.h"
 
+#include <palpate/ui/VtkViewport.h>
+
 #include <QAction>
 #include <QApplication>
 #include <QDialog>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Shapes.h"
-#include "window/CoordinatesChoice.h"
 #include "Desk.h"
 #include "TestRunner.h"
+#include "scene/CoordinatesChoice.h"
 
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/MessageList.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
 #include <QApplication>
@@ -207,7 +209,7 @@ class OpenedFiles : public QObject
         QVERIFY(view().bounds().min() == Vec3(-30, -40, -20) && view().bounds().max() == Vec3(20, 20, 50));
         QCOMPARE(coordinates().button().text(), QStringLiteral("RAS"));
         QCOMPARE(view().cube().left(), std::string("L"));
-        QVERIFY2(told().contains("Read again with coordinates RAS"), qPrintable(told()));
+        QVERIFY2(told().contains("The meshes were read again with coordinates RAS"), qPrintable(told()));
         QVERIFY(m_desk->window().isWindowModified());
         answer("save", {});
         QVERIFY(!m_desk->window().isWindowModified());

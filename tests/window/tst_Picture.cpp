@@ -3,8 +3,12 @@
 #include "TestRunner.h"
 
 #include <palpate/meshio/LoadScene.h>
+#include <palpate/ui/PalpationController.h>
 #include <palpate/ui/PointedStructure.h>
+#include <palpate/ui/StructurePanel.h>
+#include <palpate/ui/TouchPanel.h>
 #include <palpate/ui/TouchSound.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QLabel>
 

@@ -3,8 +3,15 @@
 #include "TestRunner.h"
 
 #include <palpate/ui/EngineeringPanel.h>
+#include <palpate/ui/MessageBar.h>
 #include <palpate/ui/PanelScroll.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/SessionPanel.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/StructurePanel.h>
 #include <palpate/ui/TouchChart.h>
+#include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

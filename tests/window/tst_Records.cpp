@@ -5,7 +5,12 @@
 #include <palpate/session/Findings.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/RecordingWriter.h>
+#include <palpate/ui/MessageBar.h>
 #include <palpate/ui/Pieces.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/Theme.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
 #include <QApplication>
@@ -200,7 +205,7 @@ class Records : public QObject
         QVERIFY(chip()->text().startsWith(QStringLiteral("recording failed")));
         m_desk->pressKeyOf("fit");
         QTRY_VERIFY(chip()->text().isEmpty());
-        QCOMPARE(test::answerOf(message())->text(), QStringLiteral("Open what was recorded"));
+        QCOMPARE(test::answerOf(message())->text(), QStringLiteral("Open the recording"));
         test::answerOf(message())->click();
         QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
         QVERIFY2(message().text().contains(QStringLiteral("Later palpation was not recorded")),

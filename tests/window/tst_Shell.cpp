@@ -2,7 +2,15 @@
 #include "Desk.h"
 #include "TestRunner.h"
 
+#include <palpate/ui/ChipRow.h>
+#include <palpate/ui/EngineeringPanel.h>
+#include <palpate/ui/MessageBar.h>
 #include <palpate/ui/MessageList.h>
+#include <palpate/ui/Pieces.h>
+#include <palpate/ui/SessionPanel.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/StructurePanel.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAccessible>
 #include <QAction>

@@ -2,7 +2,9 @@
 #include "Desk.h"
 #include "TestRunner.h"
 
+#include <palpate/ui/StructurePanel.h>
 #include <palpate/ui/Tour.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
 #include <QApplication>

@@ -3,7 +3,7 @@
 
 #include "shared/Console.h"
 #include "shared/Devices.h"
-#include "window/Language.h"
+#include "shell/Language.h"
 #include "window/MainWindow.h"
 
 #include <palpate/core/AtomicFile.h>

@@ -6,6 +6,8 @@
 #include <QStringList>
 #include <QWidget>
 
+#include <algorithm>
+
 namespace palpate::ui {
 
 namespace {
@@ -90,6 +92,22 @@ QAction* ActionList::find(const QString& id) const
     return nullptr;
 }
 
+QAction& ActionList::at(const char* id) const
+{
+    QAction* action = find(QLatin1String(id));
+    if (action == nullptr) {
+        qFatal("no command \"%s\"", id);
+    }
+    return *action;
+}
+
+void ActionList::setEnabled(std::initializer_list<const char*> ids, bool areEnabled) const
+{
+    for (const char* id : ids) {
+        at(id).setEnabled(areEnabled);
+    }
+}
+
 std::vector<QAction*> ActionList::all() const
 {
     std::vector<QAction*> actions;
@@ -126,6 +144,8 @@ std::vector<ActionList::KeyLine> ActionList::keyLines() const
             lines.push_back({entry.group, keys.join(QStringLiteral("  ")), entry.does});
         }
     }
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const KeyLine& first, const KeyLine& second) { return first.group < second.group; });
     return lines;
 }
 

@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QString>
 
+#include <initializer_list>
 #include <vector>
 
 class QAction;
@@ -16,7 +17,7 @@ class QWidget;
 
 namespace palpate::ui {
 
-/// Menu of a command and its section on the key card.
+/// Menu of a command and its section on the key card, in the order of the key card.
 enum class ActionGroup
 {
     File,
@@ -24,11 +25,11 @@ enum class ActionGroup
     View,
     Appearance, ///< submenu of View
     TextSize,   ///< submenu of View
+    InView,     ///< pointer and key gestures in the 3D view
+    InList,     ///< keys in the structure list
     Session,
     Device,
-    Help,
-    InView, ///< pointer and key gestures in the 3D view
-    InList  ///< keys in the structure list
+    Help
 };
 
 /// Registry of all commands of a window. Menus, tool bar, key card and tests read this list. Shortcuts also work while
@@ -39,9 +40,11 @@ enum class ActionGroup
 /// @par Example
 /// @code
 /// auto* actions = new ActionList(window);
-/// QAction* open = actions->add("open", ActionGroup::File, tr("Open…"), tr("Open a mesh"),
-///                             {QKeySequence(Qt::CTRL | Qt::Key_O)});
+/// connect(actions->add("open", ActionGroup::File, tr("Open…"), tr("Open a mesh"),
+///                      {QKeySequence(Qt::CTRL | Qt::Key_O)}),
+///         &QAction::triggered, this, &Files::choose);
 /// actions->fill(*window->menuBar()->addMenu(tr("File")), ActionGroup::File);
+/// actions->at("open").setEnabled(false);
 /// @endcode
 class ActionList : public QObject
 {
@@ -77,11 +80,16 @@ class ActionList : public QObject
 
     /// Finds a command by its id, or returns nullptr.
     [[nodiscard]] QAction* find(const QString& id) const;
+    /// Returns a command by its id; an unknown id ends the program.
+    [[nodiscard]] QAction& at(const char* id) const;
+    /// Enables or disables commands. @param ids  known ids
+    void setEnabled(std::initializer_list<const char*> ids, bool areEnabled) const;
     /// All commands in the order of registration.
     [[nodiscard]] std::vector<QAction*> all() const;
     /// Adds a group's commands and separators to a menu.
     void fill(QMenu& menu, ActionGroup group) const;
-    /// Content of the key card: gestures and every command with a shortcut.
+    /// Content of the key card: gestures and every command with a shortcut, by group, each in the order of
+    /// registration.
     [[nodiscard]] std::vector<KeyLine> keyLines() const;
 
   private:

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/SceneFiles.h"
+
+#include "scene/DocumentPart.h"
+#include "shared/Paths.h"
+#include "shared/ProgramFolders.h"
+#include "shell/Notices.h"
+#include "shell/StatusProgress.h"
+
+#include <palpate/meshio/MeshFormats.h>
+#include <palpate/session/RecordingReader.h>
+#include <palpate/study/RecordedScene.h>
+#include <palpate/ui/ActionList.h>
+#include <palpate/ui/Pieces.h>
+
+#include <QAction>
+#include <QFileDialog>
+#include <QLocale>
+#include <QMainWindow>
+#include <QSettings>
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate::app {
+
+using ui::ActionGroup;
+
+namespace {
+
+constexpr auto kFolderKey = "folder";
+
+bool isRecording(const std::filesystem::path& file)
+{
+    return session::isRecordingFile(file);
+}
+
+QString lastFolder()
+{
+    return QSettings().value(QLatin1String(kFolderKey)).toString();
+}
+
+/// Files chosen in a dialog; their folder is kept for the next dialog.
+std::vector<std::filesystem::path> chosenFiles(const QStringList& chosen)
+{
+    std::vector<std::filesystem::path> files;
+    for (const QString& file : chosen) {
+        files.push_back(toPath(file));
+    }
+    if (!files.empty()) {
+        QSettings().setValue(QLatin1String(kFolderKey), toText(files.front().parent_path()));
+    }
+    return files;
+}
+
+} // namespace
+
+SceneFiles::SceneFiles(const WindowCore& core, DocumentPart& document, StatusProgress& progress,
+                       ui::WelcomePage& welcome)
+    : WindowPart(&core.window)
+    , m_core(core)
+    , m_document(document)
+    , m_progress(progress)
+{
+    m_loader.setReader([](const auto& path, const auto& options) { return study::openScene(path, options); });
+    connect(&document, &DocumentPart::openWanted, this, [this](const std::filesystem::path& file) { open({file}); });
+    connect(&welcome, &ui::WelcomePage::openWanted, this, &SceneFiles::choose);
+    connect(&welcome, &ui::WelcomePage::recentWanted, this, [this](const QString& path) { open({toPath(path)}); });
+    connect(&welcome, &ui::WelcomePage::phantomWanted, this, &SceneFiles::openPhantom);
+    connectLoader();
+}
+
+void SceneFiles::connectLoader()
+{
+    connect(&m_progress, &StatusProgress::cancelled, &m_loader, &ui::SceneLoader::cancel);
+    connect(&m_loader, &ui::SceneLoader::progressed, &m_progress, &StatusProgress::show);
+    connect(&m_loader, &ui::SceneLoader::sizeKnown, this, &SceneFiles::offerReadingAsMetres);
+    connect(&m_loader, &ui::SceneLoader::opened, &m_progress, &StatusProgress::end);
+    connect(&m_loader, &ui::SceneLoader::failed, this, &SceneFiles::takeFailure);
+    connect(&m_loader, &ui::SceneLoader::cancelled, this, [this] {
+        m_progress.end();
+        m_waitingRecording.reset();
+        m_core.notices.say(tr("Opening was cancelled."));
+    });
+}
+
+void SceneFiles::addActions()
+{
+    ui::ActionList& actions = m_core.actions;
+    connect(actions.add("open", ActionGroup::File, tr("Open…"), tr("Open meshes, a scene or a recording"),
+                        {QKeySequence(Qt::CTRL | Qt::Key_O)}, ui::Symbol::Open),
+            &QAction::triggered, this, &SceneFiles::choose);
+    connect(actions.add("add", ActionGroup::File, tr("Add to the scene…"),
+                        tr("Add meshes or a scene to the open scene"),
+                        {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)}),
+            &QAction::triggered, this, &SceneFiles::chooseAdded);
+    connect(actions.add("close", ActionGroup::File, tr("Close the scene"), tr("Close the open scene"),
+                        {QKeySequence(Qt::CTRL | Qt::Key_W)}),
+            &QAction::triggered, this, &SceneFiles::closeWanted);
+}
+
+void SceneFiles::showState(const WindowState& state)
+{
+    m_core.actions.setEnabled({"add", "close"}, state.hasScene);
+}
+
+void SceneFiles::open(const std::vector<std::filesystem::path>& files, double unit_mm, core::FileFrame frame)
+{
+    std::vector<std::filesystem::path> meshes;
+    std::optional<std::filesystem::path> recording;
+    for (const std::filesystem::path& file : files) {
+        if (isRecording(file)) {
+            recording = file;
+        } else {
+            meshes.push_back(file);
+        }
+    }
+    if (meshes.empty() && recording && m_core.model.rowCount() == 0) {
+        meshes.push_back(*recording); // a recording alone: also opens its scene, see study::sceneOfRecording
+    }
+    if (!meshes.empty() && !m_document.confirmDiscard()) {
+        return;
+    }
+    m_core.notices.bar().forgetScene();
+    if (meshes.empty()) {
+        if (recording) {
+            Q_EMIT recordingWanted(*recording);
+        }
+        return;
+    }
+    m_waitingRecording = recording;
+    m_unit_mm = unit_mm;
+    m_opening = meshes;
+    m_openingFrame = frame;
+    m_loader.open(meshes, unit_mm, frame);
+}
+
+void SceneFiles::add(const std::vector<std::filesystem::path>& files)
+{
+    std::vector<std::filesystem::path> meshes;
+    for (const std::filesystem::path& file : files) {
+        if (isRecording(file)) {
+            Q_EMIT recordingWanted(file);
+        } else {
+            meshes.push_back(file);
+        }
+    }
+    if (m_core.model.rowCount() == 0) {
+        open(files);
+        return;
+    }
+    std::vector<ui::OpenSurface> there;
+    for (const ui::StructureRow& row : m_core.model.rows()) {
+        there.push_back(row.isRemoved ? ui::OpenSurface() : ui::OpenSurface{row.loaded.surface, row.touch});
+    }
+    if (!meshes.empty()) {
+        m_loader.add(std::move(meshes), m_unit_mm, std::move(there));
+    }
+}
+
+void SceneFiles::drop(const std::vector<std::filesystem::path>& files)
+{
+    if (m_core.model.rowCount() == 0 || std::all_of(files.begin(), files.end(), isRecording)) {
+        open(files);
+        return;
+    }
+    const QString what = files.size() == 1 ? toText(files.front().filename()) : tr("%1 files").arg(files.size());
+    m_core.notices.bar().ask(
+        tr("Add %1 to the open scene?").arg(what), tr("Add"), [this, files] { add(files); }, tr("Open instead"),
+        [this, files] { open(files); });
+}
+
+void SceneFiles::reopen(meshio::SceneFile scene)
+{
+    m_waitingRecording.reset();
+    m_loader.reopen(std::move(scene), m_document.files());
+}
+
+void SceneFiles::forget()
+{
+    m_loader.cancel();
+    m_unit_mm = 1.0;
+}
+
+void SceneFiles::openWaitingRecording()
+{
+    if (const auto recording = std::exchange(m_waitingRecording, std::nullopt)) {
+        Q_EMIT recordingWanted(*recording);
+    }
+}
+
+void SceneFiles::openPhantom()
+{
+    if (const auto folder = phantomFolder()) {
+        open({*folder / "phantom.palpate.json", *folder / "palpation.palpate"});
+        return;
+    }
+    const QString line = tr("The phantom was not found next to the program.");
+    m_core.notices.showError(line);
+    Q_EMIT openFailed(line);
+}
+
+void SceneFiles::takeFailure(const QString& line)
+{
+    m_progress.end();
+    m_core.notices.showError(line);
+    if (m_waitingRecording && m_core.model.rowCount() == 0) {
+        openWaitingRecording(); // playback works without the scene of the recording
+    } else {
+        m_waitingRecording.reset();
+        Q_EMIT openFailed(line);
+    }
+}
+
+/// Called as soon as the meshes are read, while they are being indexed.
+void SceneFiles::offerReadingAsMetres(double size_mm)
+{
+    // No organ is smaller; some libraries write metres to formats that cannot store a unit.
+    constexpr double kSmallest_mm = 3.0;
+    if (m_unit_mm != 1.0 || size_mm >= kSmallest_mm ||
+        std::any_of(m_opening.begin(), m_opening.end(),
+                    [](const std::filesystem::path& file) { return meshio::isSceneFile(file) || isRecording(file); })) {
+        return;
+    }
+    m_core.notices.bar().offer(tr("This anatomy is only %1 mm across. Its coordinates are probably in metres.")
+                                   .arg(QLocale().toString(size_mm, 'g', 2)),
+                               tr("Read as metres"),
+                               [this, files = m_opening, frame = m_openingFrame] { open(files, 1000.0, frame); });
+}
+
+void SceneFiles::choose()
+{
+    QString endings = QStringLiteral("*.json *.palpate");
+    for (const std::string& extension : meshio::meshExtensions()) {
+        endings += QStringLiteral(" *") + QString::fromStdString(extension);
+    }
+    const auto files = chosenFiles(
+        QFileDialog::getOpenFileNames(&m_core.window, tr("Open anatomy"), lastFolder(),
+                                      tr("Anatomy, scenes and recordings (%1);;All files (*)").arg(endings)));
+    if (!files.empty()) {
+        open(files);
+    }
+}
+
+void SceneFiles::chooseAdded()
+{
+    const auto files = chosenFiles(QFileDialog::getOpenFileNames(&m_core.window, tr("Add to the scene"), lastFolder()));
+    if (!files.empty()) {
+        add(files);
+    }
+}
+
+} // namespace palpate::app
+
+#include "moc_SceneFiles.cpp"

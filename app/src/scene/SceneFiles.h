@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "shell/WindowPart.h"
+
+#include <palpate/ui/SceneLoader.h>
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace palpate::ui {
+class WelcomePage;
+}
+
+namespace palpate::app {
+
+class DocumentPart;
+class StatusProgress;
+
+/// Opening of files: dialogs, dropped files, welcome page, progress. The loaded scene arrives as `SceneLoader::opened`.
+class SceneFiles : public WindowPart
+{
+    Q_OBJECT
+  public:
+    /// The references must outlive this part.
+    SceneFiles(const WindowCore& core, DocumentPart& document, StatusProgress& progress, ui::WelcomePage& welcome);
+    void addActions() override;
+    void showState(const WindowState& state) override;
+
+    [[nodiscard]] ui::SceneLoader& loader() noexcept { return m_loader; }
+    /// Opens meshes and scenes as one scene, and the last recording among the files for playback in that scene.
+    /// @param frame  axes of mesh files, overriding their tags; Untagged: as tagged
+    void open(const std::vector<std::filesystem::path>& files, double unit_mm = 1.0,
+              core::FileFrame frame = core::FileFrame::Untagged);
+    /// Adds files to the open scene; a recording among them is opened for playback.
+    void add(const std::vector<std::filesystem::path>& files);
+    /// Opens files that were dropped on the window, or asks whether to add them to the open scene.
+    void drop(const std::vector<std::filesystem::path>& files);
+    /// Reads the meshes of the open scene again. @param scene  the scene with other axes
+    void reopen(meshio::SceneFile scene);
+    /// Cancels opening and forgets the unit of the closed scene.
+    void forget();
+    /// True while a recording waits for its scene.
+    [[nodiscard]] bool hasWaitingRecording() const noexcept { return m_waitingRecording.has_value(); }
+    /// Opens the recording that waited for its scene, if any.
+    void openWaitingRecording();
+
+  Q_SIGNALS:
+    /// The user wants to close the scene.
+    void closeWanted();
+    /// A recording is to be opened for playback.
+    void recordingWanted(const std::filesystem::path& path);
+    /// Nothing was opened. @param line  the reason, already shown
+    void openFailed(const QString& line);
+
+  private:
+    void connectLoader();
+    void choose();
+    void chooseAdded();
+    void openPhantom();
+    void takeFailure(const QString& line);
+    void offerReadingAsMetres(double size_mm);
+
+    WindowCore m_core;
+    DocumentPart& m_document;
+    StatusProgress& m_progress;
+    ui::SceneLoader m_loader;
+    double m_unit_mm = 1.0;                                     ///< with which the files were read
+    std::vector<std::filesystem::path> m_opening;               ///< meshes of the latest request
+    core::FileFrame m_openingFrame = core::FileFrame::Untagged; ///< axes chosen for these meshes
+    std::optional<std::filesystem::path> m_waitingRecording;    ///< opened once its scene is open
+};
+
+} // namespace palpate::app

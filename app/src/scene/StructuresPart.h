@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "shell/WindowPart.h"
+
+namespace palpate::ui {
+class MapDisplay;
+class PointedStructure;
+class StructurePanel;
+} // namespace palpate::ui
+
+namespace palpate::app {
+
+/// List of the structures and the editor of the selection; selection and names in the view.
+class StructuresPart : public WindowPart
+{
+    Q_OBJECT
+  public:
+    explicit StructuresPart(const WindowCore& core);
+    ~StructuresPart() override;
+    void addActions() override;
+    void addPanel(Docks& docks) override;
+    void showState(const WindowState& state) override;
+
+    [[nodiscard]] ui::StructurePanel& panel() noexcept { return *m_panel; }
+    [[nodiscard]] ui::MapDisplay& maps() noexcept { return *m_maps; }
+    [[nodiscard]] ui::PointedStructure& pointed() noexcept { return *m_pointed; }
+    /// Takes the stable limit of the device, after a change of the device or its limit.
+    void takeLimit();
+
+  private:
+    void connectMapWarnings();
+
+    WindowCore m_core;
+    ui::StructurePanel* m_panel = nullptr;
+    ui::MapDisplay* m_maps = nullptr;
+    ui::PointedStructure* m_pointed = nullptr;
+};
+
+} // namespace palpate::app

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace palpate::study {
+struct Layering;
+}
+
+namespace palpate::ui {
+class MessageBar;
+class StructureModel;
+} // namespace palpate::ui
+
+namespace palpate::app {
+
+/// Applies tissue presets by name to structures from row `first` on, as one undo step, and offers to undo.
+void applyTissueByName(ui::StructureModel& model, ui::MessageBar& bar, const study::Layering& layering, int first);
+
+} // namespace palpate::app

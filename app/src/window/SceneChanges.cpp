@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "window/SceneChanges.h"
+
+#include "scene/CoordinatesPart.h"
+#include "scene/DocumentPart.h"
+#include "scene/LayerOffers.h"
+#include "scene/SceneFiles.h"
+#include "scene/SceneSurfaces.h"
+#include "scene/StructuresPart.h"
+#include "scene/TissueOffer.h"
+#include "shell/Notices.h"
+#include "touch/DevicePart.h"
+#include "touch/RecordingPart.h"
+#include "touch/TouchPart.h"
+
+#include <palpate/ui/ActionList.h>
+#include <palpate/ui/EngineTexts.h>
+#include <palpate/ui/LiveTouch.h>
+#include <palpate/ui/PalpationController.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/StructurePanel.h>
+#include <palpate/ui/VtkViewport.h>
+
+#include <QAction>
+#include <QMainWindow>
+#include <QUndoStack>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace palpate::app {
+
+namespace {
+
+void setSceneCamera(view::SceneView& view, const std::optional<meshio::SceneCamera>& from)
+{
+    if (!from) {
+        view.look(view::ViewFrom::Oblique);
+        return;
+    }
+    view.camera().SetPosition(from->position_W.x(), from->position_W.y(), from->position_W.z());
+    view.camera().SetFocalPoint(from->focus_W.x(), from->focus_W.y(), from->focus_W.z());
+    view.camera().SetViewUp(from->up_W.x(), from->up_W.y(), from->up_W.z());
+    view.camera().SetViewAngle(from->viewAngle_deg);
+}
+
+} // namespace
+
+SceneChanges::SceneChanges(const WindowCore& core, const Parts& parts)
+    : QObject(&core.window)
+    , m_core(core)
+    , m_parts(parts)
+{
+    connect(&parts.files.loader(), &ui::SceneLoader::opened, this, &SceneChanges::take);
+    connect(&parts.files, &SceneFiles::closeWanted, this, &SceneChanges::close);
+}
+
+void SceneChanges::take(const std::shared_ptr<ui::OpenedScene>& scene)
+{
+    if (scene->addedTo > 0) {
+        add(*scene);
+    } else if (scene->isReopened && m_parts.coordinates.isEditedSince()) {
+        // Edits during reading are missing: read again.
+        m_parts.coordinates.readAs(scene->rows.front().loaded.description.frame);
+    } else {
+        replace(*scene);
+    }
+}
+
+void SceneChanges::replace(ui::OpenedScene& scene)
+{
+    m_parts.recording.playback().setRecording(nullptr);
+    m_parts.document.setFiles(scene.files);
+    m_parts.surfaces.draw(scene.rows);
+    m_core.model.setRows(std::move(scene.rows), scene.scene.buried);
+    m_parts.document.document().take(scene);
+    show(scene);
+    m_parts.document.takeFiles();
+    greet(scene);
+    Q_EMIT stateChanged();
+    arrange(scene);
+    showProblems(scene);
+    m_parts.surfaces.offerRepairs();
+    m_parts.files.openWaitingRecording();
+    if (!scene.isReopened) {
+        m_parts.recording.takeFingertip();
+    }
+    Q_EMIT ready();
+}
+
+/// Shows the new scene in view and panels and starts the touch.
+void SceneChanges::show(const ui::OpenedScene& scene)
+{
+    Q_EMIT viewChanged(true);
+    view::SceneView& view = m_core.viewport.view();
+    setSceneCamera(view, scene.scene.camera);
+    m_parts.touch.palpation().setSceneSize(view.bounds().diagonal().norm());
+    if (const core::Status started = m_core.live.start(); !started.isOk()) {
+        m_core.notices.showError(ui::engineText(started));
+    }
+    ui::StructurePanel& panel = m_parts.structures.panel();
+    panel.select(0);
+    if (const auto& shown = scene.scene.shownMap) {
+        panel.colourBy(*shown);
+    }
+    m_core.viewport.setFocus();
+    m_core.viewport.update();
+}
+
+/// Shows how to touch and the number of notes on the files in the status line.
+void SceneChanges::greet(const ui::OpenedScene& scene)
+{
+    const QString how = m_parts.device.howToTouch();
+    const int notes = listNotes(scene);
+    const QString told = notes == 1 ? tr("1 note on these files") : tr("%1 notes on these files").arg(notes);
+    m_core.notices.say(notes == 0 ? how : tr("%1  ·  %2 (F4 lists them)").arg(how, told), 60000);
+    if (scene.isReopened) {
+        m_core.notices.say(tr("The meshes were read again with coordinates %1. Tissue and findings are kept; earlier "
+                              "changes cannot be undone.")
+                               .arg(m_parts.coordinates.axesText()),
+                           20000);
+    }
+}
+
+/// Gives a new scene tissue and layers where the files have none.
+void SceneChanges::arrange(const ui::OpenedScene& scene)
+{
+    if (scene.isReopened) {
+        return;
+    }
+    const bool hasRecording = m_parts.files.hasWaitingRecording();
+    if (scene.areMeshes() && !hasRecording) {
+        applyTissueByName(m_core.model, m_core.notices.bar(), scene.layering, 0);
+        m_core.model.undoStack().setClean(); // automatic changes do not make the document modified
+    }
+    m_parts.layers.layOut(scene, hasRecording);
+}
+
+void SceneChanges::showProblems(const ui::OpenedScene& scene)
+{
+    if (!scene.problems.isEmpty()) {
+        m_core.notices.showError(scene.problems.join(QLatin1Char('\n')));
+    }
+}
+
+/// Adds notes from opening to the list of messages. @return the number of notes
+int SceneChanges::listNotes(const ui::OpenedScene& scene)
+{
+    const ui::StructureModel& model = m_core.model;
+    m_core.notices.warn(scene.warnings);
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const QStringList details = model.findings(row);
+        if (!details.isEmpty()) {
+            m_core.notices.warn(
+                {tr("%1: %2 (%3)")
+                     .arg(ui::readableName(model.structure(row).name), model.defects(row).join(QStringLiteral("; ")),
+                          details.join(QStringLiteral("; ")))});
+        }
+    }
+    return static_cast<int>(scene.warnings.size());
+}
+
+void SceneChanges::add(ui::OpenedScene& scene)
+{
+    const int first = m_core.model.rowCount();
+    const auto count = scene.rows.size();
+    m_parts.surfaces.drawAdded(scene.rows);
+    addRows(scene, first);
+    m_parts.structures.panel().select(first);
+    m_core.notices.say(count == 1
+                           ? tr("%1 was added to the scene.").arg(ui::readableName(m_core.model.structure(first).name))
+                           : tr("%1 structures were added to the scene.").arg(count));
+    showProblems(scene);
+    m_parts.surfaces.offerRepairs();
+    m_core.viewport.update();
+    Q_EMIT stateChanged();
+    Q_EMIT ready();
+}
+
+/// Adds structures, findings, tissue and layers as one undo step.
+void SceneChanges::addRows(ui::OpenedScene& scene, int first)
+{
+    ui::StructureModel& model = m_core.model;
+    const QString text = scene.rows.size() == 1
+                             ? tr("Add %1").arg(ui::readableName(scene.rows.front().loaded.description.name))
+                             : tr("Add %1 structures").arg(scene.rows.size());
+    std::vector<std::optional<int>> in;
+    for (const study::Layering::Structure& one : scene.layering.structures) {
+        in.push_back(one.in ? std::optional(static_cast<int>(*one.in)) : std::nullopt);
+    }
+    model.undoStack().beginMacro(text);
+    model.addRows(std::move(scene.rows), text);
+    model.setNesting(in);
+    if (scene.areMeshes()) {
+        applyTissueByName(model, m_core.notices.bar(), scene.layering, first);
+    }
+    SceneDocument& document = m_parts.document.document();
+    document.add(scene);
+    m_parts.layers.layOutAdded(scene, document.file().empty());
+    model.undoStack().endMacro();
+}
+
+/// Closes the scene and shows the welcome page.
+void SceneChanges::close()
+{
+    if (!m_parts.document.confirmDiscard()) {
+        return;
+    }
+    if (m_parts.recording.isRecording()) {
+        m_parts.recording.toggle();
+    }
+    m_parts.files.forget();
+    m_core.actions.at("palpate").setChecked(false);
+    m_parts.recording.playback().setRecording(nullptr);
+    m_core.live.stop();
+    m_core.notices.bar().forgetScene();
+    m_core.viewport.view().setStructures({});
+    m_core.model.setRows({});
+    m_parts.document.document().take({});
+    m_parts.document.setFiles({});
+    Q_EMIT viewChanged(false);
+    m_parts.document.showTitle();
+    Q_EMIT stateChanged();
+}
+
+} // namespace palpate::app
+
+#include "moc_SceneChanges.cpp"

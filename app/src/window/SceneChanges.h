@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "shell/WindowPart.h"
+
+#include <palpate/ui/SceneLoader.h>
+
+#include <memory>
+
+namespace palpate::app {
+
+class CoordinatesPart;
+class DevicePart;
+class DocumentPart;
+class LayerOffers;
+class RecordingPart;
+class SceneFiles;
+class SceneSurfaces;
+class StructuresPart;
+class TouchPart;
+
+/// Puts loaded scenes into the window: replaces the open scene, adds to it, and closes it.
+class SceneChanges : public QObject
+{
+    Q_OBJECT
+  public:
+    /// Parts of the window; all must outlive this object.
+    struct Parts
+    {
+        DocumentPart& document;
+        SceneFiles& files;
+        CoordinatesPart& coordinates;
+        SceneSurfaces& surfaces;
+        LayerOffers& layers;
+        StructuresPart& structures;
+        TouchPart& touch;
+        RecordingPart& recording;
+        DevicePart& device;
+    };
+    SceneChanges(const WindowCore& core, const Parts& parts);
+
+  Q_SIGNALS:
+    /// The view has a scene, or nothing to show any more.
+    void viewChanged(bool hasScene);
+    void stateChanged();
+    /// The new or extended scene is open and drawn.
+    void ready();
+
+  private:
+    void take(const std::shared_ptr<ui::OpenedScene>& scene);
+    void replace(ui::OpenedScene& scene);
+    void show(const ui::OpenedScene& scene);
+    void arrange(const ui::OpenedScene& scene);
+    void greet(const ui::OpenedScene& scene);
+    void add(ui::OpenedScene& scene);
+    void addRows(ui::OpenedScene& scene, int first);
+    void close();
+    void showProblems(const ui::OpenedScene& scene);
+    [[nodiscard]] int listNotes(const ui::OpenedScene& scene);
+
+    WindowCore m_core;
+    Parts m_parts;
+};
+
+} // namespace palpate::app
