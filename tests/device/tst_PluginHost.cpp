@@ -54,7 +54,7 @@ class PluginHost : public QObject
     void versionStandsForTheLayouts()
     {
         QCOMPARE(PALPATE_DEVICE_PLUGIN_IID, qPrintable(QStringLiteral("palpate.DevicePlugin/2")));
-        QCOMPARE(device::kDeviceApiVersion, 2);
+        QCOMPARE(device::kDeviceApiVersion, 3);
         if (sizeof(void*) != 8 || sizeof(std::string) != 32) {
             QSKIP("the sizes below are those of 64 bits and libstdc++");
         }
@@ -81,7 +81,7 @@ class PluginHost : public QObject
                     std::string::npos);
             QCOMPARE(all.make(older).status().message(), problemOf(all, older));
         }
-        QVERIFY(problemOf(all, "unsure").find("found apiVersion 1 in its metadata, expected 2") != std::string::npos);
+        QVERIFY(problemOf(all, "unsure").find("found apiVersion 1 in its metadata, expected 3") != std::string::npos);
         QVERIFY(problemOf(all, "mouse").find("built-in") != std::string::npos);
         QVERIFY(problemOf(all, "text").find("not a Qt plugin") != std::string::npos);
         QVERIFY(!problemOf(all, "cut").empty());

@@ -14,6 +14,14 @@ said=$("$work/consumer/consumer")
 echo "$said"
 # 2 mm into a triangle of 0.5 N/mm.
 [ "$said" = "force 0 0 1 N" ]
+# Layouts do not depend on the caller's flags.
+"$work/consumer/layout" | tee "$work/layout.txt"
+[[ $(tail -n 1 "$work/layout.txt") == "translation 1 2 3" ]]
+if grep -q -w avx /proc/cpuinfo; then
+    "$work/consumer/layout_avx" | diff "$work/layout.txt" -
+else
+    echo "this processor has no AVX: the caller with AVX was built, not run"
+fi
 # The programs find each other where they are installed.
 program=$work/prefix/bin/palpate
 [ ! -x "$program" ] || [[ $("$program" evaluate --help) == *--quick* ]]

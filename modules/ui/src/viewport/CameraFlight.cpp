@@ -19,7 +19,7 @@ namespace {
 
 /// Rotation by a fraction of the angle from `from` to `to` (unit vectors). Opposite vectors have no unique axis; `up`
 /// is used, so that a flight from front to back passes the patient's side.
-Eigen::Quaterniond partOfTurn(const Vec3& from, const Vec3& to, const Vec3& up, double share)
+core::Quaternion partOfTurn(const Vec3& from, const Vec3& to, const Vec3& up, double share)
 {
     constexpr double kOpposite_rad = 1e-6; // below this, rounding errors would determine the axis
     Vec3 axis = from.cross(to);
@@ -27,7 +27,7 @@ Eigen::Quaterniond partOfTurn(const Vec3& from, const Vec3& to, const Vec3& up, 
     if (axis.norm() < kOpposite_rad) {
         axis = up - up.dot(from) * from;
     }
-    return Eigen::Quaterniond(Eigen::AngleAxisd(share * angle_rad, axis.normalized()));
+    return core::Quaternion(Eigen::AngleAxisd(share * angle_rad, axis.normalized()));
 }
 
 } // namespace

@@ -17,7 +17,7 @@ namespace palpate::device {
 /// field or virtual function, because older plugins would misread the data. The compiler embeds the version in each
 /// plugin (PALPATE_DEVICE_PLUGIN_IID) and the author states the version in the metadata; a plugin with a different
 /// version is rejected before its code is loaded.
-inline constexpr int kDeviceApiVersion = 2;
+inline constexpr int kDeviceApiVersion = 3;
 
 /// Services of the host program for a plugin; they outlive all objects of the plugin.
 struct PluginServices
