@@ -10,6 +10,7 @@
 #include <palpate/ui/HandControl.h>
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/Translated.h>
 
 #include <QAction>
 #include <QDockWidget>
