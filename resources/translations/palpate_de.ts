@@ -20,24 +20,12 @@
         <translation>Koordinaten: LPS</translation>
     </message>
     <message>
-        <source>The files count to the patient&apos;s left, back and head, as DICOM does</source>
-        <translation>Die Dateien zählen nach links, hinten und kopfwärts des Patienten, wie DICOM</translation>
-    </message>
-    <message>
         <source>Coordinates: RAS</source>
         <translation>Koordinaten: RAS</translation>
     </message>
     <message>
-        <source>The files count to the patient&apos;s right, front and head, as older models of 3D Slicer do</source>
-        <translation>Die Dateien zählen nach rechts, vorn und kopfwärts des Patienten, wie ältere Modelle von 3D Slicer</translation>
-    </message>
-    <message>
         <source>Coordinates: Y up</source>
         <translation>Koordinaten: Y oben</translation>
-    </message>
-    <message>
-        <source>The files count to the patient&apos;s left, head and front, as modelling programs do</source>
-        <translation>Die Dateien zählen nach links, kopfwärts und nach vorn, wie Modellierprogramme</translation>
     </message>
     <message>
         <source> and </source>
@@ -48,20 +36,32 @@
         <translation>%1 angenommen</translation>
     </message>
     <message>
-        <source>The files&apos; coordinates are %1.</source>
-        <translation>Die Koordinaten der Dateien sind %1.</translation>
-    </message>
-    <message>
-        <source>Not every file says along which axes it lies: %1 is assumed, and left and right may be exchanged. Click to say it.</source>
-        <translation>Nicht jede Datei sagt, an welchen Achsen sie liegt: %1 ist angenommen, links und rechts können vertauscht sein. Zum Angeben klicken.</translation>
-    </message>
-    <message>
-        <source>The surfaces are a recording&apos;s and stay as they were felt.</source>
-        <translation>Die Oberflächen gehören zu einer Aufzeichnung und bleiben, wie sie getastet wurden.</translation>
-    </message>
-    <message>
         <source>Coordinates: %1</source>
         <translation>Koordinaten: %1</translation>
+    </message>
+    <message>
+        <source>File axes point left, posterior and superior, as in DICOM</source>
+        <translation>Achsen der Dateien: links, hinten, kopfwärts, wie in DICOM</translation>
+    </message>
+    <message>
+        <source>File axes point right, anterior and superior, as in older 3D Slicer models</source>
+        <translation>Achsen der Dateien: rechts, vorn, kopfwärts, wie in älteren Modellen von 3D Slicer</translation>
+    </message>
+    <message>
+        <source>File axes point left, superior and anterior, as in 3D modelling programs</source>
+        <translation>Achsen der Dateien: links, kopfwärts, vorn, wie in 3D-Modellierprogrammen</translation>
+    </message>
+    <message>
+        <source>The files use %1 coordinates.</source>
+        <translation>Die Dateien verwenden %1-Koordinaten.</translation>
+    </message>
+    <message>
+        <source>Some files do not state their axes. %1 is assumed; left and right may be swapped. Click to choose the axes.</source>
+        <translation>Einige Dateien geben ihre Achsen nicht an. Angenommen wird %1; links und rechts können vertauscht sein. Klicken, um die Achsen zu wählen.</translation>
+    </message>
+    <message>
+        <source>The surfaces belong to a recording and keep their recorded coordinates.</source>
+        <translation>Die Oberflächen gehören zu einer Aufzeichnung und behalten deren Koordinaten.</translation>
     </message>
 </context>
 <context>
@@ -113,51 +113,16 @@
 <context>
     <name>FindingsDesk</name>
     <message>
-        <source>Nothing is touched: press on the place first, then mark it (M).</source>
-        <translation>Nichts ist berührt: erst auf die Stelle drücken, dann markieren (M).</translation>
-    </message>
-    <message>
         <source>Finding %1</source>
         <translation>Befund %1</translation>
-    </message>
-    <message>
-        <source>%1 marked on %2 with %3 N</source>
-        <translation>%1 auf %2 markiert, mit %3 N</translation>
     </message>
     <message>
         <source>Note %1</source>
         <translation>Notiz %1</translation>
     </message>
     <message>
-        <source>No finding yet: press on a place and mark it (M).</source>
-        <translation>Noch kein Befund: auf eine Stelle drücken und sie markieren (M).</translation>
-    </message>
-    <message>
-        <source>%1 keeps no view.</source>
-        <translation>%1 hat keine Ansicht gespeichert.</translation>
-    </message>
-    <message>
         <source>%1 was not marked in a recording.</source>
         <translation>%1 wurde nicht in einer Aufzeichnung markiert.</translation>
-    </message>
-    <message>
-        <source>A recording is being made: stop it (R) to play.</source>
-        <translation>Eine Aufzeichnung läuft: zum Abspielen erst beenden (R).</translation>
-    </message>
-    <message>
-        <source>%1: the recording of %2 is not there any more.</source>
-        <translation>%1: die Aufzeichnung von %2 ist nicht mehr da.</translation>
-    </message>
-    <message>
-        <source>%1: this is another recording than the one in which %2 was marked.</source>
-        <translation>%1: dies ist eine andere Aufzeichnung als die, in der %2 markiert wurde.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n finding(s) written to %1</source>
-        <translation>
-            <numerusform>%n Befund nach %1 geschrieben</numerusform>
-            <numerusform>%n Befunde nach %1 geschrieben</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>Import %n finding(s)</source>
@@ -166,334 +131,105 @@
             <numerusform>%n Befunde importieren</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n finding(s) taken from %1</source>
-        <translation>
-            <numerusform>%n Befund aus %1 übernommen</numerusform>
-            <numerusform>%n Befunde aus %1 übernommen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>, stiffness %1</source>
         <translation>, Steifigkeit %1</translation>
+    </message>
+    <message>
+        <source>Nothing is touched. Press on a place first, then mark a finding (M).</source>
+        <translation>Nichts ist berührt. Erst auf eine Stelle drücken, dann einen Befund markieren (M).</translation>
+    </message>
+    <message>
+        <source>%1 marked on %2 at %3 N</source>
+        <translation>%1 auf %2 markiert, bei %3 N</translation>
+    </message>
+    <message>
+        <source>No findings yet. Press on a place, then mark a finding (M).</source>
+        <translation>Noch keine Befunde. Auf eine Stelle drücken, dann einen Befund markieren (M).</translation>
+    </message>
+    <message>
+        <source>%1 has no saved view.</source>
+        <translation>%1 hat keine gespeicherte Ansicht.</translation>
+    </message>
+    <message>
+        <source>Recording in progress. Stop recording (R) before playing.</source>
+        <translation>Aufzeichnung läuft. Vor dem Abspielen die Aufzeichnung beenden (R).</translation>
+    </message>
+    <message>
+        <source>%1: the recording with %2 was not found.</source>
+        <translation>%1: Die Aufzeichnung mit %2 wurde nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>%1: this is not the recording in which %2 was marked.</source>
+        <translation>%1: Dies ist nicht die Aufzeichnung, in der %2 markiert wurde.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) exported to %1</source>
+        <translation>
+            <numerusform>%n Befund nach %1 exportiert</numerusform>
+            <numerusform>%n Befunde nach %1 exportiert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) imported from %1</source>
+        <translation>
+            <numerusform>%n Befund aus %1 importiert</numerusform>
+            <numerusform>%n Befunde aus %1 importiert</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>LumpLayout</name>
     <message>
-        <source>%1 lies in %2 and is felt below it, as a layer: %3</source>
-        <translation>%1 liegt in %2 und wird darunter gefühlt, als Schicht: %3</translation>
+        <source>%1 seems to be inside %2 but cannot be felt there yet, because the surface of %2 is open or inside out</source>
+        <translation>%1 liegt anscheinend in %2, ist dort aber noch nicht tastbar, weil die Oberfläche von %2 offen oder verkehrt herum ist</translation>
     </message>
     <message>
-        <source>its surface is open or inside out</source>
-        <translation>die Oberfläche ist offen oder verkehrt herum</translation>
+        <source>%1: inside %2, %3 × as stiff (%4), felt through %2</source>
+        <translation>%1: in %2, %3-mal so steif (%4), durch %2 hindurch tastbar</translation>
     </message>
     <message>
-        <source>%1 is a lump itself</source>
-        <translation>%1 ist selbst ein Knoten</translation>
+        <source>%1: inside %2, felt as a layer below %2 (%3)</source>
+        <translation>%1: in %2, tastbar als Schicht unter %2 (%3)</translation>
     </message>
     <message>
-        <source>a scene file could not name %1 alone</source>
-        <translation>eine Szenendatei könnte %1 nicht allein benennen</translation>
+        <source>surface open or inside out</source>
+        <translation>Oberfläche offen oder verkehrt herum</translation>
     </message>
     <message>
-        <source>it reaches out of %1</source>
-        <translation>sie ragt aus %1 heraus</translation>
+        <source>%1 is also a lump</source>
+        <translation>%1 ist ebenfalls ein Knoten</translation>
     </message>
     <message>
-        <source>it is as stiff as %1</source>
-        <translation>so steif wie %1</translation>
+        <source>the name %1 is not unique</source>
+        <translation>der Name %1 ist nicht eindeutig</translation>
     </message>
     <message>
-        <source>%1 seems to lie in %2, whose surface is open or inside out: it is felt neither through nor below it</source>
-        <translation>%1 liegt anscheinend in %2, dessen Oberfläche offen oder verkehrt herum ist: weder durch das Organ noch darunter zu fühlen</translation>
+        <source>extends beyond %1</source>
+        <translation>ragt aus %1 heraus</translation>
     </message>
     <message>
-        <source>%1 lies inside %2, %3 times as stiff (%4), and is felt through it</source>
-        <translation>%1 liegt in %2, %3-mal so steif (%4), und wird hindurch getastet</translation>
+        <source>stiffness map on the lump or on %1</source>
+        <translation>Steifigkeitskarte auf dem Knoten oder auf %1</translation>
     </message>
     <message>
-        <source>a map varies how stiff it or %1 is</source>
-        <translation>eine Karte ändert seine Steifigkeit oder die von %1</translation>
+        <source>stiffness ratio to %1 unknown: enter a ratio under What can be felt (B)</source>
+        <translation>Steifigkeitsverhältnis zu %1 unbekannt: unter „Was tastbar ist“ (B) eingeben</translation>
     </message>
     <message>
-        <source>how many times as stiff as %1 is it? Type it in What can be felt (B)</source>
-        <translation>wievielmal so steif wie %1 ist es? In „Was tastbar ist“ (B) eingeben</translation>
+        <source>same stiffness as %1</source>
+        <translation>gleiche Steifigkeit wie %1</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
-        <source>Palpate</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>Structures</source>
-        <translation>Strukturen</translation>
-    </message>
-    <message>
-        <source>Touch</source>
-        <translation>Berührung</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>Session</source>
-        <translation>Sitzung</translation>
-    </message>
-    <message>
-        <source>Progress of opening</source>
-        <translation>Fortschritt des Öffnens</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Research, training and planning rehearsal. Not a medical device.</source>
         <translation>Forschung, Ausbildung und Planungsübung. Kein Medizinprodukt.</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Undo: %1</source>
-        <translation>Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>Wiederholen: %1</translation>
-    </message>
-    <message>
-        <source>Opening was cancelled.</source>
-        <translation>Das Öffnen wurde abgebrochen.</translation>
-    </message>
-    <message>
-        <source>Reading what varies over %1…</source>
-        <translation>Lese, was über %1 variiert…</translation>
-    </message>
-    <message>
-        <source>The map of %1 is felt.</source>
-        <translation>Die Karte von %1 ist zu fühlen.</translation>
-    </message>
-    <message>
-        <source>Open…</source>
-        <translation>Öffnen…</translation>
-    </message>
-    <message>
-        <source>Open meshes, a scene or a recording</source>
-        <translation>Netze, eine Szene oder eine Aufzeichnung öffnen</translation>
-    </message>
-    <message>
-        <source>Save scene</source>
-        <translation>Szene speichern</translation>
-    </message>
-    <message>
-        <source>Save the scene with its tissue</source>
-        <translation>Die Szene mit ihrem Gewebe speichern</translation>
-    </message>
-    <message>
-        <source>Save scene as…</source>
-        <translation>Szene speichern unter…</translation>
-    </message>
-    <message>
-        <source>Save the scene with its tissue to another file</source>
-        <translation>Die Szene mit ihrem Gewebe in eine andere Datei speichern</translation>
-    </message>
-    <message>
-        <source>Snapshot</source>
-        <translation>Foto</translation>
-    </message>
-    <message>
-        <source>Save a picture of the view</source>
-        <translation>Ein Bild der Ansicht speichern</translation>
-    </message>
-    <message>
         <source>Quit</source>
         <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>End Palpate</source>
-        <translation>Palpate beenden</translation>
-    </message>
-    <message>
-        <source>Undo the newest change</source>
-        <translation>Die neueste Änderung zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Do it again</source>
-        <translation>Wieder ausführen</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Einpassen</translation>
-    </message>
-    <message>
-        <source>Fit everything into the view</source>
-        <translation>Alles in die Ansicht einpassen</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Befunde</translation>
-    </message>
-    <message>
-        <source>Show the places marked as findings</source>
-        <translation>Die als Befund markierten Stellen zeigen</translation>
-    </message>
-    <message>
-        <source>From the front (A)</source>
-        <translation>Von vorn (A)</translation>
-    </message>
-    <message>
-        <source>From the back (P)</source>
-        <translation>Von hinten (P)</translation>
-    </message>
-    <message>
-        <source>From the left (L)</source>
-        <translation>Von links (L)</translation>
-    </message>
-    <message>
-        <source>From the right (R)</source>
-        <translation>Von rechts (R)</translation>
-    </message>
-    <message>
-        <source>From the head (S)</source>
-        <translation>Vom Kopf (S)</translation>
-    </message>
-    <message>
-        <source>From the feet (I)</source>
-        <translation>Von den Füßen (I)</translation>
-    </message>
-    <message>
-        <source>Oblique</source>
-        <translation>Schräg</translation>
-    </message>
-    <message>
-        <source>hold Space</source>
-        <translation>Leertaste halten</translation>
-    </message>
-    <message>
-        <source>palpate while it is held</source>
-        <translation>tasten, solange sie gehalten wird</translation>
-    </message>
-    <message>
-        <source>drag</source>
-        <translation>ziehen</translation>
-    </message>
-    <message>
-        <source>camera: rotate · palpate: press and slide</source>
-        <translation>Kamera: drehen · Tasten: drücken und gleiten</translation>
-    </message>
-    <message>
-        <source>right drag</source>
-        <translation>rechts ziehen</translation>
-    </message>
-    <message>
-        <source>camera: zoom · palpate: rotate</source>
-        <translation>Kamera: zoomen · Tasten: drehen</translation>
-    </message>
-    <message>
-        <source>middle drag</source>
-        <translation>Mitte ziehen</translation>
-    </message>
-    <message>
-        <source>pan</source>
-        <translation>verschieben</translation>
-    </message>
-    <message>
-        <source>wheel</source>
-        <translation>Rad</translation>
-    </message>
-    <message>
-        <source>double-click</source>
-        <translation>Doppelklick</translation>
-    </message>
-    <message>
-        <source>centre the view on the point</source>
-        <translation>die Ansicht auf den Punkt zentrieren</translation>
-    </message>
-    <message>
-        <source>Let go</source>
-        <translation>Loslassen</translation>
-    </message>
-    <message>
-        <source>let go, then back to the camera</source>
-        <translation>loslassen, dann zurück zur Kamera</translation>
-    </message>
-    <message>
-        <source>show or hide, feel or not</source>
-        <translation>zeigen oder verbergen, fühlen oder nicht</translation>
-    </message>
-    <message>
-        <source>Ctrl+↓  ↑</source>
-        <translation>Strg+↓  ↑</translation>
-    </message>
-    <message>
-        <source>felt a layer deeper, farther out</source>
-        <translation>eine Schicht tiefer oder weiter außen gefühlt</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Aufnehmen</translation>
-    </message>
-    <message>
-        <source>Play</source>
-        <translation>Abspielen</translation>
-    </message>
-    <message>
-        <source>Play or pause the recording</source>
-        <translation>Die Aufzeichnung abspielen oder anhalten</translation>
-    </message>
-    <message>
-        <source>To the start</source>
-        <translation>Zum Anfang</translation>
-    </message>
-    <message>
-        <source>Back to the recording&apos;s start</source>
-        <translation>Zurück zum Anfang der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Mark a finding</source>
-        <translation>Befund markieren</translation>
-    </message>
-    <message>
-        <source>Mark the place that is touched, in the scene and in the recording</source>
-        <translation>Die berührte Stelle in Szene und Aufzeichnung markieren</translation>
-    </message>
-    <message>
-        <source>Note…</source>
-        <translation>Notiz…</translation>
-    </message>
-    <message>
-        <source>Results…</source>
-        <translation>Ergebnisse…</translation>
-    </message>
-    <message>
-        <source>Forces, coverage and findings of the recording, and exports</source>
-        <translation>Kräfte, Abdeckung und Befunde der Aufzeichnung, und Exporte</translation>
-    </message>
-    <message>
-        <source>Keep the surfaces inside recordings</source>
-        <translation>Oberflächen in Aufzeichnungen mitspeichern</translation>
-    </message>
-    <message>
-        <source>One file then holds the whole session; it grows by what the meshes take</source>
-        <translation>Eine Datei enthält dann die ganze Sitzung; sie wächst um die Größe der Netze</translation>
-    </message>
-    <message>
-        <source>All keys</source>
-        <translation>Alle Tasten</translation>
-    </message>
-    <message>
-        <source>Show all keys</source>
-        <translation>Alle Tasten zeigen</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -524,478 +260,6 @@
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>Recording</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>&amp;Device</source>
-        <translation>&amp;Gerät</translation>
-    </message>
-    <message>
-        <source>P palpate, drag to press, wheel for depth</source>
-        <translation>P tastet, Ziehen drückt, das Rad stellt die Tiefe</translation>
-    </message>
-    <message>
-        <source>Feel again</source>
-        <translation>Wieder fühlen</translation>
-    </message>
-    <message>
-        <source>This anatomy is %1 mm across: its numbers are probably metres.</source>
-        <translation>Diese Anatomie ist %1 mm groß: ihre Zahlen sind wohl Meter.</translation>
-    </message>
-    <message>
-        <source>Read as metres</source>
-        <translation>Als Meter lesen</translation>
-    </message>
-    <message>
-        <source>1 note on these files</source>
-        <translation>1 Hinweis zu diesen Dateien</translation>
-    </message>
-    <message>
-        <source>%1 notes on these files</source>
-        <translation>%1 Hinweise zu diesen Dateien</translation>
-    </message>
-    <message>
-        <source>%1 can be played, but the meshes that it was made on are not where they were. Open them to see what was touched.</source>
-        <translation>%1 lässt sich abspielen, doch die Netze, auf denen sie entstand, sind nicht, wo sie waren. Öffnen Sie sie, um zu sehen, was berührt wurde.</translation>
-    </message>
-    <message>
-        <source>Palpate scene (*.palpate.json)</source>
-        <translation>Palpate-Szene (*.palpate.json)</translation>
-    </message>
-    <message>
-        <source>Scene saved to %1</source>
-        <translation>Szene nach %1 gespeichert</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Ungespeicherte Änderungen</translation>
-    </message>
-    <message>
-        <source>Save the changes to this scene?</source>
-        <translation>Die Änderungen an dieser Szene speichern?</translation>
-    </message>
-    <message>
-        <source>Unsaved scene</source>
-        <translation>Ungespeicherte Szene</translation>
-    </message>
-    <message>
-        <source>%1[*] – Palpate</source>
-        <translation>%1[*] – Palpate</translation>
-    </message>
-    <message>
-        <source>Palpate ended unexpectedly and left unsaved changes of a scene.</source>
-        <translation>Palpate wurde unerwartet beendet und hinterließ nicht gespeicherte Änderungen einer Szene.</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Zurückholen</translation>
-    </message>
-    <message>
-        <source>Open anatomy</source>
-        <translation>Anatomie öffnen</translation>
-    </message>
-    <message>
-        <source>Anatomy, scenes and recordings (%1);;All files (*)</source>
-        <translation>Anatomie, Szenen und Aufzeichnungen (%1);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>%1; %2 more of that kind: Felt in the panel has each.</source>
-        <translation>%1; %2 weitere dieser Art: „Gefühlt“ im Panel nennt jede.</translation>
-    </message>
-    <message>
-        <source>Feel what is inside below what is around it</source>
-        <translation>Was innen liegt, unter dem fühlen, was es umgibt</translation>
-    </message>
-    <message>
-        <source>All in one layer</source>
-        <translation>Alles in einer Schicht</translation>
-    </message>
-    <message>
-        <source>Feel all in one layer</source>
-        <translation>Alles in einer Schicht fühlen</translation>
-    </message>
-    <message>
-        <source>%1 lies in %2, but this scene has all in one layer: it is not felt through %2.</source>
-        <translation>%1 liegt in %2, doch in dieser Szene liegt alles in einer Schicht: durch %2 hindurch ist es nicht zu fühlen.</translation>
-    </message>
-    <message>
-        <source>Feel it below</source>
-        <translation>Darunter fühlen</translation>
-    </message>
-    <message>
-        <source>Recorded to %1</source>
-        <translation>Nach %1 aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>Recording %1</source>
-        <translation>Aufzeichnung %1</translation>
-    </message>
-    <message>
-        <source>Picture saved to %1</source>
-        <translation>Bild nach %1 gespeichert</translation>
-    </message>
-    <message>
-        <source>%1: the picture could not be written. Is the folder writable and the disk not full?</source>
-        <translation>%1: das Bild konnte nicht geschrieben werden. Ist der Ordner beschreibbar und der Datenträger nicht voll?</translation>
-    </message>
-    <message>
-        <source>Palpate[*]</source>
-        <translation>Palpate[*]</translation>
-    </message>
-    <message>
-        <source>Findings and measures</source>
-        <translation>Befunde und Maße</translation>
-    </message>
-    <message>
-        <source>Open what was recorded</source>
-        <translation>Aufgezeichnetes öffnen</translation>
-    </message>
-    <message>
-        <source>Add to the scene…</source>
-        <translation>Zur Szene hinzufügen…</translation>
-    </message>
-    <message>
-        <source>Open more meshes or a scene beside what is open</source>
-        <translation>Weitere Netze oder eine Szene zu dem öffnen, was offen ist</translation>
-    </message>
-    <message>
-        <source>Close the scene</source>
-        <translation>Szene schließen</translation>
-    </message>
-    <message>
-        <source>Close what is open</source>
-        <translation>Schließen, was offen ist</translation>
-    </message>
-    <message>
-        <source>Import findings…</source>
-        <translation>Befunde importieren…</translation>
-    </message>
-    <message>
-        <source>Take the points of a 3D Slicer markups file (.mrk.json) as findings</source>
-        <translation>Die Punkte einer Markups-Datei von 3D Slicer (.mrk.json) als Befunde übernehmen</translation>
-    </message>
-    <message>
-        <source>Export findings…</source>
-        <translation>Befunde exportieren…</translation>
-    </message>
-    <message>
-        <source>Write findings and notes as a table (CSV) or as 3D Slicer markups (.mrk.json)</source>
-        <translation>Befunde und Notizen als Tabelle (CSV) oder als Markups von 3D Slicer (.mrk.json) schreiben</translation>
-    </message>
-    <message>
-        <source>Find a structure…</source>
-        <translation>Struktur suchen…</translation>
-    </message>
-    <message>
-        <source>List only structures with these words in their names</source>
-        <translation>Nur Strukturen mit diesen Wörtern im Namen auflisten</translation>
-    </message>
-    <message>
-        <source>Rename the structure…</source>
-        <translation>Struktur umbenennen…</translation>
-    </message>
-    <message>
-        <source>Write another name for the selected structure</source>
-        <translation>Der gewählten Struktur einen anderen Namen geben</translation>
-    </message>
-    <message>
-        <source>Remove from the scene</source>
-        <translation>Aus der Szene entfernen</translation>
-    </message>
-    <message>
-        <source>Take the selected structures out of the scene; their files stay</source>
-        <translation>Die gewählten Strukturen aus der Szene nehmen; ihre Dateien bleiben</translation>
-    </message>
-    <message>
-        <source>click</source>
-        <translation>Klick</translation>
-    </message>
-    <message>
-        <source>camera: select the structure (with Ctrl: one more)</source>
-        <translation>Kamera: die Struktur wählen (mit Strg: eine weitere)</translation>
-    </message>
-    <message>
-        <source>Ctrl+E  Ctrl+H</source>
-        <translation>Strg+E  Strg+H</translation>
-    </message>
-    <message>
-        <source>letters</source>
-        <translation>Buchstaben</translation>
-    </message>
-    <message>
-        <source>go to the structure that begins so</source>
-        <translation>zur Struktur gehen, die so beginnt</translation>
-    </message>
-    <message>
-        <source>F2  Del</source>
-        <translation>F2  Entf</translation>
-    </message>
-    <message>
-        <source>rename, remove from the scene</source>
-        <translation>umbenennen, aus der Szene entfernen</translation>
-    </message>
-    <message>
-        <source>Enter  F2  Del</source>
-        <translation>Enter  F2  Entf</translation>
-    </message>
-    <message>
-        <source>in the findings: go there, edit, delete</source>
-        <translation>in den Befunden: hingehen, bearbeiten, löschen</translation>
-    </message>
-    <message>
-        <source>Shift+Enter</source>
-        <translation>Umschalt+Enter</translation>
-    </message>
-    <message>
-        <source>in the findings: play where it was marked</source>
-        <translation>in den Befunden: abspielen, wo markiert wurde</translation>
-    </message>
-    <message>
-        <source>Mark a finding and write…</source>
-        <translation>Befund markieren und schreiben…</translation>
-    </message>
-    <message>
-        <source>Mark the place that is touched and write about it</source>
-        <translation>Die berührte Stelle markieren und etwas dazu schreiben</translation>
-    </message>
-    <message>
-        <source>Write a note without a place</source>
-        <translation>Eine Notiz ohne Stelle schreiben</translation>
-    </message>
-    <message>
-        <source>Next finding</source>
-        <translation>Nächster Befund</translation>
-    </message>
-    <message>
-        <source>Go to the next finding, in the view from which it was marked</source>
-        <translation>Zum nächsten Befund, in der Ansicht, aus der er markiert wurde</translation>
-    </message>
-    <message>
-        <source>Previous finding</source>
-        <translation>Voriger Befund</translation>
-    </message>
-    <message>
-        <source>Go to the finding before</source>
-        <translation>Zum Befund davor</translation>
-    </message>
-    <message>
-        <source>What the pointer or the device does</source>
-        <translation>Was Zeiger oder Gerät tut</translation>
-    </message>
-    <message>
-        <source>Stop the recording first: it holds the surfaces as they lie now.</source>
-        <translation>Beenden Sie erst die Aufzeichnung: sie hält die Oberflächen, wie sie jetzt liegen.</translation>
-    </message>
-    <message>
-        <source>%1  ·  %2 (F4 lists them)</source>
-        <translation>%1  ·  %2 (F4 zeigt sie)</translation>
-    </message>
-    <message>
-        <source>Read again with coordinates %1: tissue and findings are kept, undo starts anew.</source>
-        <translation>Neu gelesen mit Koordinaten %1: Gewebe und Befunde bleiben, Rückgängig beginnt neu.</translation>
-    </message>
-    <message>
-        <source>The scene was changed elsewhere</source>
-        <translation>Die Szene wurde anderswo geändert</translation>
-    </message>
-    <message>
-        <source>%1 was saved by another window or program since it was opened here. To save it would replace what was saved there.</source>
-        <translation>%1 wurde von einem anderen Fenster oder Programm gespeichert, seit sie hier geöffnet wurde. Speichern würde das dort Gespeicherte ersetzen.</translation>
-    </message>
-    <message>
-        <source>Save anyway</source>
-        <translation>Trotzdem speichern</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Speichern unter…</translation>
-    </message>
-    <message>
-        <source>%1 and %2 more</source>
-        <translation>%1 und %2 weitere</translation>
-    </message>
-    <message>
-        <source>These changes were already restored in another window.</source>
-        <translation>Diese Änderungen wurden schon in einem anderen Fenster wiederhergestellt.</translation>
-    </message>
-    <message>
-        <source>%1 files</source>
-        <translation>%1 Dateien</translation>
-    </message>
-    <message>
-        <source>Add %1 to the open scene?</source>
-        <translation>%1 zur offenen Szene hinzufügen?</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Hinzufügen</translation>
-    </message>
-    <message>
-        <source>Open instead</source>
-        <translation>Allein öffnen</translation>
-    </message>
-    <message>
-        <source>3D Slicer markups (*.mrk.json)</source>
-        <translation>Markups von 3D Slicer (*.mrk.json)</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabelle (*.csv)</translation>
-    </message>
-    <message>
-        <source>Export findings</source>
-        <translation>Befunde exportieren</translation>
-    </message>
-    <message>
-        <source>Import findings</source>
-        <translation>Befunde importieren</translation>
-    </message>
-    <message>
-        <source>3D Slicer markups (*.mrk.json *.json);;All files (*)</source>
-        <translation>Markups von 3D Slicer (*.mrk.json *.json);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Add to the scene</source>
-        <translation>Zur Szene hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add %1</source>
-        <translation>%1 hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add %1 structures</source>
-        <translation>%1 Strukturen hinzufügen</translation>
-    </message>
-    <message>
-        <source>%1 was added to the scene.</source>
-        <translation>%1 wurde zur Szene hinzugefügt.</translation>
-    </message>
-    <message>
-        <source>%1 structures were added to the scene.</source>
-        <translation>%1 Strukturen wurden zur Szene hinzugefügt.</translation>
-    </message>
-    <message>
-        <source>What was added lies in or around other structures, but the layers that were set are kept.</source>
-        <translation>Das Hinzugefügte liegt in oder um andere Strukturen, doch die eingestellten Schichten bleiben.</translation>
-    </message>
-    <message>
-        <source>Tissue by names</source>
-        <translation>Gewebe nach Namen</translation>
-    </message>
-    <message>
-        <source>%1 got its tissue by its name.</source>
-        <translation>%1 bekam sein Gewebe nach dem Namen.</translation>
-    </message>
-    <message>
-        <source>%1 structures got tissue by their names.</source>
-        <translation>%1 Strukturen bekamen ihr Gewebe nach den Namen.</translation>
-    </message>
-    <message>
-        <source>Tissue as before</source>
-        <translation>Gewebe wie zuvor</translation>
-    </message>
-    <message>
-        <source>Next panel</source>
-        <translation>Nächstes Panel</translation>
-    </message>
-    <message>
-        <source>The keys go to the next panel, and on to the view</source>
-        <translation>Die Tasten gehen zum nächsten Panel und weiter zur Ansicht</translation>
-    </message>
-    <message>
-        <source>Previous panel</source>
-        <translation>Voriges Panel</translation>
-    </message>
-    <message>
-        <source>The keys go to the panel before</source>
-        <translation>Die Tasten gehen zum Panel davor</translation>
-    </message>
-    <message>
-        <source>Hide or show all panels</source>
-        <translation>Alle Panels verbergen oder zeigen</translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation>Meldungen</translation>
-    </message>
-    <message>
-        <source>Show or hide the list of all messages since the start, with all notes on files</source>
-        <translation>Die Liste aller Meldungen seit dem Start, mit allen Hinweisen zu Dateien, zeigen oder verbergen</translation>
-    </message>
-    <message>
-        <source>Single-letter keys</source>
-        <translation>Tasten mit Buchstaben</translation>
-    </message>
-    <message>
-        <source>Commands by one letter; off: letters do nothing, for speech input and for hands that touch keys by chance</source>
-        <translation>Befehle mit einem Buchstaben; aus: Buchstaben tun nichts, für Spracheingabe und für Hände, die Tasten versehentlich berühren</translation>
-    </message>
-    <message>
-        <source>Touching with the %1</source>
-        <translation>Tasten mit: %1</translation>
-    </message>
-    <message>
-        <source>Turning the view</source>
-        <translation>Die Ansicht drehen</translation>
-    </message>
-    <message>
-        <source>The phantom was not found beside the program.</source>
-        <translation>Das Phantom wurde neben dem Programm nicht gefunden.</translation>
-    </message>
-    <message>
-        <source>As recorded, the fingertip is a ball of %1 mm radius (Session › Fingertip).</source>
-        <translation>Wie aufgezeichnet ist die Fingerspitze eine Kugel mit %1 mm Radius (Sitzung › Fingerspitze).</translation>
-    </message>
-    <message>
-        <source>As recorded, the fingertip is a point (Session › Fingertip).</source>
-        <translation>Wie aufgezeichnet ist die Fingerspitze ein Punkt (Sitzung › Fingerspitze).</translation>
-    </message>
-    <message>
-        <source>Lift the hand</source>
-        <translation>Hand anheben</translation>
-    </message>
-    <message>
-        <source>Move the device without the hand in the scene, as a mouse is lifted; again to go on</source>
-        <translation>Das Gerät ohne die Hand in der Szene bewegen, wie man eine Maus anhebt; noch einmal: weiter</translation>
-    </message>
-    <message>
-        <source>Record what the hand feels, at every moment</source>
-        <translation>Aufzeichnen, was die Hand fühlt, in jedem Augenblick</translation>
-    </message>
-    <message>
-        <source>Zoom the hand&apos;s space to everything</source>
-        <translation>Raum der Hand auf alles zoomen</translation>
-    </message>
-    <message>
-        <source>The device&apos;s whole way goes through all that is shown</source>
-        <translation>Der ganze Weg des Geräts führt durch alles Gezeigte</translation>
-    </message>
-    <message>
-        <source>Zoom the hand&apos;s space to the organ</source>
-        <translation>Raum der Hand auf das Organ zoomen</translation>
-    </message>
-    <message>
-        <source>The device&apos;s whole way goes through the organ that is touched or pointed at</source>
-        <translation>Der ganze Weg des Geräts führt durch das Organ, das berührt wird oder unter dem Zeiger liegt</translation>
-    </message>
-    <message>
-        <source>Zoom the hand&apos;s space to the lump</source>
-        <translation>Raum der Hand auf den Knoten zoomen</translation>
-    </message>
-    <message>
-        <source>The device&apos;s whole way is 10 mm, about what is touched, pointed at or found</source>
-        <translation>Der ganze Weg des Geräts ist 10 mm, um das Berührte, das unter dem Zeiger oder den Befund</translation>
-    </message>
-    <message>
         <source>Appearance</source>
         <translation>Darstellung</translation>
     </message>
@@ -1004,135 +268,8 @@
         <translation>Schriftgröße</translation>
     </message>
     <message>
-        <source>How touch runs</source>
-        <translation>Wie das Tasten läuft</translation>
-    </message>
-    <message>
-        <source>Touch with the device; O or L zooms its space to the organ or lump, C lifts the hand</source>
-        <translation>Mit dem Gerät tasten; O oder L zoomt seinen Raum auf Organ oder Knoten, C hebt die Hand an</translation>
-    </message>
-    <message>
-        <source>Engineering</source>
-        <translation>Technik</translation>
-    </message>
-    <message>
-        <source>Show or hide solver, servo loop and device in numbers</source>
-        <translation>Löser, Servoschleife und Gerät in Zahlen zeigen oder verbergen</translation>
-    </message>
-    <message>
-        <source>%1: %2 (%3)</source>
-        <translation>%1: %2 (%3)</translation>
-    </message>
-    <message>
-        <source>Forces may stutter: %1: %2. %3</source>
-        <translation>Kräfte können stocken: %1: %2. %3</translation>
-    </message>
-    <message>
-        <source>What can be felt here</source>
-        <translation>Was hier tastbar ist</translation>
-    </message>
-    <message>
-        <source>Colour organs by how much of the lumps below a hand feels, with a table</source>
-        <translation>Organe danach färben, was eine Hand von den Knoten darunter spürt, mit einer Tabelle</translation>
-    </message>
-    <message>
-        <source>What can be felt</source>
-        <translation>Was tastbar ist</translation>
-    </message>
-    <message>
-        <source>camera: zoom · palpate: depth in mm, or effort in N (with Ctrl: zoom)</source>
-        <translation>Kamera: zoomen · Tasten: Tiefe in mm oder Kraft in N (mit Strg: zoomen)</translation>
-    </message>
-    <message>
-        <source>Press by effort</source>
-        <translation>Mit Kraft drücken</translation>
-    </message>
-    <message>
-        <source>Effort in, depth out: the force rises while the button is held, or is a pen&apos;s pressure, and a stiff place gives way less; off: the wheel says how deep</source>
-        <translation>Kraft hinein, Tiefe heraus: die Kraft wächst, solange die Taste gehalten wird, oder ist der Druck eines Stifts, und eine steife Stelle gibt weniger nach; aus: das Rad sagt, wie tief</translation>
-    </message>
-    <message>
-        <source>What the pointer does: it turns the view, or it presses this far along the line of sight [mm] or with this force [N]; the wheel sets it (P switches)</source>
-        <translation>Was der Zeiger tut: er dreht die Ansicht, oder er drückt so weit entlang der Blickrichtung [mm] oder mit dieser Kraft [N]; das Rad stellt es ein (P schaltet um)</translation>
-    </message>
-    <message>
-        <source>Stop reading; what was open stays</source>
-        <translation>Lesen abbrechen; was offen war, bleibt</translation>
-    </message>
-    <message>
-        <source>Palpate with the pointer: drag to press, wheel for depth or effort; off: the pointer moves the camera</source>
-        <translation>Mit dem Zeiger tasten: ziehen zum Drücken, Rad für Tiefe oder Kraft; aus: der Zeiger bewegt die Ansicht</translation>
-    </message>
-    <message>
-        <source>P palpate, hold to press harder, wheel for the hardest press</source>
-        <translation>P tastet, Halten drückt stärker, das Rad stellt den stärksten Druck</translation>
-    </message>
-    <message>
-        <source>Dent under the finger</source>
-        <translation>Delle unter dem Finger</translation>
-    </message>
-    <message>
-        <source>Draw soft tissue bent where it is pressed, with a fine grid on it</source>
-        <translation>Weiches Gewebe dort eingedrückt zeichnen, wo gedrückt wird, mit feinem Gitter darauf</translation>
-    </message>
-    <message>
-        <source>The pointer says where, the SpaceMouse how hard: push its puck down. P palpate, wheel for the hardest press</source>
-        <translation>Der Zeiger sagt, wo, die SpaceMouse, wie fest: ihren Puck nach unten drücken. P tastet, das Rad stellt den festesten Druck</translation>
-    </message>
-    <message>
-        <source>Feel it as a layer</source>
-        <translation>Als Schicht fühlen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n did not: felt as “Firm organ”, 0.5 N/mm.</source>
-        <translation>
-            <numerusform>%n nicht: gefühlt als „Festes Organ“, 0,5 N/mm.</numerusform>
-            <numerusform>%n nicht: gefühlt als „Festes Organ“, 0,5 N/mm.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Making the surface of %1…</source>
-        <translation>Oberfläche von %1 wird erstellt…</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
-        <source>%1 is a staircase of about %2 voxels: the hand feels its steps.</source>
-        <translation>%1 ist eine Treppe aus Voxeln von etwa %2: Die Hand spürt ihre Stufen.</translation>
-    </message>
-    <message>
-        <source>%1 surfaces are staircases, of about %2 voxels: the hand feels their steps.</source>
-        <translation>%1 Oberflächen sind Treppen aus Voxeln von etwa %2: Die Hand spürt ihre Stufen.</translation>
-    </message>
-    <message>
-        <source>Smooth it</source>
-        <translation>Glätten</translation>
-    </message>
-    <message>
-        <source>Smooth them</source>
-        <translation>Alle glätten</translation>
-    </message>
-    <message>
-        <source>%1 is inside out: felt from within only.</source>
-        <translation>%1 ist umgestülpt: nur von innen spürbar.</translation>
-    </message>
-    <message>
-        <source>%1 surfaces are inside out: felt from within only.</source>
-        <translation>%1 Oberflächen sind umgestülpt: nur von innen spürbar.</translation>
-    </message>
-    <message>
-        <source>Turn it around</source>
-        <translation>Umdrehen</translation>
-    </message>
-    <message>
-        <source>Turn them around</source>
-        <translation>Alle umdrehen</translation>
-    </message>
-    <message>
-        <source>%1 has another surface now.</source>
-        <translation>%1 hat jetzt eine andere Oberfläche.</translation>
+        <source>Quit Palpate</source>
+        <translation>Palpate beenden</translation>
     </message>
 </context>
 <context>
@@ -1174,44 +311,8 @@
         <translation>Ergebnisse der Sitzung</translation>
     </message>
     <message>
-        <source>What became of the newest export</source>
-        <translation>Was aus dem neuesten Export wurde</translation>
-    </message>
-    <message>
-        <source>Progress of the export</source>
-        <translation>Fortschritt des Exports</translation>
-    </message>
-    <message>
-        <source>Cancel the export</source>
-        <translation>Den Export abbrechen</translation>
-    </message>
-    <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
-    </message>
-    <message>
-        <source>Copy all tables, to be pasted into a spreadsheet (Ctrl+C)</source>
-        <translation>Alle Tabellen kopieren, zum Einfügen in eine Tabellenkalkulation (Strg+C)</translation>
-    </message>
-    <message>
-        <source>The path of the hand, and beside it the touched surface with time spent and peak force</source>
-        <translation>Der Weg der Hand, daneben die berührte Oberfläche mit Verweildauer und Spitzenkraft</translation>
-    </message>
-    <message>
-        <source>The tables above, and more, for a program</source>
-        <translation>Die Tabellen oben, und mehr, für ein Programm</translation>
-    </message>
-    <message>
-        <source>Copied: paste it into a spreadsheet.</source>
-        <translation>Kopiert: in eine Tabellenkalkulation einfügen.</translation>
-    </message>
-    <message>
-        <source>Nothing was written: %1 is there already. Choose it by its whole name to replace it.</source>
-        <translation>Nichts wurde geschrieben: %1 gibt es schon. Wählen Sie die Datei mit vollem Namen, um sie zu ersetzen.</translation>
-    </message>
-    <message>
-        <source>Nothing was written: %1 ends in %2. A name for %3 ends in %4.</source>
-        <translation>Nichts wurde geschrieben: %1 endet auf %2. Ein Name für %3 endet auf %4.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -1222,12 +323,48 @@
         <translation>Nach %1 und %2 geschrieben.</translation>
     </message>
     <message>
-        <source>The path is written to %1; the map is not: %2</source>
-        <translation>Der Weg ist nach %1 geschrieben; die Karte nicht: %2</translation>
+        <source>Result of the last export</source>
+        <translation>Ergebnis des letzten Exports</translation>
     </message>
     <message>
-        <source>Every moment with its time, places, forces, depth and events</source>
-        <translation>Jeder Augenblick mit Zeit, Orten, Kräften, Tiefe und Ereignissen</translation>
+        <source>Export progress</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>Cancel export</source>
+        <translation>Export abbrechen</translation>
+    </message>
+    <message>
+        <source>Copy all tables for a spreadsheet (Ctrl+C)</source>
+        <translation>Alle Tabellen für eine Tabellenkalkulation kopieren (Strg+C)</translation>
+    </message>
+    <message>
+        <source>Every sample with time, positions, forces, depth and events</source>
+        <translation>Jeder Messpunkt mit Zeit, Positionen, Kräften, Tiefe und Ereignissen</translation>
+    </message>
+    <message>
+        <source>Path of the hand, plus the touched surface with time spent and peak force</source>
+        <translation>Weg der Hand, dazu die berührte Oberfläche mit Verweildauer und Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>All results in machine-readable form</source>
+        <translation>Alle Ergebnisse in maschinenlesbarer Form</translation>
+    </message>
+    <message>
+        <source>Copied. Paste into a spreadsheet.</source>
+        <translation>Kopiert. In eine Tabellenkalkulation einfügen.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 already exists. Enter the full file name to replace the file.</source>
+        <translation>Nichts wurde geschrieben: %1 ist schon vorhanden. Zum Ersetzen den vollständigen Dateinamen eingeben.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 ends in %2. For %3, enter a name that ends in %4.</source>
+        <translation>Nichts wurde geschrieben: %1 endet auf %2. Für %3 einen Namen eingeben, der auf %4 endet.</translation>
+    </message>
+    <message>
+        <source>The path was written to %1, but the surface was not: %2</source>
+        <translation>Der Weg wurde nach %1 geschrieben, die Oberfläche nicht: %2</translation>
     </message>
 </context>
 <context>
@@ -1235,26 +372,6 @@
     <message>
         <source>Recording</source>
         <translation>Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>A recording is running. End it and close?</source>
-        <translation>Eine Aufzeichnung läuft. Beenden und schließen?</translation>
-    </message>
-    <message>
-        <source>What was felt until now is kept in %1.</source>
-        <translation>Was bis jetzt gefühlt wurde, bleibt in %1.</translation>
-    </message>
-    <message>
-        <source>End the recording</source>
-        <translation>Aufzeichnung beenden</translation>
-    </message>
-    <message>
-        <source>Go on recording</source>
-        <translation>Weiter aufzeichnen</translation>
-    </message>
-    <message>
-        <source>● recording %1, the disk does not answer</source>
-        <translation>● zeichnet %1 auf, der Datenträger antwortet nicht</translation>
     </message>
     <message>
         <source>● recording %1, %2</source>
@@ -1265,12 +382,32 @@
         <translation>Aufzeichnung gescheitert bei %1</translation>
     </message>
     <message>
-        <source>%1 ended by itself</source>
-        <translation>%1 endete von selbst</translation>
+        <source>Length of the recording [min:s]. Late samples (1 ms each): the computer was too busy and nothing was felt. Lost samples: felt, but not recorded because the disk was too slow.</source>
+        <translation>Länge der Aufzeichnung [min:s]. Verspätete Messpunkte (je 1 ms): Der Rechner war überlastet, nichts wurde gefühlt. Verlorene Messpunkte: gefühlt, aber nicht aufgezeichnet, weil der Datenträger zu langsam war.</translation>
     </message>
     <message>
-        <source>Length of the recording [min:s]; moments of 1 ms that were late, because the computer was busy: nothing was felt in them; moments that were lost, because the disk was slow: they were felt and are not in it</source>
-        <translation>Länge der Aufzeichnung [min:s]; Augenblicke von 1 ms, die verspätet waren, weil der Rechner beschäftigt war: in ihnen wurde nichts gefühlt; Augenblicke, die verloren gingen, weil der Datenträger langsam war: sie wurden gefühlt und fehlen darin</translation>
+        <source>Recording in progress. Stop recording and close?</source>
+        <translation>Aufzeichnung läuft. Beenden und schließen?</translation>
+    </message>
+    <message>
+        <source>The recording so far is kept in %1.</source>
+        <translation>Die bisherige Aufzeichnung bleibt in %1.</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>Continue recording</source>
+        <translation>Weiter aufzeichnen</translation>
+    </message>
+    <message>
+        <source>● recording %1, disk not responding</source>
+        <translation>● zeichnet %1 auf, Datenträger antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1 stopped: write error</source>
+        <translation>%1 gestoppt: Schreibfehler</translation>
     </message>
 </context>
 <context>
@@ -1304,10 +441,6 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>not said</source>
-        <translation>keine Angabe</translation>
-    </message>
-    <message>
         <source>Touch</source>
         <translation>Berührung</translation>
     </message>
@@ -1328,16 +461,8 @@
         <translation>Median [N]</translation>
     </message>
     <message>
-        <source>Nearly highest [N]</source>
-        <translation>Fast höchste [N]</translation>
-    </message>
-    <message>
         <source>Peak [N]</source>
         <translation>Spitze [N]</translation>
-    </message>
-    <message>
-        <source>Deepest [mm]</source>
-        <translation>Tiefste [mm]</translation>
     </message>
     <message>
         <source>Presses</source>
@@ -1346,10 +471,6 @@
     <message>
         <source>All</source>
         <translation>Gesamt</translation>
-    </message>
-    <message>
-        <source>Search and press</source>
-        <translation>Suchen und Drücken</translation>
     </message>
     <message>
         <source>Hand</source>
@@ -1368,14 +489,6 @@
         <translation>Drücken</translation>
     </message>
     <message>
-        <source>Share of the surface that was examined: within %1, the fingertip&apos;s radius</source>
-        <translation>Anteil der untersuchten Oberfläche: innerhalb von %1, dem Radius der Fingerspitze</translation>
-    </message>
-    <message>
-        <source>Share of the surface that was examined: within %1</source>
-        <translation>Anteil der untersuchten Oberfläche: innerhalb von %1</translation>
-    </message>
-    <message>
         <source>Surface</source>
         <translation>Oberfläche</translation>
     </message>
@@ -1386,14 +499,6 @@
     <message>
         <source>Examined [%]</source>
         <translation>Untersucht [%]</translation>
-    </message>
-    <message>
-        <source>Longest time at one place [s]</source>
-        <translation>Längste Zeit an einer Stelle [s]</translation>
-    </message>
-    <message>
-        <source>its mesh is not there</source>
-        <translation>ihr Netz ist nicht da</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -1416,10 +521,6 @@
         <translation>Zuerst berührt</translation>
     </message>
     <message>
-        <source>Times returned</source>
-        <translation>Wiederkehr</translation>
-    </message>
-    <message>
         <source>never</source>
         <translation>nie</translation>
     </message>
@@ -1436,14 +537,6 @@
         <translation>Geschrieben</translation>
     </message>
     <message>
-        <source>Findings, layer by layer</source>
-        <translation>Befunde, Schicht für Schicht</translation>
-    </message>
-    <message>
-        <source>Felt when marked</source>
-        <translation>Beim Markieren gefühlt</translation>
-    </message>
-    <message>
         <source>Structure</source>
         <translation>Struktur</translation>
     </message>
@@ -1456,48 +549,88 @@
         <translation>Tiefe [mm]</translation>
     </message>
     <message>
-        <source>Nearly highest: the force that 95 % of the contact stayed below. Research measures, not a diagnosis.</source>
-        <translation>Fast höchste: die Kraft, unter der 95 % des Kontakts blieben. Maße für die Forschung, keine Diagnose.</translation>
-    </message>
-    <message>
-        <source>Moments late</source>
-        <translation>Verspätete Augenblicke</translation>
-    </message>
-    <message>
-        <source>Moments lost</source>
-        <translation>Verlorene Augenblicke</translation>
-    </message>
-    <message>
         <source>Lump</source>
         <translation>Knoten</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>In</translation>
-    </message>
-    <message>
-        <source>Felt by a trained hand from [cm²]</source>
-        <translation>Für geübte Hand fühlbar von [cm²]</translation>
-    </message>
-    <message>
-        <source>Of that pressed hard enough [%]</source>
-        <translation>Davon fest genug gedrückt [%]</translation>
     </message>
     <message>
         <source>not by hand</source>
         <translation>nicht mit der Hand</translation>
     </message>
     <message>
-        <source>Lumps: what was recorded, and what the model predicts (an estimate)</source>
-        <translation>Knoten: aufgezeichnet und vom Modell vorhergesagt (Schätzung)</translation>
+        <source>Predicted by the model [%]</source>
+        <translation>Vom Modell vorhergesagt [%]</translation>
     </message>
     <message>
-        <source>Greatest change recorded [%]</source>
+        <source>Late samples</source>
+        <translation>Verspätete Messpunkte</translation>
+    </message>
+    <message>
+        <source>Lost samples</source>
+        <translation>Verlorene Messpunkte</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>keine Angabe</translation>
+    </message>
+    <message>
+        <source>95th percentile [N]</source>
+        <translation>95. Perzentil [N]</translation>
+    </message>
+    <message>
+        <source>Maximum depth [mm]</source>
+        <translation>Größte Tiefe [mm]</translation>
+    </message>
+    <message>
+        <source>Searching and pressing</source>
+        <translation>Suchen und Drücken</translation>
+    </message>
+    <message>
+        <source>Examined share of the surface (within %1, the fingertip radius)</source>
+        <translation>Untersuchter Anteil der Oberfläche (innerhalb von %1, dem Radius der Fingerspitze)</translation>
+    </message>
+    <message>
+        <source>Examined share of the surface (within %1)</source>
+        <translation>Untersuchter Anteil der Oberfläche (innerhalb von %1)</translation>
+    </message>
+    <message>
+        <source>Longest time at one point [s]</source>
+        <translation>Längste Zeit an einem Punkt [s]</translation>
+    </message>
+    <message>
+        <source>mesh not found</source>
+        <translation>Netz nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Revisits</source>
+        <translation>Erneute Besuche</translation>
+    </message>
+    <message>
+        <source>Lumps: recorded response and model prediction (estimate)</source>
+        <translation>Knoten: aufgezeichnete Reaktion und Vorhersage des Modells (Schätzung)</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organ</translation>
+    </message>
+    <message>
+        <source>Palpable by a trained hand [cm²]</source>
+        <translation>Für geübte Hand tastbar [cm²]</translation>
+    </message>
+    <message>
+        <source>Pressed hard enough [%]</source>
+        <translation>Fest genug gedrückt [%]</translation>
+    </message>
+    <message>
+        <source>Largest recorded change [%]</source>
         <translation>Größte aufgezeichnete Änderung [%]</translation>
     </message>
     <message>
-        <source>Predicted by the model [%]</source>
-        <translation>Vom Modell vorhergesagt [%]</translation>
+        <source>Findings by layer</source>
+        <translation>Befunde nach Schichten</translation>
+    </message>
+    <message>
+        <source>95th percentile: the force stayed below this value for 95 % of the contact time. Research measures, not a diagnosis.</source>
+        <translation>95. Perzentil: Während 95 % der Kontaktzeit blieb die Kraft unter diesem Wert. Maße für die Forschung, keine Diagnose.</translation>
     </message>
 </context>
 <context>
@@ -1507,8 +640,8 @@
         <translation>%1 markieren</translation>
     </message>
     <message>
-        <source>Unsaved changes would be lost in a crash; save the scene. %1</source>
-        <translation>Ungesicherte Änderungen gingen bei einem Absturz verloren; sichern Sie die Szene. %1</translation>
+        <source>Unsaved changes would be lost in a crash. Save the scene. %1</source>
+        <translation>Ungesicherte Änderungen gingen bei einem Absturz verloren. Sichern Sie die Szene. %1</translation>
     </message>
 </context>
 <context>
@@ -1773,6 +906,1568 @@
         <source>force table: found %1 bytes, expected %2 for each knot</source>
         <translation>Krafttabelle: %1 Bytes gefunden, erwartet: %2 je Stützstelle</translation>
     </message>
+    <message>
+        <source>%1: no such file, expected a mesh, a scene or a recording</source>
+        <translation>%1: die Datei ist nicht da, erwartet: ein Netz, eine Szene oder eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>--size: found &quot;%1&quot;, expected width x height, as 1280x800</source>
+        <translation>--size: gefunden „%1“, erwartet: Breite x Höhe, etwa 1280x800</translation>
+    </message>
+    <message>
+        <source>%1: found nothing palpable, expected a surface to touch</source>
+        <translation>%1: nichts Tastbares gefunden, erwartet: eine Oberfläche zum Tasten</translation>
+    </message>
+    <message>
+        <source>%1: %2; expected a recording as it was written, or what session recover makes of it</source>
+        <translation>%1: %2; erwartet: eine unveränderte Aufzeichnung oder ihre Kopie von session recover</translation>
+    </message>
+    <message>
+        <source>evaluate: found no SCENE and no bundled phantom, expected a mesh or a scene file</source>
+        <translation>evaluate: keine SCENE und kein mitgeliefertes Phantom gefunden, erwartet: ein Netz oder eine Szenendatei</translation>
+    </message>
+    <message>
+        <source>--out: %1 cannot be made: %2</source>
+        <translation>--out: %1 kann nicht angelegt werden: %2</translation>
+    </message>
+    <message>
+        <source>--felt: found %1, expected no SCENE</source>
+        <translation>--felt: gefunden %1, erwartet: keine SCENE</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected a whole number from %2 to %3</source>
+        <translation>gefunden „%1“, erwartet: eine ganze Zahl von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>--ratio: found &quot;%1&quot;, expected NAME=R, as &quot;lump 12 mm=4.4&quot;</source>
+        <translation>--ratio: gefunden „%1“, erwartet: NAME=R, etwa „lump 12 mm=4.4“</translation>
+    </message>
+    <message>
+        <source>--ratio: found %1 twice, expected once</source>
+        <translation>--ratio: %1 zweimal gefunden, erwartet: einmal</translation>
+    </message>
+    <message>
+        <source>%1: found neither a scene nor a recording, expected a file that keeps findings (.palpate.json or .palpate)</source>
+        <translation>%1: weder eine Szene noch eine Aufzeichnung, erwartet: eine Datei mit Befunden (.palpate.json oder .palpate)</translation>
+    </message>
+    <message>
+        <source>stdout: the findings could not be written</source>
+        <translation>stdout: die Befunde konnten nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>findings --import: found %1, expected a scene (.palpate.json)</source>
+        <translation>findings --import: gefunden %1, erwartet: eine Szene (.palpate.json)</translation>
+    </message>
+    <message>
+        <source>findings: found one of --import and --out, expected both: the scene with what is taken is another file</source>
+        <translation>findings: nur eine der Optionen --import und --out gefunden, erwartet: beide, denn die Szene mit den übernommenen Befunden ist eine andere Datei</translation>
+    </message>
+    <message>
+        <source>findings: found - for --csv and --markups, expected it for one</source>
+        <translation>findings: - für --csv und --markups gefunden, erwartet: nur für eine von beiden</translation>
+    </message>
+    <message>
+        <source>findings --import: found --csv or --markups too, expected --out alone: export from there</source>
+        <translation>findings --import: auch --csv oder --markups gefunden, erwartet: nur --out; exportieren Sie aus der neuen Szene</translation>
+    </message>
+    <message>
+        <source>%1: %2, expected the program that does `palpate %3`: install it beside palpate, or build all of Palpate</source>
+        <translation>%1: %2, erwartet: das Programm für `palpate %3`; installieren Sie es neben palpate oder bauen Sie ganz Palpate</translation>
+    </message>
+    <message>
+        <source>%1: found after an option, expected as the first word after palpate</source>
+        <translation>%1: nach einer Option gefunden, erwartet: als erstes Wort nach palpate</translation>
+    </message>
+    <message>
+        <source>%1: no such file, expected a mesh, a scene or a folder</source>
+        <translation>%1: die Datei ist nicht da, erwartet: ein Netz, eine Szene oder ein Ordner</translation>
+    </message>
+    <message>
+        <source>%1: found a recording, expected a mesh (palpate session info reads recordings)</source>
+        <translation>%1: eine Aufzeichnung gefunden, erwartet: ein Netz (palpate session info liest Aufzeichnungen)</translation>
+    </message>
+    <message>
+        <source>%1: no such file, expected a mesh, a scene or a folder of meshes</source>
+        <translation>%1: die Datei ist nicht da, erwartet: ein Netz, eine Szene oder ein Ordner mit Netzen</translation>
+    </message>
+    <message>
+        <source>%1: no such file, expected a motion CSV or a recording</source>
+        <translation>%1: die Datei ist nicht da, erwartet: eine Bewegung als CSV oder eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: not a file; a recording is one, expected its name</source>
+        <translation>%1: kann nicht geschrieben werden: keine Datei, erwartet: der Name einer Datei für die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>%1: found a file of this name, expected a new one for the recording, or --force to replace it</source>
+        <translation>%1: es gibt eine Datei dieses Namens, erwartet: ein neuer Name für die Aufzeichnung oder --force, um die Datei zu ersetzen</translation>
+    </message>
+    <message>
+        <source>%1: found nothing palpable, expected a structure that is</source>
+        <translation>%1: nichts Tastbares gefunden, erwartet: eine tastbare Struktur</translation>
+    </message>
+    <message>
+        <source>%1: %2: this version does not know this field; it is kept, but not used</source>
+        <translation>%1: %2: Dieses Feld ist dieser Version unbekannt; es bleibt erhalten, wird aber nicht verwendet</translation>
+    </message>
+    <message>
+        <source>%1: structure &quot;%2&quot; was touched by itself in the recording (layer %3), here it is felt through the structure around it; expected the scene that was recorded, or --force to replay the motion alone</source>
+        <translation>%1: die Struktur „%2“ wurde in der Aufzeichnung selbst berührt (Schicht %3), hier wird sie durch die Struktur um sie herum gefühlt; erwartet: die aufgezeichnete Szene oder --force, um nur die Bewegung zu wiederholen</translation>
+    </message>
+    <message>
+        <source>%1: structure &quot;%2&quot; was touched by itself in the recording (layer %3), here it is not palpable; expected the scene that was recorded, or --force to replay the motion alone</source>
+        <translation>%1: die Struktur „%2“ wurde in der Aufzeichnung selbst berührt (Schicht %3), hier ist sie nicht tastbar; erwartet: die aufgezeichnete Szene oder --force, um nur die Bewegung zu wiederholen</translation>
+    </message>
+    <message>
+        <source>%1: %2; expected the scene that was recorded, or --force</source>
+        <translation>%1: %2; erwartet: die aufgezeichnete Szene oder --force</translation>
+    </message>
+    <message>
+        <source>%1: %2 ticks skipped: ticks before them are missing in the recording</source>
+        <translation>%1: %2 Augenblicke übersprungen: in der Aufzeichnung fehlen Augenblicke davor</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 ticks were lost</source>
+        <translation>%1: %2 von %3 Augenblicken gingen verloren</translation>
+    </message>
+    <message>
+        <source>the safety gate took the force away: %1</source>
+        <translation>die Sicherheitsabschaltung hat die Kraft weggenommen: %1</translation>
+    </message>
+    <message>
+        <source>not computed again: %1; say where the scene is with --scene</source>
+        <translation>nicht neu berechnet: %1; geben Sie mit --scene an, wo die Szene ist</translation>
+    </message>
+    <message>
+        <source>%1: %2 ticks are missing and %3 after them could not be computed again</source>
+        <translation>%1: %2 Augenblicke fehlen, und %3 danach konnten nicht neu berechnet werden</translation>
+    </message>
+    <message>
+        <source>%1: found a file that is no recording, expected another name for the copy, or --force to replace it</source>
+        <translation>%1: eine Datei, die keine Aufzeichnung ist, erwartet: ein anderer Name für die Kopie oder --force, um die Datei zu ersetzen</translation>
+    </message>
+    <message>
+        <source>%1: missing in the copy: %2</source>
+        <translation>%1: fehlt in der Kopie: %2</translation>
+    </message>
+    <message>
+        <source>%1: no coverage of %2: %3; say where the scene is with --scene</source>
+        <translation>%1: keine Abdeckung von %2: %3; geben Sie mit --scene an, wo die Szene ist</translation>
+    </message>
+    <message>
+        <source>its surface is another one now</source>
+        <translation>die Oberfläche ist jetzt eine andere</translation>
+    </message>
+    <message>
+        <source>session export: found no output, expected --csv or --vtp</source>
+        <translation>session export: keine Ausgabe gefunden, erwartet: --csv oder --vtp</translation>
+    </message>
+    <message>
+        <source>--device: found &quot;%1&quot;, expected one of %2</source>
+        <translation>--device: gefunden „%1“, erwartet: eines von %2</translation>
+    </message>
+    <message>
+        <source>%1: found nothing to press, expected a palpable surface</source>
+        <translation>%1: nichts zum Drücken gefunden, erwartet: eine tastbare Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1: a hand on %2 slips off it wherever it presses; is it the size it should be (--unit)?</source>
+        <translation>%1: eine Hand mit %2 rutscht überall ab, wo sie drückt; stimmt die Größe (--unit)?</translation>
+    </message>
+    <message>
+        <source>%1: DAMAGED, or changed after it was recorded, in 1 place: ticks that do not match their checksum were left out, and figures are those of the rest</source>
+        <translation>%1: BESCHÄDIGT oder nach der Aufzeichnung geändert an 1 Stelle: Augenblicke, die nicht zu ihrer Prüfsumme passen, sind ausgelassen, und die Zahlen gelten für den Rest</translation>
+    </message>
+    <message>
+        <source>%1: DAMAGED, or changed after it was recorded, in %2 places: ticks that do not match their checksum were left out, and figures are those of the rest</source>
+        <translation>%1: BESCHÄDIGT oder nach der Aufzeichnung geändert an %2 Stellen: Augenblicke, die nicht zu ihrer Prüfsumme passen, sind ausgelassen, und die Zahlen gelten für den Rest</translation>
+    </message>
+    <message>
+        <source>%1: and %2 more</source>
+        <translation>%1: und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1: %2; recorded by this build (%3)</source>
+        <translation>%1: %2; mit dieser Programmfassung aufgezeichnet (%3)</translation>
+    </message>
+    <message>
+        <source>%1: %2; recorded by another build (%3), this one is %4</source>
+        <translation>%1: %2; mit einer anderen Programmfassung aufgezeichnet (%3), diese ist %4</translation>
+    </message>
+    <message>
+        <source>%1: %2; recorded by this build (%3), which should give the same bits</source>
+        <translation>%1: %2; mit dieser Programmfassung aufgezeichnet (%3), die dieselben Bits ergeben sollte</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written</source>
+        <translation>%1: kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>%1: found &quot;%2&quot;, expected a number above %3</source>
+        <translation>%1: gefunden „%2“, erwartet: eine Zahl über %3</translation>
+    </message>
+    <message>
+        <source>%1: found &quot;%2&quot;, expected a number of at least %3</source>
+        <translation>%1: gefunden „%2“, erwartet: eine Zahl von mindestens %3</translation>
+    </message>
+    <message>
+        <source>%1: found &quot;%2&quot;, expected a number above %3 and at most %4</source>
+        <translation>%1: gefunden „%2“, erwartet: eine Zahl über %3 und höchstens %4</translation>
+    </message>
+    <message>
+        <source>%1: found &quot;%2&quot;, expected a number of at least %3 and at most %4</source>
+        <translation>%1: gefunden „%2“, erwartet: eine Zahl von mindestens %3 und höchstens %4</translation>
+    </message>
+    <message>
+        <source>--unit: found &quot;%1&quot;, expected m, cm or mm</source>
+        <translation>--unit: gefunden „%1“, erwartet: m, cm oder mm</translation>
+    </message>
+    <message>
+        <source>--frame: found &quot;%1&quot;, expected LPS, RAS or Y-up</source>
+        <translation>--frame: gefunden „%1“, erwartet: LPS, RAS oder Y-up</translation>
+    </message>
+    <message>
+        <source>%1: found it as input and output, expected another name for the output</source>
+        <translation>%1: als Ein- und Ausgabe gefunden, erwartet: ein anderer Name für die Ausgabe</translation>
+    </message>
+    <message>
+        <source>%1: found it as output and a file of %2, expected another name for the output</source>
+        <translation>%1: als Ausgabe und Datei von %2 gefunden, erwartet: ein anderer Name für die Ausgabe</translation>
+    </message>
+    <message>
+        <source>%1: found it as two outputs, expected a name for each</source>
+        <translation>%1: für zwei Ausgaben gefunden, erwartet: für jede ein eigener Name</translation>
+    </message>
+    <message>
+        <source>--plugin-path: %1: expected a folder</source>
+        <translation>--plugin-path: %1: erwartet: ein Ordner</translation>
+    </message>
+    <message>
+        <source>--layers: found &quot;%1&quot;, expected auto</source>
+        <translation>--layers: gefunden „%1“, erwartet: auto</translation>
+    </message>
+    <message>
+        <source>%1; meshes are read in this process</source>
+        <translation>%1; Netze werden in diesem Prozess gelesen</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>der Speicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>stopped by an unknown error</source>
+        <translation>durch einen unbekannten Fehler beendet</translation>
+    </message>
+    <message>
+        <source>the output could not be written</source>
+        <translation>die Ausgabe konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>%1 (palpate --help lists what there is)</source>
+        <translation>%1 (palpate --help zeigt alle Möglichkeiten)</translation>
+    </message>
+    <message>
+        <source>no picture after %1 s</source>
+        <translation>kein Bild nach %1 s</translation>
+    </message>
+    <message>
+        <source>%1: found a link, pipe or other special file, expected a file of settings; they are not kept. Remove it</source>
+        <translation>%1: ein Link, eine Pipe oder eine andere besondere Datei, erwartet: eine Datei mit Einstellungen; sie werden nicht behalten. Entfernen Sie diese Datei</translation>
+    </message>
+    <message>
+        <source>found no display (DISPLAY is not set), expected one for the window; app/run.sh draws without</source>
+        <translation>keine Anzeige gefunden (DISPLAY ist nicht gesetzt), das Fenster braucht eine; app/run.sh zeichnet ohne Anzeige</translation>
+    </message>
+    <message>
+        <source>the display (%1) has no OpenGL, expected one that has; app/run.sh draws without a display</source>
+        <translation>die Anzeige (%1) hat kein OpenGL, erwartet: eine mit OpenGL; app/run.sh zeichnet ohne Anzeige</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>force per millimetre of depth</source>
+        <translation>Kraft je Millimeter Tiefe</translation>
+    </message>
+    <message>
+        <source>newton per millimetre</source>
+        <translation>Newton je Millimeter</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>resisting force per mm/s of movement</source>
+        <translation>Gegenkraft je mm/s Bewegung</translation>
+    </message>
+    <message>
+        <source>newton seconds per millimetre</source>
+        <translation>Newtonsekunden je Millimeter</translation>
+    </message>
+    <message>
+        <source>Static friction</source>
+        <translation>Haftreibung</translation>
+    </message>
+    <message>
+        <source>tangential force that starts sliding, as a fraction of the normal force</source>
+        <translation>Tangentialkraft, ab der es gleitet, als Anteil der Normalkraft</translation>
+    </message>
+    <message>
+        <source>Sliding friction</source>
+        <translation>Gleitreibung</translation>
+    </message>
+    <message>
+        <source>tangential force while sliding, as a fraction of the normal force</source>
+        <translation>Tangentialkraft beim Gleiten, als Anteil der Normalkraft</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Viskose Reibung</translation>
+    </message>
+    <message>
+        <source>resisting force per mm/s of sliding</source>
+        <translation>Gegenkraft je mm/s Gleiten</translation>
+    </message>
+    <message>
+        <source>Initial stiffness</source>
+        <translation>Anfangssteifigkeit</translation>
+    </message>
+    <message>
+        <source>Growth with depth</source>
+        <translation>Zunahme mit der Tiefe</translation>
+    </message>
+    <message>
+        <source>Maximum stiffness</source>
+        <translation>Maximale Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>Ball radius</source>
+        <translation>Kugelradius</translation>
+    </message>
+    <message>
+        <source>Layer thickness</source>
+        <translation>Schichtdicke</translation>
+    </message>
+    <message>
+        <source>Bonded to the layer below</source>
+        <translation>Mit der Schicht darunter verbunden</translation>
+    </message>
+    <message>
+        <source>Stiffness before the click</source>
+        <translation>Steifigkeit vor dem Klick</translation>
+    </message>
+    <message>
+        <source>Force at the click</source>
+        <translation>Kraft beim Klick</translation>
+    </message>
+    <message>
+        <source>Force after the click</source>
+        <translation>Kraft nach dem Klick</translation>
+    </message>
+    <message>
+        <source>Depth of the force drop</source>
+        <translation>Tiefe des Kraftabfalls</translation>
+    </message>
+    <message>
+        <source>Stiffness after the click</source>
+        <translation>Steifigkeit nach dem Klick</translation>
+    </message>
+    <message>
+        <source>This device needs no calibration.</source>
+        <translation>Dieses Gerät braucht keine Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be made: %2</source>
+        <translation>%1: kann nicht angelegt werden: %2</translation>
+    </message>
+    <message>
+        <source>The device gave a position that is not a number. Check its driver, then re-arm.</source>
+        <translation>Das Gerät gab eine Position an, die keine Zahl ist. Bitte den Treiber prüfen, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The device gave positions outside its workspace. Calibrate it, then re-arm.</source>
+        <translation>Das Gerät gab Positionen außerhalb seines Arbeitsraums an. Bitte kalibrieren, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s position jumped farther than a hand can move. Check its cable and calibration, then re-arm.</source>
+        <translation>Die Position des Geräts sprang weiter, als eine Hand sich bewegen kann. Bitte Kabel und Kalibrierung prüfen, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The device stopped giving new positions. Check its connection, then re-arm.</source>
+        <translation>Das Gerät gibt keine neuen Positionen mehr an. Bitte die Verbindung prüfen, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The device no longer answers. Plug it in again, then re-arm.</source>
+        <translation>Das Gerät antwortet nicht mehr. Bitte neu einstecken, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The model gave a force that is not a number. Leave the surface, then re-arm.</source>
+        <translation>Die berechnete Kraft ist keine Zahl. Bitte die Oberfläche verlassen, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The computer could not keep the servo rate. Close other programs or lower the rate, then re-arm.</source>
+        <translation>Der Rechner hielt den Takt nicht ein. Bitte andere Programme schließen oder den Takt senken, dann wieder fühlen.</translation>
+    </message>
+    <message>
+        <source>The servo thread ended by an error. Start the device again.</source>
+        <translation>Die Berechnung der Kraft endete durch einen Fehler. Bitte das Gerät neu starten.</translation>
+    </message>
+    <message>
+        <source>real-time priority</source>
+        <translation>Echtzeit-Priorität</translation>
+    </message>
+    <message>
+        <source>locked memory</source>
+        <translation>gesperrter Speicher</translation>
+    </message>
+    <message>
+        <source>SCHED_FIFO %1</source>
+        <translation>SCHED_FIFO %1</translation>
+    </message>
+    <message>
+        <source>SCHED_FIFO %1 was refused: %2</source>
+        <translation>SCHED_FIFO %1 wurde verweigert: %2</translation>
+    </message>
+    <message>
+        <source>mlockall was refused: %1</source>
+        <translation>mlockall wurde verweigert: %1</translation>
+    </message>
+    <message>
+        <source>only %1 KiB may be locked: %2</source>
+        <translation>nur %1 KiB dürfen gesperrt werden: %2</translation>
+    </message>
+    <message>
+        <source>pages stay in memory once touched</source>
+        <translation>Seiten bleiben im Speicher, sobald sie benutzt wurden</translation>
+    </message>
+    <message>
+        <source>CPU %1: the program may not run on it (see taskset -p, or the container&apos;s settings), expected one of %2</source>
+        <translation>Prozessor %1: das Programm darf darauf nicht laufen (siehe taskset -p oder die Einstellungen des Containers), erwartet: einer von %2</translation>
+    </message>
+    <message>
+        <source>CPU %1: this machine has no such CPU, expected one of %2</source>
+        <translation>Prozessor %1: diesen gibt es hier nicht, erwartet: einer von %2</translation>
+    </message>
+    <message>
+        <source>thread name</source>
+        <translation>Name des Threads</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>not asked for</source>
+        <translation>nicht verlangt</translation>
+    </message>
+    <message>
+        <source>timer slack</source>
+        <translation>Zeitgeber-Toleranz</translation>
+    </message>
+    <message>
+        <source>%1 ns</source>
+        <translation>%1 ns</translation>
+    </message>
+    <message>
+        <source>own CPU</source>
+        <translation>eigener Prozessor</translation>
+    </message>
+    <message>
+        <source>CPU %1</source>
+        <translation>Prozessor %1</translation>
+    </message>
+    <message>
+        <source>CPU %1 was refused: %2</source>
+        <translation>Prozessor %1 wurde verweigert: %2</translation>
+    </message>
+    <message>
+        <source>floating point</source>
+        <translation>Gleitkomma</translation>
+    </message>
+    <message>
+        <source>default environment, denormals kept: a replay gives the same bits</source>
+        <translation>Standardumgebung mit denormalen Zahlen: eine Wiederholung ergibt dieselben Bits</translation>
+    </message>
+    <message>
+        <source>the default environment could not be set</source>
+        <translation>die Standardumgebung ließ sich nicht einstellen</translation>
+    </message>
+    <message>
+        <source>servo rate is %1 Hz, expected 1 to 10000</source>
+        <translation>der Takt ist %1 Hz, erwartet: 1 bis 10000</translation>
+    </message>
+    <message>
+        <source>the servo ring holds %1 ticks, expected 2 to %2</source>
+        <translation>der Ringpuffer fasst %1 Augenblicke, erwartet: 2 bis %2</translation>
+    </message>
+    <message>
+        <source>the servo loop is already running</source>
+        <translation>die Hand läuft schon</translation>
+    </message>
+    <message>
+        <source>the device could not be started: %1</source>
+        <translation>das Gerät ließ sich nicht starten: %1</translation>
+    </message>
+    <message>
+        <source>the device could not be started: its driver failed</source>
+        <translation>das Gerät ließ sich nicht starten: sein Treiber versagte</translation>
+    </message>
+    <message>
+        <source>the servo loop is not running</source>
+        <translation>die Hand läuft nicht</translation>
+    </message>
+    <message>
+        <source>the device or the servo thread could not be started: %1</source>
+        <translation>das Gerät oder der Servo-Thread ließ sich nicht starten: %1</translation>
+    </message>
+    <message>
+        <source>the servo thread could not be set up</source>
+        <translation>der Servo-Thread ließ sich nicht einrichten</translation>
+    </message>
+    <message>
+        <source>file is not a database</source>
+        <translation>die Datei ist keine Datenbank</translation>
+    </message>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>die Datenbank ist beschädigt</translation>
+    </message>
+    <message>
+        <source>unable to open database file</source>
+        <translation>die Datei kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>database or disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>attempt to write a readonly database</source>
+        <translation>die Datei ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>disk I/O error</source>
+        <translation>der Datenträger antwortet nicht richtig</translation>
+    </message>
+    <message>
+        <source>%1: found a database with a write-ahead log, expected one with a rollback journal, as Palpate writes it: another program changed it</source>
+        <translation>%1: eine Datenbank mit Write-Ahead-Log, erwartet wurde eine mit Rollback-Journal, wie Palpate sie schreibt: Ein anderes Programm hat sie geändert</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>its pages lead to more rows than a file of its size holds</source>
+        <translation>die Seiten führen zu mehr Zeilen, als eine Datei dieser Größe enthält</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2</source>
+        <translation>%1: kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>%1: found something else than a file, expected the journal of a recording; nothing was opened. Move it away to read the recording as it is</source>
+        <translation>%1: keine Datei, erwartet wurde das Journal einer Aufzeichnung; nichts wurde geöffnet. Verschieben Sie es, um die Aufzeichnung so zu lesen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>%1: found the journal of several databases, which names another file to be deleted; Palpate writes none, so this was not made by Palpate; nothing was opened. Move it away to read the recording as it is</source>
+        <translation>%1: das Journal mehrerer Datenbanken, das eine andere Datei zum Löschen nennt; Palpate schreibt keines, es stammt also nicht von Palpate; nichts wurde geöffnet. Verschieben Sie es, um die Aufzeichnung so zu lesen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>a temporary file</source>
+        <translation>eine temporäre Datei</translation>
+    </message>
+    <message>
+        <source>it asks to open %1, expected nothing but the recording and its journal</source>
+        <translation>sie verlangt, %1 zu öffnen, erwartet: nur die Aufzeichnung und ihr Journal</translation>
+    </message>
+    <message>
+        <source>it asks to delete %1, expected nothing but the recording and its journal</source>
+        <translation>sie verlangt, %1 zu löschen, erwartet: nur die Aufzeichnung und ihr Journal</translation>
+    </message>
+    <message>
+        <source>its journal holds more than a recorder changes at a time</source>
+        <translation>das Journal enthält mehr, als eine Aufzeichnung auf einmal ändert</translation>
+    </message>
+    <message>
+        <source>distance: found %1 mm, expected at least %2 mm for surfaces this large</source>
+        <translation>Abstand: gefunden %1 mm, erwartet: mindestens %2 mm bei Oberflächen dieser Größe</translation>
+    </message>
+    <message>
+        <source>measuring was cancelled</source>
+        <translation>die Auswertung wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the disk cannot be written (%1)</source>
+        <translation>der Datenträger kann nicht beschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>%1: the recording ended at %2 s because %3; what was felt after is not in it</source>
+        <translation>%1: die Aufzeichnung endete bei %2 s (%3); was danach gefühlt wurde, ist nicht darin</translation>
+    </message>
+    <message>
+        <source>%1: nothing was recorded because %2</source>
+        <translation>%1: nichts wurde aufgezeichnet (%2)</translation>
+    </message>
+    <message>
+        <source>%1: recording ended: %2</source>
+        <translation>%1: die Aufzeichnung endete: %2</translation>
+    </message>
+    <message>
+        <source>%1: is still being recorded</source>
+        <translation>%1: wird noch aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>%1: cannot be recorded: the servo loop is not running</source>
+        <translation>%1: kann nicht aufgezeichnet werden: die Hand läuft nicht</translation>
+    </message>
+    <message>
+        <source>%1: cannot be recorded: the servo loop does not answer</source>
+        <translation>%1: kann nicht aufgezeichnet werden: die Hand antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1: %2 ticks were lost</source>
+        <translation>%1: %2 Augenblicke gingen verloren</translation>
+    </message>
+    <message>
+        <source>%1: no such file, expected a recording</source>
+        <translation>%1: die Datei ist nicht da, erwartet: eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened: %2</source>
+        <translation>%1: kann nicht geöffnet werden: %2</translation>
+    </message>
+    <message>
+        <source>%1: found no SQLite database, expected a recording</source>
+        <translation>%1: keine Aufzeichnung von Palpate (keine SQLite-Datenbank)</translation>
+    </message>
+    <message>
+        <source>%1: found no tick with a hand, expected at least one</source>
+        <translation>%1: kein Augenblick mit einer Hand darin, erwartet: mindestens einer</translation>
+    </message>
+    <message>
+        <source>%1 (and %2 more places)</source>
+        <translation>%1 (und %2 weitere Stellen)</translation>
+    </message>
+    <message>
+        <source>%1: damaged: %2</source>
+        <translation>%1: beschädigt: %2</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>vollständig</translation>
+    </message>
+    <message>
+        <source>ended at %1 s because the disk was full; what was felt after is not in it</source>
+        <translation>endete bei %1 s, weil der Datenträger voll war; was danach gefühlt wurde, ist nicht darin</translation>
+    </message>
+    <message>
+        <source>ended at %1 s because the disk could not be written; what was felt after is not in it</source>
+        <translation>endete bei %1 s, weil der Datenträger nicht beschrieben werden konnte; was danach gefühlt wurde, ist nicht darin</translation>
+    </message>
+    <message>
+        <source>ended at %1 s without being closed (a crash, or a full disk); what was felt after is not in it</source>
+        <translation>endete bei %1 s, ohne geschlossen zu werden (ein Absturz oder ein voller Datenträger); was danach gefühlt wurde, ist nicht darin</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot;: a map of its tissue is not there, or damaged</source>
+        <translation>Struktur „%1“: eine Karte ihres Gewebes fehlt oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>tick %1 after tick %2: ticks must ascend</source>
+        <translation>Augenblick %1 nach Augenblick %2: Augenblicke müssen aufsteigen</translation>
+    </message>
+    <message>
+        <source>the disk takes no more: %1 ticks lost</source>
+        <translation>der Datenträger nimmt nichts mehr auf: %1 Augenblicke verloren</translation>
+    </message>
+    <message>
+        <source>scene %1 is described already</source>
+        <translation>Szene %1 ist schon beschrieben</translation>
+    </message>
+    <message>
+        <source>its first page is damaged</source>
+        <translation>die erste Seite ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1: is the recording itself, expected another name</source>
+        <translation>%1: ist die Aufzeichnung selbst, erwartet: ein anderer Name</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: not a file</source>
+        <translation>%1: kann nicht geschrieben werden: keine Datei</translation>
+    </message>
+    <message>
+        <source>found no SQLite database, expected a recording</source>
+        <translation>keine Aufzeichnung von Palpate (keine SQLite-Datenbank)</translation>
+    </message>
+    <message>
+        <source>%1: %2 rows were gathered from the file&apos;s %3 pages one by one</source>
+        <translation>%1: %2 Zeilen wurden einzeln aus den %3 Seiten der Datei gerettet</translation>
+    </message>
+    <message>
+        <source>%1: %2: nothing can be recovered</source>
+        <translation>%1: %2: nichts lässt sich retten</translation>
+    </message>
+    <message>
+        <source>metadata: %1 cannot be read; set to their defaults</source>
+        <translation>Metadaten: %1 nicht lesbar; auf die Vorgaben gesetzt</translation>
+    </message>
+    <message>
+        <source>scene %1: kept without a checksum to hold it against</source>
+        <translation>Szene %1: ohne Prüfsumme übernommen</translation>
+    </message>
+    <message>
+        <source>scene %1: left out</source>
+        <translation>Szene %1: ausgelassen</translation>
+    </message>
+    <message>
+        <source>event %1: kept without a checksum to hold it against</source>
+        <translation>Ereignis %1: ohne Prüfsumme übernommen</translation>
+    </message>
+    <message>
+        <source>tick %1: found a time before the first tick&apos;s: left out</source>
+        <translation>Augenblick %1: eine Zeit vor der des ersten: ausgelassen</translation>
+    </message>
+    <message>
+        <source>up to tick %1: %2 ticks kept without a checksum to hold them against</source>
+        <translation>bis Augenblick %1: %2 Augenblicke ohne Prüfsumme übernommen</translation>
+    </message>
+    <message>
+        <source>%1: left out</source>
+        <translation>%1: ausgelassen</translation>
+    </message>
+    <message>
+        <source>the end: the recording was not closed; nothing is known after tick %1</source>
+        <translation>das Ende: die Aufzeichnung wurde nicht geschlossen; nach Augenblick %1 ist nichts bekannt</translation>
+    </message>
+    <message>
+        <source>scene generation %1 is not described in the recording</source>
+        <translation>die Szene %1 ist in der Aufzeichnung nicht beschrieben</translation>
+    </message>
+    <message>
+        <source>the state before the first tick: found contact with triangle %1 of structure %2, expected one of the scene&apos;s layer %3</source>
+        <translation>der Zustand vor dem ersten Augenblick: Kontakt mit Dreieck %1 der Struktur %2 gefunden, erwartet: eines der Schicht %3 der Szene</translation>
+    </message>
+    <message>
+        <source>tick %1: god-object recorded at %2, now %3, %4 mm apart</source>
+        <translation>Augenblick %1: Kontaktpunkt aufgezeichnet bei %2, jetzt %3, Abstand %4 mm</translation>
+    </message>
+    <message>
+        <source>tick %1: force recorded as %2, now %3, %4 N apart</source>
+        <translation>Augenblick %1: Kraft aufgezeichnet als %2, jetzt %3, Unterschied %4 N</translation>
+    </message>
+    <message>
+        <source>tick %1: structure, triangle and constraints recorded as %2, now %3</source>
+        <translation>Augenblick %1: Struktur, Dreieck und Bedingungen aufgezeichnet als %2, jetzt %3</translation>
+    </message>
+    <message>
+        <source>tick %1: layers (structure, triangle, friction) recorded as %2, now %3</source>
+        <translation>Augenblick %1: Schichten (Struktur, Dreieck, Reibung) aufgezeichnet als %2, jetzt %3</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>a map of its tissue is not in the recording, or damaged</source>
+        <translation>eine Karte ihres Gewebes fehlt in der Aufzeichnung oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>a map of its tissue has %1 triangles, expected %2</source>
+        <translation>eine Karte ihres Gewebes hat %1 Dreiecke, erwartet: %2</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot; of the recording: law_table: %2</source>
+        <translation>Struktur „%1“ der Aufzeichnung: law_table: %2</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot; of the recording: its geometry (SHA-256 %2...) is not in the scene</source>
+        <translation>Struktur „%1“ der Aufzeichnung: ihre Geometrie (SHA-256 %2...) ist nicht in der Szene</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot; of the recording: %2</source>
+        <translation>Struktur „%1“ der Aufzeichnung: %2</translation>
+    </message>
+    <message>
+        <source>found a fingertip radius of %1 mm in the recording, expected 0 to %2</source>
+        <translation>ein Fingerradius von %1 mm in der Aufzeichnung, erwartet: 0 bis %2</translation>
+    </message>
+    <message>
+        <source>found %1, expected an ascending range from 0 to 2^53</source>
+        <translation>gefunden: %1, erwartet: ein aufsteigender Bereich von 0 bis 2^53</translation>
+    </message>
+    <message>
+        <source>%1: found a checksum of %2 rows, expected at least one and at most one a tick</source>
+        <translation>%1: eine Prüfsumme über %2 Zeilen, erwartet: mindestens eine und höchstens eine je Augenblick</translation>
+    </message>
+    <message>
+        <source>found %1 rows, expected %2</source>
+        <translation>%1 Zeilen gefunden, erwartet: %2</translation>
+    </message>
+    <message>
+        <source>%1: found rows without a checksum</source>
+        <translation>%1: Zeilen ohne Prüfsumme gefunden</translation>
+    </message>
+    <message>
+        <source>%1: found without a checksum</source>
+        <translation>%1: ohne Prüfsumme gefunden</translation>
+    </message>
+    <message>
+        <source>scene %1</source>
+        <translation>Szene %1</translation>
+    </message>
+    <message>
+        <source>ticks %1 to %2</source>
+        <translation>Augenblicke %1 bis %2</translation>
+    </message>
+    <message>
+        <source>checks: found line %1, expected %2: a part of the recording was taken out</source>
+        <translation>Prüfsummen: Zeile %1 gefunden, erwartet: %2; ein Teil der Aufzeichnung wurde entfernt</translation>
+    </message>
+    <message>
+        <source>metadata</source>
+        <translation>Metadaten</translation>
+    </message>
+    <message>
+        <source>checks: found a line of kind &quot;%1&quot;, expected one of this version</source>
+        <translation>Prüfsummen: eine Zeile der Art „%1“, erwartet: eine dieser Version</translation>
+    </message>
+    <message>
+        <source>events %1 to %2</source>
+        <translation>Ereignisse %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1: found a second checksum, expected one</source>
+        <translation>%1: eine zweite Prüfsumme gefunden, erwartet: eine</translation>
+    </message>
+    <message>
+        <source>checks: %1</source>
+        <translation>Prüfsummen: %1</translation>
+    </message>
+    <message>
+        <source>checks: %1: found behind %2, expected ascending ranges</source>
+        <translation>Prüfsummen: %1: hinter %2 gefunden, erwartet: aufsteigende Bereiche</translation>
+    </message>
+    <message>
+        <source>event %1</source>
+        <translation>Ereignis %1</translation>
+    </message>
+    <message>
+        <source>tick %1: found a row without a checksum, expected ticks from 0</source>
+        <translation>Augenblick %1: eine Zeile ohne Prüfsumme, erwartet: Augenblicke ab 0</translation>
+    </message>
+    <message>
+        <source>%1: found other bits than were written (checksum)</source>
+        <translation>%1: andere Bits, als geschrieben wurden (Prüfsumme)</translation>
+    </message>
+    <message>
+        <source>metadata or %1</source>
+        <translation>Metadaten oder %1</translation>
+    </message>
+    <message>
+        <source>found %1 there</source>
+        <translation>dort gefunden: %1</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read</source>
+        <translation>%1: kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>there is a file of this name; choose another name</source>
+        <translation>es gibt eine Datei dieses Namens; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>the file %1 would be taken for a part of it; move that away or choose another name</source>
+        <translation>die Datei %1 würde für einen Teil davon gehalten; verschieben Sie sie oder wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>another program is recording into it; choose another name</source>
+        <translation>ein anderes Programm zeichnet darin auf; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>another program wrote a file of this name meanwhile; kept as %1</source>
+        <translation>ein anderes Programm hat inzwischen eine Datei dieses Namens geschrieben; gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>found more than %1 %2, or more bytes of them than the file has, expected what a recorder writes</source>
+        <translation>mehr als %1 %2 gefunden oder mehr Bytes davon, als die Datei hat, erwartet: was eine Aufzeichnung schreibt</translation>
+    </message>
+    <message>
+        <source>found another program&apos;s SQLite database, expected a Palpate recording</source>
+        <translation>die Datenbank eines anderen Programms, erwartet: eine Aufzeichnung von Palpate</translation>
+    </message>
+    <message>
+        <source>found a recording of version %1, expected 1 to %2: damaged</source>
+        <translation>eine Aufzeichnung der Version %1, erwartet: 1 bis %2; beschädigt</translation>
+    </message>
+    <message>
+        <source>found a recording of version %1, expected at most %2: a newer Palpate made it</source>
+        <translation>eine Aufzeichnung der Version %1, erwartet höchstens %2: eine neuere Fassung von Palpate hat sie geschrieben</translation>
+    </message>
+    <message>
+        <source>values of the metadata</source>
+        <translation>Werte der Metadaten</translation>
+    </message>
+    <message>
+        <source>found %1 for %2, expected %3 to %4</source>
+        <translation>gefunden: %1 für %2, erwartet: %3 bis %4</translation>
+    </message>
+    <message>
+        <source>found the layer %1, expected one from 0</source>
+        <translation>die Schicht %1 gefunden, erwartet: eine ab 0</translation>
+    </message>
+    <message>
+        <source>found no mesh with a unit, expected one of the recording&apos;s meshes</source>
+        <translation>kein Netz mit einer Einheit gefunden, erwartet: eines der Netze der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>found the scene %1, expected ascending generations of 32 bits</source>
+        <translation>die Szene %1 gefunden, erwartet: aufsteigende Nummern mit 32 Bits</translation>
+    </message>
+    <message>
+        <source>scene %1: %2</source>
+        <translation>Szene %1: %2</translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>structures</source>
+        <translation>Strukturen</translation>
+    </message>
+    <message>
+        <source>found the law %1, expected one of this version</source>
+        <translation>das Gesetz %1 gefunden, erwartet: eines dieser Version</translation>
+    </message>
+    <message>
+        <source>scene %1, structure &quot;%2&quot;: %3</source>
+        <translation>Szene %1, Struktur „%2“: %3</translation>
+    </message>
+    <message>
+        <source>event %1: found values of another type or a tick out of range, expected a tick, a kind and its text: left out</source>
+        <translation>Ereignis %1: Werte einer anderen Art oder ein Augenblick außerhalb des Bereichs, erwartet: ein Augenblick, eine Art und ihr Text; ausgelassen</translation>
+    </message>
+    <message>
+        <source>events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>lines of checks</source>
+        <translation>Zeilen mit Prüfsummen</translation>
+    </message>
+    <message>
+        <source>tick %1: found behind tick %2, expected ascending ticks: damaged</source>
+        <translation>Augenblick %1: hinter Augenblick %2 gefunden, erwartet: aufsteigende Augenblicke; beschädigt</translation>
+    </message>
+    <message>
+        <source>tick %1: %2</source>
+        <translation>Augenblick %1: %2</translation>
+    </message>
+    <message>
+        <source>embedded surface %1...: is not in the recording</source>
+        <translation>eingebettete Oberfläche %1...: ist nicht in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>embedded surface %1...: found other bits than were written (checksum)</source>
+        <translation>eingebettete Oberfläche %1...: andere Bits, als geschrieben wurden (Prüfsumme)</translation>
+    </message>
+    <message>
+        <source>embedded surface %1...: found indices or coordinates out of range, expected triangles of three vertices within 1e7 mm</source>
+        <translation>eingebettete Oberfläche %1...: Indizes oder Koordinaten außerhalb des Bereichs, erwartet: Dreiecke aus drei Ecken innerhalb von 1e7 mm</translation>
+    </message>
+    <message>
+        <source>%1: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
+        <translation>%1: nicht von Palpate erstellt oder beschädigt (palpate session recover rettet, was heil ist)</translation>
+    </message>
+    <message>
+        <source>found more than %1 tables and views, expected the tables of a recording</source>
+        <translation>mehr als %1 Tabellen und Sichten gefunden, erwartet: die Tabellen einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot; for %2 &quot;%3&quot;, expected only the tables of version %4 and the view tick_values</source>
+        <translation>„%1“ für %2 „%3“ gefunden, erwartet: nur die Tabellen der Version %4 und die Sicht tick_values</translation>
+    </message>
+    <message>
+        <source>found no table &quot;%1&quot;, expected the tables of version %2</source>
+        <translation>keine Tabelle „%1“ gefunden, erwartet: die Tabellen der Version %2</translation>
+    </message>
+    <message>
+        <source>found other columns in the table &quot;%1&quot;, expected those of version %2</source>
+        <translation>andere Spalten in der Tabelle „%1“ gefunden, erwartet: die der Version %2</translation>
+    </message>
+    <message>
+        <source>meta has no value &quot;%1&quot;</source>
+        <translation>in meta fehlt der Wert „%1“</translation>
+    </message>
+    <message>
+        <source>meta value &quot;%1&quot; is not a valid number, expected %2 to %3</source>
+        <translation>der Wert „%1“ in meta ist keine gültige Zahl, erwartet: %2 bis %3</translation>
+    </message>
+    <message>
+        <source>meta value &quot;%1&quot; is not a whole number</source>
+        <translation>der Wert „%1“ in meta ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>meta value &quot;%1&quot; is %2, expected %3 to %4</source>
+        <translation>der Wert „%1“ in meta ist %2, erwartet: %3 bis %4</translation>
+    </message>
+    <message>
+        <source>meta value &quot;dt_s&quot; is not one period of &quot;rate_Hz&quot;</source>
+        <translation>der Wert „dt_s“ in meta ist keine Periode von „rate_Hz“</translation>
+    </message>
+    <message>
+        <source>meta value &quot;start&quot; is not a state of this version</source>
+        <translation>der Wert „start“ in meta ist kein Zustand dieser Version</translation>
+    </message>
+    <message>
+        <source>found more than %1 bytes without a line end, expected a CSV</source>
+        <translation>mehr als %1 Bytes ohne Zeilenende gefunden, erwartet: eine CSV-Datei</translation>
+    </message>
+    <message>
+        <source>found no rows after the header, expected one a servo tick</source>
+        <translation>keine Zeilen nach der Kopfzeile gefunden, erwartet: eine je Augenblick</translation>
+    </message>
+    <message>
+        <source>%1: line %2: %3</source>
+        <translation>%1: Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: line %2, column %3: %4</source>
+        <translation>%1: Zeile %2, Spalte %3: %4</translation>
+    </message>
+    <message>
+        <source>found 1 field, expected %1 as in the header</source>
+        <translation>1 Feld gefunden, erwartet: %1 wie in der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>found %1 fields, expected %2 as in the header</source>
+        <translation>%1 Felder gefunden, erwartet: %2 wie in der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>found an empty line, expected a header with x, y and z</source>
+        <translation>eine leere Zeile gefunden, erwartet: eine Kopfzeile mit x, y und z</translation>
+    </message>
+    <message>
+        <source>found the column twice, expected it once</source>
+        <translation>die Spalte zweimal gefunden, erwartet: einmal</translation>
+    </message>
+    <message>
+        <source>found no column %1 in %2, expected a header with x, y and z</source>
+        <translation>keine Spalte %1 in %2 gefunden, erwartet: eine Kopfzeile mit x, y und z</translation>
+    </message>
+    <message>
+        <source>found more than %1 rows, expected at most a day at 1 kHz: split the file</source>
+        <translation>mehr als %1 Zeilen gefunden, erwartet: höchstens ein Tag mit 1 kHz; teilen Sie die Datei</translation>
+    </message>
+    <message>
+        <source>found %1, expected a number</source>
+        <translation>gefunden: %1, erwartet: eine Zahl</translation>
+    </message>
+    <message>
+        <source>found %1, expected a finite number</source>
+        <translation>gefunden: %1, erwartet: eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>found %1, expected a coordinate within 1e9 mm</source>
+        <translation>gefunden: %1, erwartet: eine Koordinate innerhalb von 1e9 mm</translation>
+    </message>
+    <message>
+        <source>found a time before the previous row&apos;s, expected ascending times</source>
+        <translation>eine Zeit vor der der vorigen Zeile, erwartet: aufsteigende Zeiten</translation>
+    </message>
+    <message>
+        <source>found that no time passes, expected ascending times</source>
+        <translation>es vergeht keine Zeit, erwartet: aufsteigende Zeiten</translation>
+    </message>
+    <message>
+        <source>found %1 s between rows on average, expected 1e-05 to 1 s: one row a servo tick</source>
+        <translation>im Mittel %1 s zwischen den Zeilen, erwartet: 1e-05 bis 1 s; eine Zeile je Augenblick</translation>
+    </message>
+    <message>
+        <source>%1: no such file, expected a motion CSV</source>
+        <translation>%1: die Datei ist nicht da, erwartet: eine Bewegung als CSV</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2, expected a motion CSV</source>
+        <translation>%1: kann nicht gelesen werden: %2, erwartet: eine Bewegung als CSV</translation>
+    </message>
+    <message>
+        <source>%1: found a directory, expected a motion CSV</source>
+        <translation>%1: ein Ordner, erwartet: eine Bewegung als CSV</translation>
+    </message>
+    <message>
+        <source>a number within %1</source>
+        <translation>eine Zahl bis %1</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>three numbers or none</source>
+        <translation>drei Zahlen oder keine</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>found %1 for %2, expected %3</source>
+        <translation>gefunden: %1 für %2, erwartet: %3</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>found no contacts of layers in the column layers</source>
+        <translation>keine Kontakte von Schichten in der Spalte layers gefunden</translation>
+    </message>
+    <message>
+        <source>%1 is hidden or not palpable</source>
+        <translation>%1 ist ausgeblendet oder nicht tastbar</translation>
+    </message>
+    <message>
+        <source>the scene has no structure &quot;%1&quot;, which it names as the organ</source>
+        <translation>die Szene enthält keine Struktur „%1“, die als Organ genannt ist</translation>
+    </message>
+    <message>
+        <source>it lies in no closed surface that can be felt</source>
+        <translation>liegt in keiner geschlossenen Oberfläche, die tastbar ist</translation>
+    </message>
+    <message>
+        <source>its name is not that of a lump, and the scene gives no stiffness ratio</source>
+        <translation>der Name bezeichnet keinen Knoten, und die Szene gibt kein Steifigkeitsverhältnis an</translation>
+    </message>
+    <message>
+        <source>the scene names the organs of other lumps, but not of this one</source>
+        <translation>die Szene nennt die Organe anderer Knoten, aber nicht dieses</translation>
+    </message>
+    <message>
+        <source>the SpaceMouse is the hand now; choose another device for it first</source>
+        <translation>die SpaceMouse ist jetzt die Hand; bitte erst ein anderes Gerät dafür wählen</translation>
+    </message>
+    <message>
+        <source>the SpaceMouse moves the view or presses; switch that off first</source>
+        <translation>die SpaceMouse bewegt die Ansicht oder drückt; das zuerst ausschalten</translation>
+    </message>
+    <message>
+        <source>no device is called &quot;%1&quot;</source>
+        <translation>kein Gerät heißt „%1“</translation>
+    </message>
+    <message>
+        <source>the simulated hand palpates what is in the middle of the view: found nothing palpable there</source>
+        <translation>die simulierte Hand tastet, was in der Mitte der Ansicht ist: dort ist nichts zu fühlen</translation>
+    </message>
+    <message>
+        <source>found no open recording, expected one whose motion the device repeats</source>
+        <translation>keine Aufzeichnung ist offen, erwartet: eine, deren Bewegung das Gerät wiederholt</translation>
+    </message>
+    <message>
+        <source>rate and CPU cannot be changed while a recording runs; stop it first</source>
+        <translation>Takt und Prozessor lassen sich nicht ändern, solange eine Aufzeichnung läuft; bitte erst beenden</translation>
+    </message>
+    <message>
+        <source>the device cannot be changed while a recording runs; stop it first</source>
+        <translation>das Gerät lässt sich nicht wechseln, solange eine Aufzeichnung läuft; bitte erst beenden</translation>
+    </message>
+    <message>
+        <source>%1 may not be opened: install Palpate&apos;s udev rule (in lib/udev/rules.d) and plug the device in anew</source>
+        <translation>%1 darf nicht geöffnet werden: installieren Sie die udev-Regel von Palpate (in lib/udev/rules.d) und stecken Sie das Gerät neu ein</translation>
+    </message>
+    <message>
+        <source>%1: could not be opened: %2</source>
+        <translation>%1: konnte nicht geöffnet werden: %2</translation>
+    </message>
+    <message>
+        <source>%1: already started</source>
+        <translation>%1: schon gestartet</translation>
+    </message>
+    <message>
+        <source>%1: %2: found %3, expected %4 to %5</source>
+        <translation>%1: %2: gefunden: %3, erwartet: %4 bis %5</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>keine Zahl</translation>
+    </message>
+    <message>
+        <source>no 6-axis mouse is connected: plug one in</source>
+        <translation>keine 6-Achsen-Maus ist angeschlossen: stecken Sie eine ein</translation>
+    </message>
+    <message>
+        <source>%1: expected an object, as {&quot;dead_zone&quot;: 0.06}</source>
+        <translation>%1: erwartet: ein Objekt wie {&quot;dead_zone&quot;: 0.06}</translation>
+    </message>
+    <message>
+        <source>%1: at byte %2: %3, expected an object of numbers, {&quot;length_body_a&quot;: 0.080, ...}</source>
+        <translation>%1: bei Byte %2: %3, erwartet: ein Objekt mit Zahlen, {&quot;length_body_a&quot;: 0.080, ...}</translation>
+    </message>
+    <message>
+        <source>too large for a device&apos;s configuration</source>
+        <translation>zu groß für die Konfiguration eines Geräts</translation>
+    </message>
+    <message>
+        <source>%1: could not be read</source>
+        <translation>%1: konnte nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>no WoodenHaptics arm is connected (USB 1234:0006): plug it in and switch it on</source>
+        <translation>kein WoodenHaptics-Arm ist angeschlossen (USB 1234:0006): stecken Sie ihn ein und schalten Sie ihn an</translation>
+    </message>
+    <message>
+        <source>woodenhaptics: %1: its reports have %2 bytes, expected 14 or 8: another device with mbed&apos;s ids</source>
+        <translation>woodenhaptics: %1: die Meldungen haben %2 Bytes, erwartet: 14 oder 8; ein anderes Gerät mit den Kennungen von mbed</translation>
+    </message>
+    <message>
+        <source>woodenhaptics: %1: it does not answer; is it switched on?</source>
+        <translation>woodenhaptics: %1: antwortet nicht; ist der Arm angeschaltet?</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::CoordinatesPart</name>
+    <message>
+        <source>Stop the recording first: it uses the current coordinates.</source>
+        <translation>Beenden Sie zuerst die Aufzeichnung: sie verwendet die jetzigen Koordinaten.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::DevicePart</name>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>The pointer sets the place, the SpaceMouse the force: push its cap down. P palpate, wheel for the force limit</source>
+        <translation>Der Zeiger bestimmt die Stelle, die SpaceMouse die Kraft: ihre Kappe nach unten drücken. P tastet, das Rad stellt die Höchstkraft ein</translation>
+    </message>
+    <message>
+        <source>Press by effort</source>
+        <translation>Mit Kraft drücken</translation>
+    </message>
+    <message>
+        <source>Press with a set force: it rises while the button is held, or follows the pressure of a pen, and stiff tissue yields less. Off: the wheel sets the depth</source>
+        <translation>Mit einer eingestellten Kraft drücken: sie wächst, solange die Taste gehalten wird, oder folgt dem Druck eines Stifts, und steifes Gewebe gibt weniger nach. Aus: das Rad stellt die Tiefe ein</translation>
+    </message>
+    <message>
+        <source>Lift the hand</source>
+        <translation>Hand anheben</translation>
+    </message>
+    <message>
+        <source>Move the device without moving the hand in the scene, like lifting a mouse; press again to continue</source>
+        <translation>Das Gerät bewegen, ohne die Hand in der Szene zu bewegen, wie beim Anheben einer Maus; noch einmal drücken: weiter</translation>
+    </message>
+    <message>
+        <source>Fit the workspace to the scene</source>
+        <translation>Arbeitsraum an die Szene anpassen</translation>
+    </message>
+    <message>
+        <source>The workspace of the device covers everything shown</source>
+        <translation>Der Arbeitsraum des Geräts umfasst alles Gezeigte</translation>
+    </message>
+    <message>
+        <source>Fit the workspace to the organ</source>
+        <translation>Arbeitsraum an das Organ anpassen</translation>
+    </message>
+    <message>
+        <source>The workspace of the device covers the organ that is touched or under the pointer</source>
+        <translation>Der Arbeitsraum des Geräts umfasst das Organ, das berührt wird oder unter dem Zeiger liegt</translation>
+    </message>
+    <message>
+        <source>Fit the workspace to the lump</source>
+        <translation>Arbeitsraum an den Knoten anpassen</translation>
+    </message>
+    <message>
+        <source>The workspace of the device covers 10 mm around the place that is touched, under the pointer or marked</source>
+        <translation>Der Arbeitsraum des Geräts umfasst 10 mm um die Stelle, die berührt wird, unter dem Zeiger liegt oder markiert ist</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>&amp;Gerät</translation>
+    </message>
+    <message>
+        <source>Touch with the device; O or L fits the workspace to the organ or lump, C lifts the hand</source>
+        <translation>Mit dem Gerät tasten; O oder L passt den Arbeitsraum an Organ oder Knoten an, C hebt die Hand an</translation>
+    </message>
+    <message>
+        <source>P palpate, hold to press harder, wheel for the force limit</source>
+        <translation>P tastet, Halten drückt stärker, das Rad stellt die Höchstkraft ein</translation>
+    </message>
+    <message>
+        <source>P palpate, drag to press, wheel for depth</source>
+        <translation>P tastet, Ziehen drückt, das Rad stellt die Tiefe</translation>
+    </message>
+    <message>
+        <source>Restore the force</source>
+        <translation>Kraft wiederherstellen</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::Docks</name>
+    <message>
+        <source>Next panel</source>
+        <translation>Nächstes Panel</translation>
+    </message>
+    <message>
+        <source>Move the keyboard focus to the next panel, after the last to the view</source>
+        <translation>Den Tastaturfokus auf das nächste Panel setzen, nach dem letzten auf die Ansicht</translation>
+    </message>
+    <message>
+        <source>Previous panel</source>
+        <translation>Voriges Panel</translation>
+    </message>
+    <message>
+        <source>Move the keyboard focus to the previous panel</source>
+        <translation>Den Tastaturfokus auf das vorige Panel setzen</translation>
+    </message>
+    <message>
+        <source>Hide or show all panels</source>
+        <translation>Alle Panels verbergen oder zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::DocumentPart</name>
+    <message>
+        <source>Save scene</source>
+        <translation>Szene speichern</translation>
+    </message>
+    <message>
+        <source>Save the scene with its tissue</source>
+        <translation>Die Szene mit ihrem Gewebe speichern</translation>
+    </message>
+    <message>
+        <source>Save scene as…</source>
+        <translation>Szene speichern unter…</translation>
+    </message>
+    <message>
+        <source>Save the scene with its tissue to another file</source>
+        <translation>Die Szene mit ihrem Gewebe in eine andere Datei speichern</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo the last change</source>
+        <translation>Die letzte Änderung rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo the last undone change</source>
+        <translation>Die zuletzt rückgängig gemachte Änderung wiederholen</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>The scene was changed elsewhere</source>
+        <translation>Die Szene wurde anderswo geändert</translation>
+    </message>
+    <message>
+        <source>Another window or program has saved %1 since it was opened here. Saving would replace that version.</source>
+        <translation>Ein anderes Fenster oder Programm hat %1 gespeichert, seit die Szene hier geöffnet wurde. Speichern würde diese Version ersetzen.</translation>
+    </message>
+    <message>
+        <source>Save anyway</source>
+        <translation>Trotzdem speichern</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Palpate scene (*.palpate.json)</source>
+        <translation>Palpate-Szene (*.palpate.json)</translation>
+    </message>
+    <message>
+        <source>Scene saved to %1</source>
+        <translation>Szene nach %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to this scene?</source>
+        <translation>Die Änderungen an dieser Szene speichern?</translation>
+    </message>
+    <message>
+        <source>Palpate[*]</source>
+        <translation>Palpate[*]</translation>
+    </message>
+    <message>
+        <source>Unsaved scene</source>
+        <translation>Ungespeicherte Szene</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1[*] – Palpate</source>
+        <translation>%1[*] – Palpate</translation>
+    </message>
+    <message>
+        <source>Palpate ended unexpectedly. Unsaved changes of a scene can be restored.</source>
+        <translation>Palpate wurde unerwartet beendet. Ungespeicherte Änderungen einer Szene lassen sich zurückholen.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>These changes were already restored in another window.</source>
+        <translation>Diese Änderungen wurden schon in einem anderen Fenster wiederhergestellt.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::EngineeringPart</name>
+    <message>
+        <source>State of the servo loop</source>
+        <translation>Zustand der Servoschleife</translation>
+    </message>
+    <message>
+        <source>Engineering</source>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>Show or hide measurements of solver, servo loop and device</source>
+        <translation>Messwerte von Löser, Servoschleife und Gerät zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Forces may stutter: %1: %2. %3</source>
+        <translation>Kräfte können stocken: %1: %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::FindingsPart</name>
+    <message>
+        <source>Import findings…</source>
+        <translation>Befunde importieren…</translation>
+    </message>
+    <message>
+        <source>Import the points of a 3D Slicer markups file (.mrk.json) as findings</source>
+        <translation>Die Punkte einer Markups-Datei von 3D Slicer (.mrk.json) als Befunde importieren</translation>
+    </message>
+    <message>
+        <source>Export findings…</source>
+        <translation>Befunde exportieren…</translation>
+    </message>
+    <message>
+        <source>Export findings and notes as a table (CSV) or as 3D Slicer markups (.mrk.json)</source>
+        <translation>Befunde und Notizen als Tabelle (CSV) oder als Markups von 3D Slicer (.mrk.json) exportieren</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Show the places marked as findings</source>
+        <translation>Die als Befund markierten Stellen zeigen</translation>
+    </message>
+    <message>
+        <source>Mark a finding</source>
+        <translation>Befund markieren</translation>
+    </message>
+    <message>
+        <source>Mark the touched place in the scene and in the recording</source>
+        <translation>Die berührte Stelle in Szene und Aufzeichnung markieren</translation>
+    </message>
+    <message>
+        <source>Mark a finding and write…</source>
+        <translation>Befund markieren und schreiben…</translation>
+    </message>
+    <message>
+        <source>Mark the touched place and write a note on it</source>
+        <translation>Die berührte Stelle markieren und eine Notiz dazu schreiben</translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation>Notiz…</translation>
+    </message>
+    <message>
+        <source>Write a note without a place</source>
+        <translation>Eine Notiz ohne Stelle schreiben</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Nächster Befund</translation>
+    </message>
+    <message>
+        <source>Go to the next finding and restore the view in which it was marked</source>
+        <translation>Zum nächsten Befund, in der Ansicht, in der er markiert wurde</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Voriger Befund</translation>
+    </message>
+    <message>
+        <source>Go to the previous finding</source>
+        <translation>Zum vorigen Befund</translation>
+    </message>
+    <message>
+        <source>Enter  F2  Del</source>
+        <translation>Enter  F2  Entf</translation>
+    </message>
+    <message>
+        <source>in the findings: go there, edit, delete</source>
+        <translation>in den Befunden: hingehen, bearbeiten, löschen</translation>
+    </message>
+    <message>
+        <source>Shift+Enter</source>
+        <translation>Umschalt+Enter</translation>
+    </message>
+    <message>
+        <source>in the findings: play the recording from the marked moment</source>
+        <translation>in den Befunden: die Aufzeichnung ab der Markierung abspielen</translation>
+    </message>
+    <message>
+        <source>Findings and measures</source>
+        <translation>Befunde und Maße</translation>
+    </message>
+    <message>
+        <source>3D Slicer markups (*.mrk.json)</source>
+        <translation>Markups von 3D Slicer (*.mrk.json)</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export findings</source>
+        <translation>Befunde exportieren</translation>
+    </message>
+    <message>
+        <source>Import findings</source>
+        <translation>Befunde importieren</translation>
+    </message>
+    <message>
+        <source>3D Slicer markups (*.mrk.json *.json);;All files (*)</source>
+        <translation>Markups von 3D Slicer (*.mrk.json *.json);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::Fingertip</name>
@@ -1781,59 +2476,78 @@
         <translation>Fingerspitze</translation>
     </message>
     <message>
-        <source>Ball of %1 mm radius</source>
-        <translation>Kugel mit %1 mm Radius</translation>
-    </message>
-    <message>
         <source>Point</source>
         <translation>Punkt</translation>
     </message>
     <message>
-        <source>What touches: a point feels every facet, a ball slides over small pits as a finger does</source>
-        <translation>Was tastet: ein Punkt fühlt jede Facette, eine Kugel gleitet wie ein Finger über kleine Gruben</translation>
+        <source>Ball, radius %1 mm</source>
+        <translation>Kugel, Radius %1 mm</translation>
+    </message>
+    <message>
+        <source>Contact shape: a point feels every facet; a ball slides over small pits like a finger</source>
+        <translation>Kontaktform: Ein Punkt spürt jede Facette; eine Kugel gleitet wie ein Finger über kleine Gruben</translation>
     </message>
 </context>
 <context>
     <name>palpate::app::Help</name>
     <message>
-        <source>Documents</source>
-        <translation>Dokumente</translation>
-    </message>
-    <message>
-        <source>Open the folder of documents: keys, recordings, measures, glossary, devices</source>
-        <translation>Den Ordner mit den Dokumenten öffnen: Tasten, Aufzeichnungen, Maße, Glossar, Geräte</translation>
-    </message>
-    <message>
         <source>About Palpate</source>
         <translation>Über Palpate</translation>
     </message>
     <message>
-        <source>Version, build and licences, to copy for a report</source>
-        <translation>Version, Build und Lizenzen, zum Kopieren für einen Bericht</translation>
+        <source>Copied: version, build and system.</source>
+        <translation>Kopiert: Version, Build und System.</translation>
     </message>
     <message>
-        <source>The documents were not found beside the program.</source>
-        <translation>Die Dokumente wurden neben dem Programm nicht gefunden.</translation>
+        <source>Documentation</source>
+        <translation>Dokumentation</translation>
     </message>
     <message>
-        <source>Nothing here opens folders; the documents are in %1</source>
-        <translation>Hier öffnet nichts Ordner; die Dokumente liegen in %1</translation>
+        <source>Open the documentation folder: keys, recordings, measures, glossary, devices</source>
+        <translation>Den Ordner mit der Dokumentation öffnen: Tasten, Aufzeichnungen, Maße, Glossar, Geräte</translation>
+    </message>
+    <message>
+        <source>Version, build and licences, for bug reports</source>
+        <translation>Version, Build und Lizenzen, für Fehlerberichte</translation>
+    </message>
+    <message>
+        <source>The documentation was not found next to the program.</source>
+        <translation>Die Dokumentation wurde neben dem Programm nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>No file manager was found. The documentation is in %1</source>
+        <translation>Kein Dateimanager gefunden. Die Dokumentation liegt in %1</translation>
     </message>
     <message>
         <source>Research, training and planning rehearsal. Not a medical device.
 
-Palpate is free software under the BSD 3-Clause licence. It is made with Qt (LGPL 3), VTK (BSD 3-Clause), Eigen (MPL 2.0), SQLite (public domain), hidapi (BSD) and CLI11 (BSD 3-Clause).</source>
+Palpate is free software under the BSD 3-Clause licence, built with Qt (LGPL 3), VTK (BSD 3-Clause), Eigen (MPL 2.0), SQLite (public domain), hidapi (BSD) and CLI11 (BSD 3-Clause).</source>
         <translation>Für Forschung, Ausbildung und Planungsübung. Kein Medizinprodukt.
 
-Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (LGPL 3), VTK (BSD 3-Clause), Eigen (MPL 2.0), SQLite (gemeinfrei), hidapi (BSD) und CLI11 (BSD 3-Clause).</translation>
+Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 3), VTK (BSD 3-Clause), Eigen (MPL 2.0), SQLite (gemeinfrei), hidapi (BSD) und CLI11 (BSD 3-Clause).</translation>
     </message>
     <message>
-        <source>Copy for a report</source>
-        <translation>Für einen Bericht kopieren</translation>
+        <source>Copy for a bug report</source>
+        <translation>Für einen Fehlerbericht kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::HelpPart</name>
+    <message>
+        <source>All keys</source>
+        <translation>Alle Tasten</translation>
     </message>
     <message>
-        <source>Copied: version, build and system.</source>
-        <translation>Kopiert: Version, Build und System.</translation>
+        <source>Show all keys</source>
+        <translation>Alle Tasten zeigen</translation>
+    </message>
+    <message>
+        <source>Single-letter keys</source>
+        <translation>Tasten mit Buchstaben</translation>
+    </message>
+    <message>
+        <source>Run commands by single letters. Turn this off for speech input, or if keys are pressed by accident</source>
+        <translation>Befehle mit einzelnen Buchstaben ausführen. Für Spracheingabe ausschalten, oder wenn Tasten versehentlich gedrückt werden</translation>
     </message>
 </context>
 <context>
@@ -1843,12 +2557,355 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>Palpate speaks another language when it is started again.</source>
-        <translation>Palpate spricht nach einem Neustart eine andere Sprache.</translation>
+        <source>The new language takes effect when Palpate is restarted.</source>
+        <translation>Die neue Sprache gilt nach einem Neustart von Palpate.</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>Same as system</source>
         <translation>Wie das System</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::LayerOffers</name>
+    <message>
+        <source>%1; %2 more are listed in the panel.</source>
+        <translation>%1; %2 weitere stehen im Panel.</translation>
+    </message>
+    <message>
+        <source>Feel inner structures below outer ones</source>
+        <translation>Innere Strukturen unter äußeren fühlen</translation>
+    </message>
+    <message>
+        <source>Feel it as a layer</source>
+        <translation>Als Schicht fühlen</translation>
+    </message>
+    <message>
+        <source>All in one layer</source>
+        <translation>Alles in einer Schicht</translation>
+    </message>
+    <message>
+        <source>Feel all in one layer</source>
+        <translation>Alles in einer Schicht fühlen</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2, but all structures of this scene are in one layer: %1 cannot be felt through %2.</source>
+        <translation>%1 liegt in %2, aber alle Strukturen dieser Szene liegen in einer Schicht: durch %2 hindurch ist %1 nicht zu fühlen.</translation>
+    </message>
+    <message>
+        <source>Feel it below</source>
+        <translation>Darunter fühlen</translation>
+    </message>
+    <message>
+        <source>Added structures lie in or around others. The existing layers were kept.</source>
+        <translation>Hinzugefügte Strukturen liegen in oder um andere. Die vorhandenen Schichten wurden beibehalten.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::LumpsPart</name>
+    <message>
+        <source>What can be felt here</source>
+        <translation>Was hier tastbar ist</translation>
+    </message>
+    <message>
+        <source>Colour organs by the palpability of the lumps below, with a table</source>
+        <translation>Organe nach der Tastbarkeit der Knoten darunter färben, mit einer Tabelle</translation>
+    </message>
+    <message>
+        <source>What can be felt</source>
+        <translation>Was tastbar ist</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::Notices</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Show or hide the list of all messages and file notes since the start</source>
+        <translation>Die Liste aller Meldungen und Hinweise zu Dateien seit dem Start zeigen oder verbergen</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::PicturePart</name>
+    <message>
+        <source>Snapshot</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>Save a picture of the view</source>
+        <translation>Ein Bild der Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Fit everything into the view</source>
+        <translation>Alles in die Ansicht einpassen</translation>
+    </message>
+    <message>
+        <source>Picture saved to %1</source>
+        <translation>Bild nach %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>%1: the picture could not be written. Is the folder writable and the disk not full?</source>
+        <translation>%1: das Bild konnte nicht geschrieben werden. Ist der Ordner beschreibbar und der Datenträger nicht voll?</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::RecordingPart</name>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Record the motion and the force of the hand</source>
+        <translation>Bewegung und Kraft der Hand aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play or pause the recording</source>
+        <translation>Die Aufzeichnung abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>To the start</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>Return to the start of the recording</source>
+        <translation>Zurück zum Anfang der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>%1 can be played, but its meshes were not found. Open them to see what was touched.</source>
+        <translation>%1 lässt sich abspielen, aber die zugehörigen Netze wurden nicht gefunden. Öffnen Sie sie, um zu sehen, was berührt wurde.</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Aufzeichnung %1</translation>
+    </message>
+    <message>
+        <source>Recorded to %1</source>
+        <translation>Nach %1 aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Results…</source>
+        <translation>Ergebnisse…</translation>
+    </message>
+    <message>
+        <source>Open the recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>The fingertip is a ball of %1 mm radius, as in the recording (Session › Fingertip).</source>
+        <translation>Die Fingerspitze ist wie in der Aufzeichnung eine Kugel mit %1 mm Radius (Sitzung › Fingerspitze).</translation>
+    </message>
+    <message>
+        <source>The fingertip is a point, as in the recording (Session › Fingertip).</source>
+        <translation>Die Fingerspitze ist wie in der Aufzeichnung ein Punkt (Sitzung › Fingerspitze).</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ResultsPart</name>
+    <message>
+        <source>Results…</source>
+        <translation>Ergebnisse…</translation>
+    </message>
+    <message>
+        <source>Show and export forces, coverage and findings of the recording</source>
+        <translation>Kräfte, Abdeckung und Befunde der Aufzeichnung zeigen und exportieren</translation>
+    </message>
+    <message>
+        <source>Store the surfaces in recordings</source>
+        <translation>Oberflächen in Aufzeichnungen mitspeichern</translation>
+    </message>
+    <message>
+        <source>A recording then contains the whole session and grows by the size of the meshes</source>
+        <translation>Eine Aufzeichnung enthält dann die ganze Sitzung und wächst um die Größe der Netze</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::SceneChanges</name>
+    <message>
+        <source>1 note on these files</source>
+        <translation>1 Hinweis zu diesen Dateien</translation>
+    </message>
+    <message>
+        <source>%1 notes on these files</source>
+        <translation>%1 Hinweise zu diesen Dateien</translation>
+    </message>
+    <message>
+        <source>%1  ·  %2 (F4 lists them)</source>
+        <translation>%1  ·  %2 (F4 zeigt sie)</translation>
+    </message>
+    <message>
+        <source>The meshes were read again with coordinates %1. Tissue and findings are kept; earlier changes cannot be undone.</source>
+        <translation>Die Netze wurden mit Koordinaten %1 neu gelesen. Gewebe und Befunde bleiben; frühere Änderungen lassen sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 was added to the scene.</source>
+        <translation>%1 wurde zur Szene hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>%1 structures were added to the scene.</source>
+        <translation>%1 Strukturen wurden zur Szene hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add %1 structures</source>
+        <translation>%1 Strukturen hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::SceneFiles</name>
+    <message>
+        <source>Opening was cancelled.</source>
+        <translation>Das Öffnen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Open meshes, a scene or a recording</source>
+        <translation>Netze, eine Szene oder eine Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Add to the scene…</source>
+        <translation>Zur Szene hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add meshes or a scene to the open scene</source>
+        <translation>Netze oder eine Szene zur offenen Szene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Close the scene</source>
+        <translation>Szene schließen</translation>
+    </message>
+    <message>
+        <source>Close the open scene</source>
+        <translation>Die offene Szene schließen</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 Dateien</translation>
+    </message>
+    <message>
+        <source>Add %1 to the open scene?</source>
+        <translation>%1 zur offenen Szene hinzufügen?</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Open instead</source>
+        <translation>Allein öffnen</translation>
+    </message>
+    <message>
+        <source>The phantom was not found next to the program.</source>
+        <translation>Das Phantom wurde neben dem Programm nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>This anatomy is only %1 mm across. Its coordinates are probably in metres.</source>
+        <translation>Diese Anatomie ist nur %1 mm groß. Ihre Koordinaten sind vermutlich in Metern.</translation>
+    </message>
+    <message>
+        <source>Read as metres</source>
+        <translation>Als Meter lesen</translation>
+    </message>
+    <message>
+        <source>Open anatomy</source>
+        <translation>Anatomie öffnen</translation>
+    </message>
+    <message>
+        <source>Anatomy, scenes and recordings (%1);;All files (*)</source>
+        <translation>Anatomie, Szenen und Aufzeichnungen (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Add to the scene</source>
+        <translation>Zur Szene hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::SceneSurfaces</name>
+    <message>
+        <source>Computing the surface of %1…</source>
+        <translation>Oberfläche von %1 wird berechnet…</translation>
+    </message>
+    <message>
+        <source>The map of %1 was applied.</source>
+        <translation>Die Karte von %1 wurde angewendet.</translation>
+    </message>
+    <message>
+        <source>Reading the maps of %1…</source>
+        <translation>Karten von %1 werden gelesen…</translation>
+    </message>
+    <message>
+        <source>The surface of %1 was replaced.</source>
+        <translation>Die Oberfläche von %1 wurde ersetzt.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 has voxel steps of about %2, which can be felt.</source>
+        <translation>%1 hat Voxelstufen von etwa %2, die zu spüren sind.</translation>
+    </message>
+    <message>
+        <source>%1 surfaces have voxel steps of about %2, which can be felt.</source>
+        <translation>%1 Oberflächen haben Voxelstufen von etwa %2, die zu spüren sind.</translation>
+    </message>
+    <message>
+        <source>Smooth it</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Smooth them</source>
+        <translation>Alle glätten</translation>
+    </message>
+    <message>
+        <source>%1 is inside out: it can be felt only from inside.</source>
+        <translation>%1 ist umgestülpt und nur von innen zu spüren.</translation>
+    </message>
+    <message>
+        <source>%1 surfaces are inside out: they can be felt only from inside.</source>
+        <translation>%1 Oberflächen sind umgestülpt und nur von innen zu spüren.</translation>
+    </message>
+    <message>
+        <source>Turn it around</source>
+        <translation>Umdrehen</translation>
+    </message>
+    <message>
+        <source>Turn them around</source>
+        <translation>Alle umdrehen</translation>
     </message>
 </context>
 <context>
@@ -1858,67 +2915,309 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>Kurzer Rundgang</translation>
     </message>
     <message>
-        <source>Four notes on the window, on the practice liver when nothing is open</source>
-        <translation>Vier Hinweise zum Fenster, an der Übungsleber, wenn nichts geöffnet ist</translation>
-    </message>
-    <message>
         <source>This is a practice liver with lumps inside.</source>
         <translation>Dies ist eine Übungsleber mit Knoten darin.</translation>
-    </message>
-    <message>
-        <source>Shown on what is open; nothing of it is changed.</source>
-        <translation>Gezeigt an dem, was geöffnet ist; nichts davon wird geändert.</translation>
     </message>
     <message>
         <source>Structures</source>
         <translation>Strukturen</translation>
     </message>
     <message>
-        <source>The list has every structure. The eye shows or hides it, the hand lets you feel it or not; below stands the tissue that it is felt as.</source>
-        <translation>Die Liste enthält alle Strukturen. Das Auge zeigt oder verbirgt eine, die Hand macht sie tastbar oder nicht; darunter steht, als welches Gewebe sie sich anfühlt.</translation>
-    </message>
-    <message>
         <source>Press to feel</source>
         <translation>Drücken und tasten</translation>
-    </message>
-    <message>
-        <source>Press P, then drag on the anatomy: you press and slide, the wheel goes deeper. By keys: Ctrl and the arrows move the place, Enter presses, Page down goes deeper. Esc lets go.</source>
-        <translation>P drücken, dann auf der Anatomie ziehen: so wird gedrückt und geglitten, das Rad geht tiefer. Mit Tasten: Strg und die Pfeile verschieben die Stelle, Eingabe drückt, Bild ab geht tiefer. Esc lässt los.</translation>
     </message>
     <message>
         <source>Touch</source>
         <translation>Berührung</translation>
     </message>
     <message>
-        <source>The force in newtons, which structure is touched, how deep in millimetres, and the last ten seconds. What is stiffer than its surroundings pushes back more at the same depth.</source>
-        <translation>Die Kraft in Newton, welche Struktur berührt wird, wie tief in Millimetern, und die letzten zehn Sekunden. Was fester ist als seine Umgebung, drückt bei gleicher Tiefe stärker zurück.</translation>
+        <source>Short tour of the window, with the practice liver if no scene is open</source>
+        <translation>Kurzer Rundgang durch das Fenster, an der Übungsleber, wenn keine Szene geöffnet ist</translation>
     </message>
     <message>
-        <source>Record and findings</source>
+        <source>The tour uses the open scene and changes nothing.</source>
+        <translation>Der Rundgang nutzt die geöffnete Szene und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>The list shows all structures. The eye shows or hides a structure; the hand makes a structure palpable or not. Below the list you set how the structure feels.</source>
+        <translation>Die Liste enthält alle Strukturen. Das Auge zeigt oder verbirgt eine Struktur; die Hand macht sie tastbar oder nicht. Unter der Liste wird eingestellt, wie sie sich anfühlt.</translation>
+    </message>
+    <message>
+        <source>Press P, then drag on the anatomy to press and slide; the wheel sets the depth. With the keyboard: Ctrl and the arrow keys move the press point, Enter presses, Page Down goes deeper. Esc releases.</source>
+        <translation>P drücken, dann auf der Anatomie ziehen, um zu drücken und zu gleiten; das Rad stellt die Tiefe. Mit der Tastatur: Strg und die Pfeiltasten verschieben die Druckstelle, Eingabe drückt, Bild ab geht tiefer. Esc lässt los.</translation>
+    </message>
+    <message>
+        <source>Force in newtons, touched structure, depth in millimetres and a chart of the last ten seconds. At the same depth, stiffer tissue pushes back harder.</source>
+        <translation>Kraft in Newton, berührte Struktur, Tiefe in Millimetern und ein Diagramm der letzten zehn Sekunden. Bei gleicher Tiefe drückt steiferes Gewebe stärker zurück.</translation>
+    </message>
+    <message>
+        <source>Recording and findings</source>
         <translation>Aufzeichnung und Befunde</translation>
     </message>
     <message>
-        <source>R records what you feel, and again ends it. M marks the place you touch as a finding: it stands here with force and depth; F2 names it. File › Export findings… writes them out.</source>
-        <translation>R zeichnet auf, was gefühlt wird, und beendet es wieder. M merkt die berührte Stelle als Befund an: er steht hier mit Kraft und Tiefe; F2 benennt ihn. Datei › Befunde exportieren… schreibt sie heraus.</translation>
+        <source>R starts and stops a recording. M marks the touched place as a finding, listed here with force and depth; F2 renames the finding. File › Export findings… saves the list.</source>
+        <translation>R startet und beendet eine Aufzeichnung. M markiert die berührte Stelle als Befund, der hier mit Kraft und Tiefe steht; F2 benennt ihn um. Datei › Befunde exportieren… sichert die Liste.</translation>
     </message>
 </context>
 <context>
     <name>palpate::app::SoundChoice</name>
     <message>
-        <source>Sound of touch</source>
-        <translation>Ton der Berührung</translation>
+        <source>Touch sound</source>
+        <translation>Tastton</translation>
     </message>
     <message>
-        <source>Hear a tone as high as the place is stiff, as loud as the force</source>
-        <translation>Ein Ton so hoch, wie die Stelle steif ist, und so laut wie die Kraft</translation>
+        <source>Play a tone: higher pitch for stiffer tissue, louder for more force</source>
+        <translation>Ton abspielen: höher bei steiferem Gewebe, lauter bei mehr Kraft</translation>
     </message>
     <message>
-        <source>The sound of touch has ended: the loudspeaker is gone.</source>
-        <translation>Der Ton der Berührung ist zu Ende: Der Lautsprecher ist fort.</translation>
+        <source>Touch sound stopped: the loudspeaker was disconnected.</source>
+        <translation>Tastton beendet: Der Lautsprecher wurde getrennt.</translation>
     </message>
     <message>
-        <source>Sound of touch (%1)</source>
-        <translation>Ton der Berührung (%1)</translation>
+        <source>Touch sound (%1)</source>
+        <translation>Tastton (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::StatusProgress</name>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel; the open scene does not change</source>
+        <translation>Abbrechen; die offene Szene bleibt unverändert</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::StructuresPart</name>
+    <message>
+        <source>Find a structure…</source>
+        <translation>Struktur suchen…</translation>
+    </message>
+    <message>
+        <source>List only structures with these words in their names</source>
+        <translation>Nur Strukturen mit diesen Wörtern im Namen auflisten</translation>
+    </message>
+    <message>
+        <source>Rename the structure…</source>
+        <translation>Struktur umbenennen…</translation>
+    </message>
+    <message>
+        <source>Rename the selected structure</source>
+        <translation>Die gewählte Struktur umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove from the scene</source>
+        <translation>Aus der Szene entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected structures from the scene; their files are kept</source>
+        <translation>Die gewählten Strukturen aus der Szene entfernen; ihre Dateien bleiben erhalten</translation>
+    </message>
+    <message>
+        <source>Ctrl+E  Ctrl+H</source>
+        <translation>Strg+E  Strg+H</translation>
+    </message>
+    <message>
+        <source>show or hide, turn touch on or off</source>
+        <translation>zeigen oder verbergen, Tasten ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>Buchstaben</translation>
+    </message>
+    <message>
+        <source>go to the structure whose name starts with them</source>
+        <translation>zur Struktur gehen, deren Name so beginnt</translation>
+    </message>
+    <message>
+        <source>F2  Del</source>
+        <translation>F2  Entf</translation>
+    </message>
+    <message>
+        <source>rename, remove from the scene</source>
+        <translation>umbenennen, aus der Szene entfernen</translation>
+    </message>
+    <message>
+        <source>Ctrl+↓  ↑</source>
+        <translation>Strg+↓  ↑</translation>
+    </message>
+    <message>
+        <source>move one layer deeper or outwards</source>
+        <translation>eine Schicht tiefer oder nach außen verschieben</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturen</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::TissueOffer</name>
+    <message>
+        <source>The tissue of %1 was chosen by its name.</source>
+        <translation>Das Gewebe von %1 wurde nach dem Namen gewählt.</translation>
+    </message>
+    <message>
+        <source>The tissue of %1 structures was chosen by their names.</source>
+        <translation>Das Gewebe von %1 Strukturen wurde nach den Namen gewählt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No preset matches the name of %n: “Firm organ”, 0.5 N/mm.</source>
+        <translation>
+            <numerusform>Bei %n passt keine Vorgabe zum Namen: „Festes Organ“, 0,5 N/mm.</numerusform>
+            <numerusform>Bei %n passt keine Vorgabe zum Namen: „Festes Organ“, 0,5 N/mm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Tissue by name</source>
+        <translation>Gewebe nach Namen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Restore tissue</source>
+        <translation>Gewebe wiederherstellen</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::TouchPart</name>
+    <message>
+        <source>Use of the pointer or the device</source>
+        <translation>Verwendung von Zeiger oder Gerät</translation>
+    </message>
+    <message>
+        <source>The pointer turns the view, or presses this far along the line of sight [mm] or with this force [N]. The wheel sets the value; P switches between the two</source>
+        <translation>Der Zeiger dreht die Ansicht oder drückt so weit entlang der Blickrichtung [mm] oder mit dieser Kraft [N]. Das Rad stellt den Wert ein; P wechselt zwischen beidem</translation>
+    </message>
+    <message>
+        <source>Palpate</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Palpate with the pointer: drag to press, wheel for depth or effort; off: the pointer moves the camera</source>
+        <translation>Mit dem Zeiger tasten: ziehen zum Drücken, Rad für Tiefe oder Kraft; aus: der Zeiger bewegt die Ansicht</translation>
+    </message>
+    <message>
+        <source>hold Space</source>
+        <translation>Leertaste halten</translation>
+    </message>
+    <message>
+        <source>palpate while the key is held</source>
+        <translation>tasten, solange die Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>ziehen</translation>
+    </message>
+    <message>
+        <source>camera: rotate · palpate: press and slide</source>
+        <translation>Kamera: drehen · Tasten: drücken und gleiten</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>camera: select the structure (with Ctrl: add to the selection)</source>
+        <translation>Kamera: die Struktur wählen (mit Strg: zur Auswahl hinzufügen)</translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation>rechts ziehen</translation>
+    </message>
+    <message>
+        <source>camera: zoom · palpate: rotate</source>
+        <translation>Kamera: zoomen · Tasten: drehen</translation>
+    </message>
+    <message>
+        <source>middle drag</source>
+        <translation>Mitte ziehen</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>camera: zoom · palpate: depth in mm, or effort in N (with Ctrl: zoom)</source>
+        <translation>Kamera: zoomen · Tasten: Tiefe in mm oder Kraft in N (mit Strg: zoomen)</translation>
+    </message>
+    <message>
+        <source>double-click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>centre the view on the point</source>
+        <translation>die Ansicht auf den Punkt zentrieren</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Loslassen</translation>
+    </message>
+    <message>
+        <source>lift the hand, then return to the camera</source>
+        <translation>Hand anheben, dann zurück zur Kamera</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Berührung</translation>
+    </message>
+    <message>
+        <source>Touching with the %1</source>
+        <translation>Tasten mit: %1</translation>
+    </message>
+    <message>
+        <source>Turning the view</source>
+        <translation>Die Ansicht drehen</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ViewPart</name>
+    <message>
+        <source>Dent under the finger</source>
+        <translation>Delle unter dem Finger</translation>
+    </message>
+    <message>
+        <source>Draw soft tissue deformed at the contact, with a fine grid</source>
+        <translation>Weiches Gewebe am Kontakt verformt zeichnen, mit feinem Gitter</translation>
+    </message>
+    <message>
+        <source>From the front (A)</source>
+        <translation>Von vorn (A)</translation>
+    </message>
+    <message>
+        <source>From the back (P)</source>
+        <translation>Von hinten (P)</translation>
+    </message>
+    <message>
+        <source>From the left (L)</source>
+        <translation>Von links (L)</translation>
+    </message>
+    <message>
+        <source>From the right (R)</source>
+        <translation>Von rechts (R)</translation>
+    </message>
+    <message>
+        <source>From the head (S)</source>
+        <translation>Vom Kopf (S)</translation>
+    </message>
+    <message>
+        <source>From the feet (I)</source>
+        <translation>Von den Füßen (I)</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Schräg</translation>
     </message>
 </context>
 <context>
@@ -1931,12 +3230,12 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
 <context>
     <name>palpate::ui::ChipRow</name>
     <message>
-        <source>What else there is to say</source>
-        <translation>Was es sonst zu sagen gibt</translation>
+        <source>More status</source>
+        <translation>Weitere Angaben</translation>
     </message>
     <message>
-        <source>What there is no room for in this row</source>
-        <translation>Wofür in dieser Zeile kein Platz ist</translation>
+        <source>Status items that do not fit in this row</source>
+        <translation>Angaben, die nicht in diese Zeile passen</translation>
     </message>
 </context>
 <context>
@@ -1946,20 +3245,8 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>Maus</translation>
     </message>
     <message>
-        <source>The pointer over the view; it feels nothing, the force is shown</source>
-        <translation>Der Zeiger über der Ansicht; er fühlt nichts, die Kraft wird angezeigt</translation>
-    </message>
-    <message>
         <source>Simulated hand</source>
         <translation>Simulierte Hand</translation>
-    </message>
-    <message>
-        <source>Palpates what is in the middle of the view, and feels the force</source>
-        <translation>Tastet, was in der Mitte der Ansicht liegt, und fühlt die Kraft</translation>
-    </message>
-    <message>
-        <source>The open recording&apos;s motion, felt with the tissue as it is now</source>
-        <translation>Die Bewegung der offenen Aufzeichnung, gefühlt mit dem Gewebe, wie es jetzt ist</translation>
     </message>
     <message>
         <source>%1 (skipped)</source>
@@ -1970,20 +3257,8 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>SpaceMouse bewegt die Ansicht</translation>
     </message>
     <message>
-        <source>The puck turns and shifts the anatomy while another device is the hand</source>
-        <translation>Der Puck dreht und verschiebt die Anatomie, während ein anderes Gerät die Hand ist</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>Kalibrieren</translation>
-    </message>
-    <message>
-        <source>Takes the pose that the device is in now as its calibration pose</source>
-        <translation>Nimmt die jetzige Stellung des Geräts als seine Kalibrierstellung</translation>
-    </message>
-    <message>
-        <source>What is plugged in…</source>
-        <translation>Was eingesteckt ist…</translation>
     </message>
     <message>
         <source>%1 lost</source>
@@ -1994,32 +3269,12 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>%1: kalibrieren</translation>
     </message>
     <message>
-        <source>The hand&apos;s device: %1</source>
-        <translation>Das Gerät der Hand: %1</translation>
-    </message>
-    <message>
-        <source>It feels nothing: the force is shown, up to %1 N.</source>
-        <translation>Es fühlt nichts: die Kraft wird angezeigt, bis %1 N.</translation>
-    </message>
-    <message>
         <source>Up to %1 N and %2 N/mm</source>
         <translation>Bis %1 N und %2 N/mm</translation>
     </message>
     <message>
-        <source>%1: it would need %2.</source>
-        <translation>%1: es bräuchte %2.</translation>
-    </message>
-    <message>
-        <source>No haptic device and no 6-axis mouse is plugged in.</source>
-        <translation>Kein haptisches Gerät und keine 6-Achsen-Maus ist eingesteckt.</translation>
-    </message>
-    <message>
         <source>Devices</source>
         <translation>Geräte</translation>
-    </message>
-    <message>
-        <source>Replay with today&apos;s tissue</source>
-        <translation>Wiedergabe mit dem heutigen Gewebe</translation>
     </message>
     <message>
         <source>mouse</source>
@@ -2030,16 +3285,60 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>simulierte Hand</translation>
     </message>
     <message>
-        <source>recording, felt anew</source>
-        <translation>Aufzeichnung, neu gefühlt</translation>
-    </message>
-    <message>
         <source>SpaceMouse presses</source>
         <translation>SpaceMouse drückt</translation>
     </message>
     <message>
-        <source>The pointer says where, the puck how hard: the further it is pushed down, the more newtons of effort</source>
-        <translation>Der Zeiger sagt, wo, der Puck, wie fest: Je weiter er nach unten gedrückt wird, desto mehr Newton</translation>
+        <source>Mouse pointer over the view; the force is displayed, not felt</source>
+        <translation>Mauszeiger über der Ansicht; die Kraft wird angezeigt, nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>Virtual hand that palpates the centre of the view and responds to the force</source>
+        <translation>Virtuelle Hand, die die Mitte der Ansicht palpiert und auf die Kraft reagiert</translation>
+    </message>
+    <message>
+        <source>Replay with current tissue</source>
+        <translation>Wiedergabe mit aktuellem Gewebe</translation>
+    </message>
+    <message>
+        <source>Repeats the motion of the open recording on the current tissue</source>
+        <translation>Wiederholt die Bewegung der offenen Aufzeichnung am aktuellen Gewebe</translation>
+    </message>
+    <message>
+        <source>Use the current pose of the device as calibration pose</source>
+        <translation>Die jetzige Stellung des Geräts als Kalibrierstellung verwenden</translation>
+    </message>
+    <message>
+        <source>Connected devices…</source>
+        <translation>Angeschlossene Geräte…</translation>
+    </message>
+    <message>
+        <source>The puck rotates and moves the anatomy while another device palpates</source>
+        <translation>Der Puck dreht und verschiebt die Anatomie, während ein anderes Gerät palpiert</translation>
+    </message>
+    <message>
+        <source>The pointer sets the place, the puck sets the force: the further down, the more newtons</source>
+        <translation>Der Zeiger bestimmt die Stelle, der Puck die Kraft: je weiter nach unten, desto mehr Newton</translation>
+    </message>
+    <message>
+        <source>replayed recording</source>
+        <translation>wiedergegebene Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Input device: %1</source>
+        <translation>Eingabegerät: %1</translation>
+    </message>
+    <message>
+        <source>No force feedback: forces up to %1 N are displayed only.</source>
+        <translation>Keine Kraftrückkopplung: Kräfte bis %1 N werden nur angezeigt.</translation>
+    </message>
+    <message>
+        <source>%1: requires %2.</source>
+        <translation>%1: erfordert %2.</translation>
+    </message>
+    <message>
+        <source>No haptic device or 6-axis mouse is connected.</source>
+        <translation>Weder ein haptisches Gerät noch eine 6-Achsen-Maus ist angeschlossen.</translation>
     </message>
 </context>
 <context>
@@ -2656,90 +3955,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>eines von: %1</translation>
     </message>
     <message>
-        <source>no such file, expected a recording</source>
-        <translation>die Datei ist nicht da, erwartet: eine Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>found no SQLite database, expected a recording</source>
-        <translation>keine Aufzeichnung von Palpate (keine SQLite-Datenbank)</translation>
-    </message>
-    <message>
-        <source>found another program&apos;s SQLite database, expected a Palpate recording</source>
-        <translation>die Datenbank eines anderen Programms, erwartet: eine Aufzeichnung von Palpate</translation>
-    </message>
-    <message>
-        <source>found a recording of version %1, expected at most %2: a newer Palpate made it</source>
-        <translation>eine Aufzeichnung der Version %1, erwartet höchstens %2: eine neuere Fassung von Palpate hat sie geschrieben</translation>
-    </message>
-    <message>
-        <source>found no tick with a hand, expected at least one</source>
-        <translation>kein Augenblick mit einer Hand darin, erwartet: mindestens einer</translation>
-    </message>
-    <message>
-        <source>damaged: %1</source>
-        <translation>beschädigt: %1</translation>
-    </message>
-    <message>
-        <source>file is not a database</source>
-        <translation>die Datei ist keine Datenbank</translation>
-    </message>
-    <message>
-        <source>database disk image is malformed</source>
-        <translation>die Datenbank ist beschädigt</translation>
-    </message>
-    <message>
-        <source>unable to open database file</source>
-        <translation>die Datei kann nicht geöffnet werden</translation>
-    </message>
-    <message>
-        <source>database or disk is full</source>
-        <translation>der Datenträger ist voll</translation>
-    </message>
-    <message>
-        <source>attempt to write a readonly database</source>
-        <translation>die Datei ist schreibgeschützt</translation>
-    </message>
-    <message>
-        <source>disk I/O error</source>
-        <translation>der Datenträger antwortet nicht richtig</translation>
-    </message>
-    <message>
-        <source>the recording ended at %1 s because %2; what was felt after is not in it</source>
-        <translation>die Aufzeichnung endete bei %1 s, weil %2; was danach gefühlt wurde, ist nicht darin</translation>
-    </message>
-    <message>
-        <source>nothing was recorded because %1</source>
-        <translation>nichts wurde aufgezeichnet, weil %1</translation>
-    </message>
-    <message>
-        <source>the disk cannot be written (%1)</source>
-        <translation>der Datenträger nicht beschrieben werden kann (%1)</translation>
-    </message>
-    <message>
-        <source>ended at %1 s because the disk was full; what was felt after is not in it</source>
-        <translation>endete bei %1 s, weil der Datenträger voll war; was danach gefühlt wurde, ist nicht darin</translation>
-    </message>
-    <message>
-        <source>ended at %1 s because the disk could not be written; what was felt after is not in it</source>
-        <translation>endete bei %1 s, weil der Datenträger nicht beschrieben werden konnte; was danach gefühlt wurde, ist nicht darin</translation>
-    </message>
-    <message>
-        <source>ended at %1 s without being closed (a crash, or a full disk); what was felt after is not in it</source>
-        <translation>endete bei %1 s, ohne geschlossen zu werden (ein Absturz oder ein voller Datenträger); was danach gefühlt wurde, ist nicht darin</translation>
-    </message>
-    <message>
-        <source>%1 ticks were lost</source>
-        <translation>%1 Augenblicke gingen verloren</translation>
-    </message>
-    <message>
-        <source>cannot be recorded: the servo loop is not running</source>
-        <translation>kann nicht aufgezeichnet werden: die Hand läuft nicht</translation>
-    </message>
-    <message>
-        <source>cannot be recorded: the servo loop does not answer</source>
-        <translation>kann nicht aufgezeichnet werden: die Hand antwortet nicht</translation>
-    </message>
-    <message>
         <source>found none of the surfaces that it was made on</source>
         <translation>keine der Oberflächen, auf denen sie gemacht wurde, ist da</translation>
     </message>
@@ -2768,104 +3983,8 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>die Aufzeichnung sagt nicht, auf welcher Szene sie gemacht wurde</translation>
     </message>
     <message>
-        <source>rate and CPU cannot be changed while a recording runs; stop it first</source>
-        <translation>Takt und Prozessor lassen sich nicht ändern, solange eine Aufzeichnung läuft; bitte erst beenden</translation>
-    </message>
-    <message>
-        <source>the device cannot be changed while a recording runs; stop it first</source>
-        <translation>das Gerät lässt sich nicht wechseln, solange eine Aufzeichnung läuft; bitte erst beenden</translation>
-    </message>
-    <message>
-        <source>the SpaceMouse is the hand now; choose another device for it first</source>
-        <translation>die SpaceMouse ist jetzt die Hand; bitte erst ein anderes Gerät dafür wählen</translation>
-    </message>
-    <message>
-        <source>no device is called %1</source>
-        <translation>kein Gerät heißt %1</translation>
-    </message>
-    <message>
-        <source>the simulated hand palpates what is in the middle of the view: found nothing palpable there</source>
-        <translation>die simulierte Hand tastet, was in der Mitte der Ansicht ist: dort ist nichts zu fühlen</translation>
-    </message>
-    <message>
-        <source>no recording is open whose motion could be felt anew</source>
-        <translation>keine Aufzeichnung ist offen, deren Bewegung neu gefühlt werden könnte</translation>
-    </message>
-    <message>
-        <source>the motion to play has no rows</source>
-        <translation>die Bewegung, die gespielt werden soll, ist leer</translation>
-    </message>
-    <message>
-        <source>the device could not be started: %1</source>
-        <translation>das Gerät ließ sich nicht starten: %1</translation>
-    </message>
-    <message>
-        <source>its driver failed</source>
-        <translation>sein Treiber versagte</translation>
-    </message>
-    <message>
-        <source>skipped, it hung when it was started</source>
-        <translation>übergangen: beim Start blieb es hängen</translation>
-    </message>
-    <message>
-        <source>skipped, it ended the process when it was started</source>
-        <translation>übergangen: beim Start beendete es das Programm</translation>
-    </message>
-    <message>
-        <source>skipped, it failed when it was started</source>
-        <translation>übergangen: der Start misslang</translation>
-    </message>
-    <message>
-        <source>skipped, %1 comes first</source>
-        <translation>übergangen: %1 geht vor</translation>
-    </message>
-    <message>
-        <source>CPU %1: this machine has no such CPU</source>
-        <translation>Prozessor %1: diesen gibt es hier nicht</translation>
-    </message>
-    <message>
-        <source>The device gave a position that is not a number. Check its driver, then re-arm.</source>
-        <translation>Das Gerät gab eine Position an, die keine Zahl ist. Bitte den Treiber prüfen, dann wieder fühlen.</translation>
-    </message>
-    <message>
-        <source>The device gave positions outside its workspace. Calibrate it, then re-arm.</source>
-        <translation>Das Gerät gab Positionen außerhalb seines Arbeitsraums an. Bitte kalibrieren, dann wieder fühlen.</translation>
-    </message>
-    <message>
-        <source>The device&apos;s position jumped farther than a hand can move. Check its cable and calibration, then re-arm.</source>
-        <translation>Die Position des Geräts sprang weiter, als eine Hand sich bewegen kann. Bitte Kabel und Kalibrierung prüfen, dann wieder fühlen.</translation>
-    </message>
-    <message>
-        <source>The device stopped giving new positions. Check its connection, then re-arm.</source>
-        <translation>Das Gerät gibt keine neuen Positionen mehr an. Bitte die Verbindung prüfen, dann wieder fühlen.</translation>
-    </message>
-    <message>
-        <source>The device no longer answers. Plug it in again, then re-arm.</source>
-        <translation>Das Gerät antwortet nicht mehr. Bitte neu einstecken, dann wieder fühlen.</translation>
-    </message>
-    <message>
-        <source>The model gave a force that is not a number. Leave the surface, then re-arm.</source>
-        <translation>Die berechnete Kraft ist keine Zahl. Bitte die Oberfläche verlassen, dann wieder fühlen.</translation>
-    </message>
-    <message>
-        <source>The computer could not keep the servo rate. Close other programs or lower the rate, then re-arm.</source>
-        <translation>Der Rechner hielt den Takt nicht ein. Bitte andere Programme schließen oder den Takt senken, dann wieder fühlen.</translation>
-    </message>
-    <message>
-        <source>The servo thread ended by an error. Start the device again.</source>
-        <translation>Die Berechnung der Kraft endete durch einen Fehler. Bitte das Gerät neu starten.</translation>
-    </message>
-    <message>
         <source>lumps felt through their organ: %1</source>
         <translation>Knoten, durch ihr Organ gefühlt: %1</translation>
-    </message>
-    <message>
-        <source>it has %1 points; expected 2 to %2</source>
-        <translation>es sind %1 Punkte; erwartet: 2 bis %2</translation>
-    </message>
-    <message>
-        <source>it has more points; expected 2 to %1</source>
-        <translation>es sind mehr Punkte; erwartet: 2 bis %1</translation>
     </message>
     <message>
         <source>left out, its surface is open: it has no volume to be felt</source>
@@ -2935,10 +4054,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
     <message>
         <source>%1 of %2 have coordinates that are farther than 10 km from the origin (first: triangle %3)</source>
         <translation>%1 von %2 haben Koordinaten, die weiter als 10 km vom Ursprung sind (als erstes Dreieck %3)</translation>
-    </message>
-    <message>
-        <source>the SpaceMouse moves the view or presses; switch that off first</source>
-        <translation>die SpaceMouse bewegt die Ansicht oder drückt; das zuerst ausschalten</translation>
     </message>
     <message>
         <source>its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %1 % from what is shown; a finer mesh mends it</source>
@@ -3177,30 +4292,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>keine Datei</translation>
     </message>
     <message>
-        <source>there is a file of this name; choose another name</source>
-        <translation>es gibt eine Datei dieses Namens; wählen Sie einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>another program is recording into it; choose another name</source>
-        <translation>ein anderes Programm zeichnet darin auf; wählen Sie einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>the file %1 would be taken for a part of it; move that away or choose another name</source>
-        <translation>die Datei %1 würde für einen Teil davon gehalten; verschieben Sie sie oder wählen Sie einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>it as input and output</source>
-        <translation>dasselbe als Ein- und Ausgabe</translation>
-    </message>
-    <message>
-        <source>it as output and a file of %1</source>
-        <translation>dasselbe als Ausgabe und Datei von %1</translation>
-    </message>
-    <message>
-        <source>another name for the output</source>
-        <translation>einen anderen Namen für die Ausgabe</translation>
-    </message>
-    <message>
         <source>the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
         <translation>dorthin kommt die berührte Oberfläche; dort liegt eine andere Datei, erwartet wurde keine oder ein älterer Export. Wählen Sie einen anderen Namen</translation>
     </message>
@@ -3233,22 +4324,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>%1 und %2 kommen sich bei (%4, %5, %6) auf %3 mm nahe, ohne sich zu berühren: Ein Punkt fällt in den Spalt, eine Fingerspitze ab 0,5 mm gleitet darüber</translation>
     </message>
     <message>
-        <source>found the journal of several databases, which names another file to be deleted; Palpate writes none, so this was not made by Palpate; nothing was opened. Move it away to read the recording as it is</source>
-        <translation>das Journal mehrerer Datenbanken, das eine andere Datei zum Löschen nennt; Palpate schreibt keines, es stammt also nicht von Palpate; nichts wurde geöffnet. Verschieben Sie es, um die Aufzeichnung so zu lesen, wie sie ist</translation>
-    </message>
-    <message>
-        <source>found something else than a file, expected the journal of a recording; nothing was opened. Move it away to read the recording as it is</source>
-        <translation>keine Datei, erwartet wurde das Journal einer Aufzeichnung; nichts wurde geöffnet. Verschieben Sie es, um die Aufzeichnung so zu lesen, wie sie ist</translation>
-    </message>
-    <message>
-        <source>found a database with a write-ahead log, expected one with a rollback journal, as Palpate writes it: another program changed it</source>
-        <translation>eine Datenbank mit Write-Ahead-Log, erwartet wurde eine mit Rollback-Journal, wie Palpate sie schreibt: Ein anderes Programm hat sie geändert</translation>
-    </message>
-    <message>
-        <source>found %1, expected %2: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
-        <translation>gefunden: %1, erwartet: %2: nicht von Palpate erstellt oder beschädigt (palpate session recover rettet, was heil ist)</translation>
-    </message>
-    <message>
         <source>how many times as stiff as %1 it is, is not known, so no verdict is given; expected a ratio, as --ratio &quot;%2=R&quot; or `young_ratio` in a scene file. Published: %3</source>
         <translation>wievielmal so steif wie %1 es ist, ist nicht bekannt, daher kein Urteil; erwartet ein Verhältnis, als --ratio &quot;%2=R&quot; oder `young_ratio` in einer Szenendatei. Veröffentlicht: %3</translation>
     </message>
@@ -3268,14 +4343,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>half below %1, 99 % below %2</source>
-        <translation>die Hälfte unter %1, 99 % unter %2</translation>
-    </message>
-    <message>
-        <source>%1, %2 refused, lost %3 times</source>
-        <translation>%1, %2 abgewiesen, %3-mal verloren</translation>
-    </message>
-    <message>
         <source>Click for the details (View › Engineering).</source>
         <translation>Für Einzelheiten klicken (Ansicht › Technik).</translation>
     </message>
@@ -3284,122 +4351,56 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz. Verwendet werden Qt (L
         <translation>Rechner überlastet</translation>
     </message>
     <message>
-        <source>Touch is computed %1 times a second instead of %2: forces may stutter. Close other programs.</source>
-        <translation>Das Tasten wird %1-mal statt %2-mal je Sekunde berechnet: Kräfte können stocken. Schließen Sie andere Programme.</translation>
-    </message>
-    <message>
         <source>force may stutter</source>
         <translation>Kraft kann stocken</translation>
-    </message>
-    <message>
-        <source>The system does not give touch its time first: other programs may make the force stutter. The list of messages (F4) says how to permit it.</source>
-        <translation>Das System gibt dem Tasten keinen Vorrang: andere Programme können die Kraft stocken lassen. Die Liste der Meldungen (F4) sagt, wie es erlaubt wird.</translation>
     </message>
     <message>
         <source>running well</source>
         <translation>läuft gut</translation>
     </message>
     <message>
-        <source>Touch is computed %1 times a second, as it should be.</source>
-        <translation>Das Tasten wird %1-mal je Sekunde berechnet, wie es sein soll.</translation>
-    </message>
-    <message>
-        <source>Energy observer: what the hand has put into the touched tissue and not got back [mJ].
-Below zero the program would give more than it took; damping then takes it away.</source>
-        <translation>Energiebeobachter: was die Hand in das berührte Gewebe gesteckt und nicht zurückbekommen hat [mJ].
-Unter null gäbe das Programm mehr, als es nahm; Dämpfung nimmt es dann weg.</translation>
-    </message>
-    <message>
-        <source>What the servo thread was granted</source>
-        <translation>Was dem Servo-Thread gewährt wurde</translation>
-    </message>
-    <message>
         <source>Constraints</source>
         <translation>Zwangsbedingungen</translation>
-    </message>
-    <message>
-        <source>Active constraints: planes of the surface that hold the hand back, at most 3</source>
-        <translation>Aktive Zwangsbedingungen: Ebenen der Oberfläche, die die Hand zurückhalten, höchstens 3</translation>
     </message>
     <message>
         <source>Solver</source>
         <translation>Löser</translation>
     </message>
     <message>
-        <source>Time of one tick in the solver, of ticks with a hand</source>
-        <translation>Zeit eines Takts im Löser, aus Takten mit Hand</translation>
-    </message>
-    <message>
         <source>Measured rate</source>
         <translation>Gemessener Takt</translation>
-    </message>
-    <message>
-        <source>Ticks of the servo thread a second, over the last half second [kHz]</source>
-        <translation>Takte des Servo-Threads je Sekunde, über die letzte halbe Sekunde [kHz]</translation>
     </message>
     <message>
         <source>Jitter</source>
         <translation>Jitter</translation>
     </message>
     <message>
-        <source>How far the time from tick to tick is from the period; 99.9 % of the ticks stay below</source>
-        <translation>Wie weit die Zeit von Takt zu Takt von der Periode abweicht; 99,9 % der Takte bleiben darunter</translation>
-    </message>
-    <message>
         <source>Late ticks</source>
         <translation>Verspätete Takte</translation>
-    </message>
-    <message>
-        <source>Ticks that ended after their time, of all since the loop began; periods left out for it</source>
-        <translation>Takte, die nach ihrer Zeit endeten, von allen seit Beginn der Schleife; Perioden, die deshalb ausfielen</translation>
     </message>
     <message>
         <source>Dropped ticks</source>
         <translation>Verlorene Takte</translation>
     </message>
     <message>
-        <source>Ticks that were felt but are not in this recording, because the disk was slow</source>
-        <translation>Takte, die gefühlt wurden, aber in dieser Aufzeichnung fehlen, weil der Datenträger langsam war</translation>
-    </message>
-    <message>
         <source>Energy</source>
         <translation>Energie</translation>
-    </message>
-    <message>
-        <source>Energy observer: what the hand has put into the touched tissue and not got back [mJ]</source>
-        <translation>Energiebeobachter: was die Hand in das berührte Gewebe gesteckt und nicht zurückbekommen hat [mJ]</translation>
     </message>
     <message>
         <source>Damping added</source>
         <translation>Dämpfung zusätzlich</translation>
     </message>
     <message>
-        <source>Force that the passivity controller adds against the movement [N]</source>
-        <translation>Kraft, die der Passivitätsregler gegen die Bewegung hinzufügt [N]</translation>
-    </message>
-    <message>
         <source>Device round trip</source>
         <translation>Umlaufzeit des Geräts</translation>
-    </message>
-    <message>
-        <source>From a report of the device received to the force that answers it written</source>
-        <translation>Vom Empfang einer Meldung des Geräts bis zum Schreiben der Kraft, die ihr antwortet</translation>
     </message>
     <message>
         <source>Delay</source>
         <translation>Verzögerung</translation>
     </message>
     <message>
-        <source>After which the force is taken to act: it bounds the stiffness that is stable</source>
-        <translation>Nach der die Kraft als wirkend gilt: sie begrenzt die Steifigkeit, die stabil ist</translation>
-    </message>
-    <message>
         <source>Device reports</source>
         <translation>Gerätemeldungen</translation>
-    </message>
-    <message>
-        <source>Received, of those not to be believed, and how often the device was lost</source>
-        <translation>Empfangen, davon unglaubwürdig, und wie oft das Gerät verloren ging</translation>
     </message>
     <message>
         <source>%1 kHz</source>
@@ -3410,10 +4411,6 @@ Unter null gäbe das Programm mehr, als es nahm; Dämpfung nimmt es dann weg.</t
         <translation>Takt der Servoschleife</translation>
     </message>
     <message>
-        <source>Ticks a second. A faster loop holds stiffer tissue where the device keeps up; see the jitter.</source>
-        <translation>Takte je Sekunde. Eine schnellere Schleife hält steiferes Gewebe, wo das Gerät mitkommt; siehe Jitter.</translation>
-    </message>
-    <message>
         <source>Servo rate</source>
         <translation>Servotakt</translation>
     </message>
@@ -3422,18 +4419,8 @@ Unter null gäbe das Programm mehr, als es nahm; Dämpfung nimmt es dann weg.</t
         <translation>Beliebig</translation>
     </message>
     <message>
-        <source>CPU %1 alone</source>
-        <translation>Nur CPU %1</translation>
-    </message>
-    <message>
         <source>CPU of the servo loop</source>
         <translation>CPU der Servoschleife</translation>
-    </message>
-    <message>
-        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere &quot;Any&quot; lets
-the loop go where there is room.</source>
-        <translation>Wo die Servoschleife läuft. Eine CPU allein hilft, wo sie von allem anderen frei gehalten wird; sonst lässt „Beliebig“
-die Schleife laufen, wo Platz ist.</translation>
     </message>
     <message>
         <source>Servo CPU</source>
@@ -3444,16 +4431,104 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>99,9 % unter %1</translation>
     </message>
     <message>
-        <source>%1 of %2, %3 left out</source>
-        <translation>%1 von %2, %3 ausgefallen</translation>
-    </message>
-    <message>
         <source>%1 mJ</source>
         <translation>%1 mJ</translation>
     </message>
     <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>median %1, 99 % below %2</source>
+        <translation>Median %1, 99 % unter %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 rejected, %3 dropouts</source>
+        <translation>%1, %2 verworfen, %3 Ausfälle</translation>
+    </message>
+    <message>
+        <source>Touch runs at %1 updates per second instead of %2, so forces may stutter. Close other programs.</source>
+        <translation>Das Tasten wird %1-mal statt %2-mal je Sekunde berechnet; Kräfte können stocken. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>Touch has no real-time priority, so other programs may make the force stutter. The list of messages (F4) explains how to allow real-time priority.</source>
+        <translation>Das Tasten hat keine Echtzeitpriorität; andere Programme können die Kraft stocken lassen. Die Liste der Meldungen (F4) erklärt, wie sie erlaubt wird.</translation>
+    </message>
+    <message>
+        <source>Touch runs at the full rate of %1 updates per second.</source>
+        <translation>Das Tasten läuft mit vollen %1 Berechnungen je Sekunde.</translation>
+    </message>
+    <message>
+        <source>Energy observer: energy that the hand has put into the touched tissue and not recovered [mJ].
+A negative value means that the simulation adds energy; damping then removes the surplus.</source>
+        <translation>Energiebeobachter: Energie, die die Hand in das berührte Gewebe gesteckt und nicht zurückbekommen hat [mJ].
+Ein negativer Wert heißt, dass die Simulation Energie zuführt; Dämpfung entfernt dann den Überschuss.</translation>
+    </message>
+    <message>
+        <source>Real-time settings of the servo thread</source>
+        <translation>Echtzeiteinstellungen des Servo-Threads</translation>
+    </message>
+    <message>
+        <source>Active constraints: surface planes that hold the hand back (at most 3)</source>
+        <translation>Aktive Zwangsbedingungen: Ebenen der Oberfläche, die die Hand zurückhalten (höchstens 3)</translation>
+    </message>
+    <message>
+        <source>Solver time per tick, for ticks with a hand</source>
+        <translation>Rechenzeit je Takt, aus Takten mit Hand</translation>
+    </message>
+    <message>
+        <source>Servo ticks per second, over the last half second [kHz]</source>
+        <translation>Servotakte je Sekunde, über die letzte halbe Sekunde [kHz]</translation>
+    </message>
+    <message>
+        <source>Deviation of the tick interval from the period; 99.9 % of the ticks stay below this value</source>
+        <translation>Abweichung des Taktabstands von der Periode; 99,9 % der Takte bleiben unter diesem Wert</translation>
+    </message>
+    <message>
+        <source>Ticks that finished late, out of all ticks since the loop started, and the periods skipped as a result</source>
+        <translation>Takte, die zu spät endeten, von allen seit Beginn der Schleife, und die deshalb ausgelassenen Perioden</translation>
+    </message>
+    <message>
+        <source>Ticks missing from this recording because the disk was too slow</source>
+        <translation>Takte, die in dieser Aufzeichnung fehlen, weil der Datenträger zu langsam war</translation>
+    </message>
+    <message>
+        <source>Energy observer: energy that the hand has put into the touched tissue and not recovered [mJ]</source>
+        <translation>Energiebeobachter: Energie, die die Hand in das berührte Gewebe gesteckt und nicht zurückbekommen hat [mJ]</translation>
+    </message>
+    <message>
+        <source>Force that the passivity controller adds against the motion [N]</source>
+        <translation>Kraft, die der Passivitätsregler gegen die Bewegung hinzufügt [N]</translation>
+    </message>
+    <message>
+        <source>Time from receiving a device report to writing the resulting force</source>
+        <translation>Zeit vom Empfang einer Gerätemeldung bis zum Schreiben der zugehörigen Kraft</translation>
+    </message>
+    <message>
+        <source>Assumed delay until the force acts; limits the stable stiffness</source>
+        <translation>Angenommene Verzögerung, bis die Kraft wirkt; begrenzt die stabile Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Reports received, reports rejected as implausible, and connection losses</source>
+        <translation>Empfangene Meldungen, als unglaubwürdig verworfene und Verbindungsverluste</translation>
+    </message>
+    <message>
+        <source>Ticks per second. A faster loop keeps stiffer tissue stable if the device keeps up; check the jitter.</source>
+        <translation>Takte je Sekunde. Eine schnellere Schleife hält steiferes Gewebe stabil, wenn das Gerät mitkommt; auf den Jitter achten.</translation>
+    </message>
+    <message>
+        <source>CPU %1 only</source>
+        <translation>Nur CPU %1</translation>
+    </message>
+    <message>
+        <source>CPU for the servo loop. A single CPU helps only if no other program uses that CPU;
+otherwise choose &quot;Any&quot;.</source>
+        <translation>CPU für die Servoschleife. Eine einzelne CPU hilft nur, wenn kein anderes Programm sie nutzt;
+sonst „Beliebig“ wählen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 skipped</source>
+        <translation>%1 von %2, %3 ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -3467,12 +4542,6 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>leicht berührt</translation>
     </message>
     <message>
-        <source>Felt when %1
-(estimate)</source>
-        <translation>Tastbar, %1
-(Schätzung)</translation>
-    </message>
-    <message>
         <source>not judged</source>
         <translation>nicht beurteilt</translation>
     </message>
@@ -3481,20 +4550,26 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>0 %: kein Knoten</translation>
     </message>
     <message>
-        <source>7 %: half of that</source>
-        <translation>7 %: die Hälfte davon</translation>
-    </message>
-    <message>
-        <source>14 %: a trained hand tells</source>
-        <translation>14 %: geübte Hand spürt es</translation>
-    </message>
-    <message>
         <source>28 %: plainly felt</source>
         <translation>28 %: deutlich tastbar</translation>
     </message>
     <message>
-        <source>%1 %: most here</source>
-        <translation>%1 %: am meisten hier</translation>
+        <source>Palpability, %1
+(estimate)</source>
+        <translation>Tastbarkeit, %1
+(Schätzung)</translation>
+    </message>
+    <message>
+        <source>7 %: not noticed</source>
+        <translation>7 %: nicht bemerkt</translation>
+    </message>
+    <message>
+        <source>14 %: by a trained hand</source>
+        <translation>14 %: mit geübter Hand</translation>
+    </message>
+    <message>
+        <source>%1 %: maximum here</source>
+        <translation>%1 %: Maximum hier</translation>
     </message>
 </context>
 <context>
@@ -3508,48 +4583,12 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Knoten</translation>
     </message>
     <message>
-        <source>Times as stiff</source>
-        <translation>Wievielmal so steif</translation>
-    </message>
-    <message>
-        <source>Least cover</source>
-        <translation>Kleinste Deckung</translation>
-    </message>
-    <message>
         <source>Pressed %1 mm</source>
         <translation>%1 mm eingedrückt</translation>
     </message>
     <message>
         <source>Touched lightly</source>
         <translation>Leicht berührt</translation>
-    </message>
-    <message>
-        <source>Lumps and whether a hand finds them</source>
-        <translation>Knoten und ob eine Hand sie findet</translation>
-    </message>
-    <message>
-        <source>How deep the finger is pressed in</source>
-        <translation>Wie tief der Finger eingedrückt ist</translation>
-    </message>
-    <message>
-        <source>Coloured as pressed %1 mm</source>
-        <translation>Gefärbt wie %1 mm eingedrückt</translation>
-    </message>
-    <message>
-        <source>Coloured as touched lightly</source>
-        <translation>Gefärbt wie leicht berührt</translation>
-    </message>
-    <message>
-        <source>Show me the best place</source>
-        <translation>Die beste Stelle zeigen</translation>
-    </message>
-    <message>
-        <source>How many times as stiff as its organ the lump is</source>
-        <translation>Wievielmal so steif wie sein Organ der Knoten ist</translation>
-    </message>
-    <message>
-        <source>Where the lump&apos;s stiffness comes from</source>
-        <translation>Woher die Steifigkeit des Knotens kommt</translation>
     </message>
     <message>
         <source>As typed</source>
@@ -3572,20 +4611,8 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation> kPa</translation>
     </message>
     <message>
-        <source>by</source>
-        <translation>zu</translation>
-    </message>
-    <message>
-        <source>Being computed…</source>
-        <translation>Wird berechnet…</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>lies open</source>
-        <translation>liegt frei</translation>
     </message>
     <message>
         <source>in %1</source>
@@ -3596,32 +4623,80 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>zwischen %1 und %2</translation>
     </message>
     <message>
-        <source>Times as stiff as its organ:</source>
-        <translation>Wievielmal so steif wie sein Organ:</translation>
-    </message>
-    <message>
-        <source>%1, times as stiff as %2:</source>
-        <translation>%1, wievielmal so steif wie %2:</translation>
-    </message>
-    <message>
         <source>Stiffness of %1</source>
         <translation>Steifigkeit von %1</translation>
     </message>
     <message>
-        <source>No place over this lump can be judged.</source>
-        <translation>Keine Stelle über diesem Knoten lässt sich beurteilen.</translation>
+        <source>Stiffness ratio</source>
+        <translation>Steifigkeitsverhältnis</translation>
     </message>
     <message>
-        <source>By tissues or names</source>
+        <source>Tissue above</source>
+        <translation>Gewebe darüber</translation>
+    </message>
+    <message>
+        <source>Lumps and their palpability</source>
+        <translation>Knoten und ihre Tastbarkeit</translation>
+    </message>
+    <message>
+        <source>Press depth of the finger</source>
+        <translation>Eindrucktiefe des Fingers</translation>
+    </message>
+    <message>
+        <source>Colours: pressed %1 mm</source>
+        <translation>Farben: %1 mm eingedrückt</translation>
+    </message>
+    <message>
+        <source>Colours: touched lightly</source>
+        <translation>Farben: leicht berührt</translation>
+    </message>
+    <message>
+        <source>Show the best place</source>
+        <translation>Die beste Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Stiffness of the lump relative to the organ</source>
+        <translation>Steifigkeit des Knotens im Verhältnis zum Organ</translation>
+    </message>
+    <message>
+        <source>Source of the stiffness ratio</source>
+        <translation>Quelle des Steifigkeitsverhältnisses</translation>
+    </message>
+    <message>
+        <source>From tissues or names</source>
         <translation>Nach Gewebe oder Namen</translation>
     </message>
     <message>
-        <source>As published: %1, %2</source>
-        <translation>Wie veröffentlicht: %1, %2</translation>
+        <source>Published: %1, %2</source>
+        <translation>Veröffentlicht: %1, %2</translation>
     </message>
     <message>
-        <source>type it, or choose one that is published</source>
+        <source>to</source>
+        <translation>zu</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Wird berechnet…</translation>
+    </message>
+    <message>
+        <source>exposed</source>
+        <translation>liegt frei</translation>
+    </message>
+    <message>
+        <source>enter a ratio or choose a published one</source>
         <translation>eingeben oder einen veröffentlichten Wert wählen</translation>
+    </message>
+    <message>
+        <source>Stiffness ratio to the organ:</source>
+        <translation>Steifigkeitsverhältnis zum Organ:</translation>
+    </message>
+    <message>
+        <source>%1, stiffness ratio to %2:</source>
+        <translation>%1, Steifigkeitsverhältnis zu %2:</translation>
+    </message>
+    <message>
+        <source>No place above this lump can be judged.</source>
+        <translation>Keine Stelle über diesem Knoten lässt sich beurteilen.</translation>
     </message>
 </context>
 <context>
@@ -3659,26 +4734,6 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>deutlich tastbar</translation>
     </message>
     <message>
-        <source>a trained hand tells it</source>
-        <translation>eine geübte Hand spürt es</translation>
-    </message>
-    <message>
-        <source>below what a trained hand tells</source>
-        <translation>weniger, als eine geübte Hand spürt</translation>
-    </message>
-    <message>
-        <source>the surface bends too much</source>
-        <translation>die Oberfläche ist zu stark gekrümmt</translation>
-    </message>
-    <message>
-        <source>the organ is too thin</source>
-        <translation>das Organ ist zu dünn</translation>
-    </message>
-    <message>
-        <source>lumps reach into each other</source>
-        <translation>Knoten reichen ineinander</translation>
-    </message>
-    <message>
         <source>not judged here: %1</source>
         <translation>hier nicht beurteilt: %1</translation>
     </message>
@@ -3687,10 +4742,6 @@ die Schleife laufen, wo Platz ist.</translation>
 %1 when pressed %2 mm</source>
         <translation>;
 %1 bei %2 mm eingedrückt</translation>
-    </message>
-    <message>
-        <source>no lump is felt here</source>
-        <translation>hier ist kein Knoten tastbar</translation>
     </message>
     <message>
         <source>%1: %2 mm below, %3 (%4 … %5 %): %6</source>
@@ -3777,12 +4828,36 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>%1 (bei %2: %3; bei %4: %5)</translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
+        <source>surface too curved</source>
+        <translation>Oberfläche zu stark gekrümmt</translation>
     </message>
     <message>
-        <source>%1 (at %2 times as stiff)</source>
-        <translation>%1 (bei %2-facher Steifigkeit)</translation>
+        <source>organ too thin</source>
+        <translation>Organ zu dünn</translation>
+    </message>
+    <message>
+        <source>lumps overlap</source>
+        <translation>Knoten überlappen</translation>
+    </message>
+    <message>
+        <source>felt by a trained hand</source>
+        <translation>mit geübter Hand tastbar</translation>
+    </message>
+    <message>
+        <source>too little for a trained hand</source>
+        <translation>zu wenig für eine geübte Hand</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>no palpable lump here</source>
+        <translation>hier kein tastbarer Knoten</translation>
+    </message>
+    <message>
+        <source>%1 (stiffness ratio %2)</source>
+        <translation>%1 (Steifigkeitsverhältnis %2)</translation>
     </message>
 </context>
 <context>
@@ -3790,10 +4865,6 @@ die Schleife laufen, wo Platz ist.</translation>
     <message>
         <source>%1: %2 N, %3 mm deep</source>
         <translation>%1: %2 N, %3 mm tief</translation>
-    </message>
-    <message>
-        <source>felt %1 N/mm</source>
-        <translation>gefühlt %1 N/mm</translation>
     </message>
     <message>
         <source>Delete %1</source>
@@ -3806,10 +4877,6 @@ die Schleife laufen, wo Platz ist.</translation>
     <message>
         <source>note</source>
         <translation>Notiz</translation>
-    </message>
-    <message>
-        <source>Number, as in the view</source>
-        <translation>Nummer, wie in der Ansicht</translation>
     </message>
     <message>
         <source>№</source>
@@ -3828,20 +4895,8 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Wo</translation>
     </message>
     <message>
-        <source>Size across, as you judge it [mm]</source>
-        <translation>Durchmesser nach Ihrem Urteil [mm]</translation>
-    </message>
-    <message>
         <source>Size</source>
         <translation>Größe</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>N</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
     </message>
     <message>
         <source>Note</source>
@@ -3856,10 +4911,6 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>%1 umbenennen</translation>
     </message>
     <message>
-        <source>Size: found “%1”, expected millimetres as %2.</source>
-        <translation>Größe: „%1“ gefunden, erwartet sind Millimeter wie %2.</translation>
-    </message>
-    <message>
         <source>Size of %1</source>
         <translation>Größe von %1</translation>
     </message>
@@ -3872,16 +4923,40 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>%1 in %2</translation>
     </message>
     <message>
-        <source>The structure that was felt, and the organ that it lies in</source>
-        <translation>Die gefühlte Struktur und ihr Organ</translation>
+        <source>stiffness %1 N/mm</source>
+        <translation>Steifigkeit %1 N/mm</translation>
     </message>
     <message>
-        <source>Force of this structure when it was marked [N]</source>
+        <source>Number in the view</source>
+        <translation>Nummer in der Ansicht</translation>
+    </message>
+    <message>
+        <source>Palpated structure and surrounding organ</source>
+        <translation>Palpierte Struktur und umgebendes Organ</translation>
+    </message>
+    <message>
+        <source>Estimated diameter [mm]</source>
+        <translation>Geschätzter Durchmesser [mm]</translation>
+    </message>
+    <message>
+        <source>Force of this structure at the time of marking [N]</source>
         <translation>Kraft dieser Struktur beim Markieren [N]</translation>
     </message>
     <message>
-        <source>Depth in this structure when it was marked [mm]</source>
+        <source>Force [N]</source>
+        <translation>Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Depth in this structure at the time of marking [mm]</source>
         <translation>Tiefe in dieser Struktur beim Markieren [mm]</translation>
+    </message>
+    <message>
+        <source>Depth [mm]</source>
+        <translation>Tiefe [mm]</translation>
+    </message>
+    <message>
+        <source>Size: found “%1”, expected millimetres such as %2.</source>
+        <translation>Größe: „%1“ gefunden, erwartet sind Millimeter wie %2.</translation>
     </message>
 </context>
 <context>
@@ -3891,16 +4966,16 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Befunde und Notizen</translation>
     </message>
     <message>
-        <source>No finding yet. Press on a place and mark it with M; N writes a note without a place.</source>
-        <translation>Noch kein Befund. Auf eine Stelle drücken und sie mit M markieren; N schreibt eine Notiz ohne Stelle.</translation>
-    </message>
-    <message>
-        <source>Write a note (N), Enter keeps it</source>
-        <translation>Notiz schreiben (N), Enter behält sie</translation>
-    </message>
-    <message>
         <source>New note without a place</source>
         <translation>Neue Notiz ohne Stelle</translation>
+    </message>
+    <message>
+        <source>No findings yet. Press on a place and mark a finding with M; N adds a note without a place.</source>
+        <translation>Noch keine Befunde. Auf eine Stelle drücken und mit M einen Befund markieren; N fügt eine Notiz ohne Stelle hinzu.</translation>
+    </message>
+    <message>
+        <source>Write a note (N), Enter saves</source>
+        <translation>Notiz schreiben (N), Enter sichert</translation>
     </message>
 </context>
 <context>
@@ -3914,24 +4989,16 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Grenze %1 N</translation>
     </message>
     <message>
-        <source>Force in newton</source>
-        <translation>Kraft in Newton</translation>
-    </message>
-    <message>
         <source>%1 N of %2 N</source>
         <translation>%1 N von %2 N</translation>
+    </message>
+    <message>
+        <source>Force in newtons</source>
+        <translation>Kraft in Newton</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::ForceTimeline</name>
-    <message>
-        <source>Timeline of the recording&apos;s force</source>
-        <translation>Zeitachse der Kraft in der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Force [N] over the recording. Click or drag to go there; ← and → step 0.1 s, Home and End.</source>
-        <translation>Kraft [N] über die Aufzeichnung. Klicken oder ziehen, um dorthin zu gehen; ← und → gehen um 0,1 s, dazu Pos1 und Ende.</translation>
-    </message>
     <message>
         <source>The force of a recording appears here</source>
         <translation>Hier erscheint die Kraft einer Aufzeichnung</translation>
@@ -3960,56 +5027,56 @@ die Schleife laufen, wo Platz ist.</translation>
         <source>%1, %2 N</source>
         <translation>%1, %2 N</translation>
     </message>
+    <message>
+        <source>Force timeline of the recording</source>
+        <translation>Zeitachse der Kraft in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Force [N] during the recording. Click or drag to seek; ← and → step by 0.1 s, Home and End jump to the ends.</source>
+        <translation>Kraft [N] während der Aufzeichnung. Klicken oder ziehen, um dorthin zu springen; ← und → gehen um 0,1 s, Pos1 und Ende an die Enden.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::HandControl</name>
-    <message>
-        <source>%1; any is used</source>
-        <translation>%1; jede CPU ist möglich</translation>
-    </message>
-    <message>
-        <source>Touch the place, point at it or mark it as a finding (M) first.</source>
-        <translation>Berühren Sie erst die Stelle, zeigen Sie darauf oder markieren Sie sie als Befund (M).</translation>
-    </message>
     <message>
         <source>The whole scene</source>
         <translation>Die ganze Szene</translation>
     </message>
     <message>
-        <source>10 mm where the hand touches</source>
-        <translation>10 mm, wo die Hand berührt</translation>
+        <source>%1; using any CPU</source>
+        <translation>%1; jede CPU ist möglich</translation>
     </message>
     <message>
-        <source>10 mm under the pointer</source>
-        <translation>10 mm unter dem Zeiger</translation>
+        <source>First touch a place, point at one or mark a finding (M).</source>
+        <translation>Zuerst eine Stelle berühren, darauf zeigen oder einen Befund markieren (M).</translation>
     </message>
     <message>
-        <source>10 mm about finding %1</source>
+        <source>No visible structure to fit the workspace to.</source>
+        <translation>Keine sichtbare Struktur, an die der Arbeitsraum angepasst werden kann.</translation>
+    </message>
+    <message>
+        <source>%1 fills the workspace. The hand stays in contact; Centre moves the hand to the middle.</source>
+        <translation>%1 füllt den Arbeitsraum. Die Hand bleibt in Kontakt; „Mitte“ bringt sie in die Mitte.</translation>
+    </message>
+    <message>
+        <source>%1 fills the workspace.</source>
+        <translation>%1 füllt den Arbeitsraum.</translation>
+    </message>
+    <message>
+        <source>10 mm around the contact</source>
+        <translation>10 mm um den Kontakt</translation>
+    </message>
+    <message>
+        <source>10 mm around the pointer</source>
+        <translation>10 mm um den Zeiger</translation>
+    </message>
+    <message>
+        <source>10 mm around finding %1</source>
         <translation>10 mm um Befund %1</translation>
-    </message>
-    <message>
-        <source>Nothing is shown that the hand&apos;s space could be zoomed to.</source>
-        <translation>Nichts wird gezeigt, worauf der Raum der Hand gezoomt werden könnte.</translation>
-    </message>
-    <message>
-        <source>%1 fills the hand&apos;s space. The hand stays where it touches; Centre brings it to the middle.</source>
-        <translation>%1 füllt den Raum der Hand. Die Hand bleibt, wo sie berührt; „Mitte“ bringt sie in die Mitte.</translation>
-    </message>
-    <message>
-        <source>%1 fills the hand&apos;s space.</source>
-        <translation>%1 füllt den Raum der Hand.</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::HandPanel</name>
-    <message>
-        <source>Inside %1, which is felt from outside: bring the hand out towards you first.</source>
-        <translation>Innerhalb von %1 (von außen gefühlt): führen Sie die Hand erst zu sich heraus.</translation>
-    </message>
-    <message>
-        <source>As it lies: the device&apos;s millimetres are the scene&apos;s.</source>
-        <translation>Wie sie liegt: die Millimeter des Geräts sind die der Szene.</translation>
-    </message>
     <message>
         <source>1 mm of the device is %1 mm of the scene.</source>
         <translation>1 mm des Geräts ist %1 mm der Szene.</translation>
@@ -4031,40 +5098,12 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Maßstab</translation>
     </message>
     <message>
-        <source>Millimetres of the scene for a millimetre of the device</source>
-        <translation>Millimeter der Szene für einen Millimeter des Geräts</translation>
-    </message>
-    <message>
-        <source>The picture</source>
-        <translation>Das Bild</translation>
-    </message>
-    <message>
-        <source>The patient</source>
-        <translation>Der Patient</translation>
-    </message>
-    <message>
-        <source>Nothing: as it lies</source>
-        <translation>Nichts: wie es liegt</translation>
-    </message>
-    <message>
-        <source>What the device turns with</source>
-        <translation>Womit sich das Gerät dreht</translation>
-    </message>
-    <message>
-        <source>Turns with</source>
-        <translation>Dreht mit</translation>
-    </message>
-    <message>
         <source>Nothing</source>
         <translation>Nichts</translation>
     </message>
     <message>
         <source>Centre</source>
         <translation>Mitte</translation>
-    </message>
-    <message>
-        <source>Use of button %1</source>
-        <translation>Verwendung von Taste %1</translation>
     </message>
     <message>
         <source>Button %1</source>
@@ -4075,143 +5114,175 @@ die Schleife laufen, wo Platz ist.</translation>
         <translation>Linke Hand</translation>
     </message>
     <message>
-        <source>The first two buttons change places</source>
-        <translation>Die ersten beiden Tasten tauschen ihren Platz</translation>
-    </message>
-    <message>
-        <source>While held the device moves and the hand in the scene stays; the key C switches it</source>
-        <translation>Solange sie gehalten wird, bewegt sich das Gerät und die Hand in der Szene bleibt; die Taste C schaltet um</translation>
-    </message>
-    <message>
         <source>Force on the hand %1 N of %2 N</source>
         <translation>Kraft auf die Hand %1 N von %2 N</translation>
-    </message>
-    <message>
-        <source>No motors: the force is shown, not felt, and tissue may be as stiff as you like.</source>
-        <translation>Keine Motoren: die Kraft wird angezeigt, nicht gefühlt, und Gewebe darf beliebig steif sein.</translation>
-    </message>
-    <message>
-        <source>This device can show tissue up to %1 N/mm.</source>
-        <translation>Dieses Gerät kann Gewebe bis %1 N/mm darstellen.</translation>
-    </message>
-    <message>
-        <source>At the edge of the hand&apos;s space: bring the device back to its middle. The hand in the scene stays until then.</source>
-        <translation>Am Rand des Raums der Hand: führen Sie das Gerät zurück in seine Mitte. Bis dahin bleibt die Hand in der Szene.</translation>
-    </message>
-    <message>
-        <source>Lifted: the device moves, the hand in the scene stays.</source>
-        <translation>Angehoben: das Gerät bewegt sich, die Hand in der Szene bleibt.</translation>
-    </message>
-    <message>
-        <source>%1 fills the hand&apos;s space: 1 mm of the device is %2 mm of the scene.</source>
-        <translation>%1 füllt den Raum der Hand: 1 mm des Geräts ist %2 mm der Szene.</translation>
-    </message>
-    <message>
-        <source>Stiffest tissue that can be shown</source>
-        <translation>Steifstes Gewebe, das sich darstellen lässt</translation>
     </message>
     <message>
         <source>Everything</source>
         <translation>Alles</translation>
     </message>
     <message>
-        <source>The device&apos;s whole way then goes through all that is shown (W)</source>
-        <translation>Der ganze Weg des Geräts führt dann durch alles Gezeigte (W)</translation>
-    </message>
-    <message>
         <source>Organ</source>
         <translation>Organ</translation>
-    </message>
-    <message>
-        <source>The device&apos;s whole way then goes through the organ that is touched; else the one under the pointer or selected (O)</source>
-        <translation>Der ganze Weg des Geräts führt dann durch das berührte Organ; sonst durch das unter dem Zeiger oder das gewählte (O)</translation>
     </message>
     <message>
         <source>Lump</source>
         <translation>Knoten</translation>
     </message>
     <message>
-        <source>The device&apos;s whole way is then 10 mm: where the hand touches, else under the pointer, else about the newest finding (L)</source>
-        <translation>Der ganze Weg des Geräts ist dann 10 mm: wo die Hand berührt, sonst unter dem Zeiger, sonst um den neuesten Befund (L)</translation>
-    </message>
-    <message>
-        <source>Zoom the hand&apos;s space to</source>
-        <translation>Raum der Hand zoomen auf</translation>
-    </message>
-    <message>
-        <source>What fills the hand&apos;s space</source>
-        <translation>Was den Raum der Hand füllt</translation>
-    </message>
-    <message>
-        <source>The picture: right is right in the view, however it is turned.
-The patient: right is to the patient&apos;s left, up is to the head.
-Nothing: the device&apos;s coordinates are the scene&apos;s, without scale, and the hand cannot be lifted.</source>
-        <translation>Das Bild: rechts ist rechts in der Ansicht, wie auch immer sie gedreht ist.
-Der Patient: rechts ist zur Linken des Patienten, oben zum Kopf.
-Nichts: die Koordinaten des Geräts sind die der Szene, ohne Maßstab, und die Hand lässt sich nicht anheben.</translation>
-    </message>
-    <message>
         <source>Lift the hand</source>
         <translation>Hand anheben</translation>
-    </message>
-    <message>
-        <source>Puts the middle of the device&apos;s way in the middle of what the hand&apos;s space is zoomed to</source>
-        <translation>Legt die Mitte des Wegs des Geräts in die Mitte dessen, worauf der Raum der Hand gezoomt ist</translation>
     </message>
     <message>
         <source>Depth (wheel)</source>
         <translation>Tiefe (Rad)</translation>
     </message>
     <message>
-        <source>Effort (hold)</source>
-        <translation>Kraft (halten)</translation>
-    </message>
-    <message>
-        <source>What a press sets</source>
-        <translation>Was ein Druck vorgibt</translation>
-    </message>
-    <message>
-        <source>Depth: the same depth everywhere, and a stiff place pushes back harder.
-Effort: the same force everywhere, and a stiff place gives way less. The force rises by 1 N a second while the button is held; a pen gives it by its pressure. (E)</source>
-        <translation>Tiefe: überall gleich tief, und eine steife Stelle drückt stärker zurück.
-Kraft: überall gleich stark, und eine steife Stelle gibt weniger nach. Die Kraft wächst um 1 N je Sekunde, solange die Taste gehalten wird; ein Stift gibt sie durch seinen Druck vor. (E)</translation>
-    </message>
-    <message>
-        <source>A press sets</source>
-        <translation>Ein Druck gibt vor</translation>
-    </message>
-    <message>
         <source> N</source>
         <translation> N</translation>
     </message>
     <message>
-        <source>Greatest effort</source>
+        <source>No motors: forces are displayed, not felt. Any stiffness is possible.</source>
+        <translation>Keine Motoren: Kräfte werden angezeigt, nicht gefühlt. Jede Steifigkeit ist möglich.</translation>
+    </message>
+    <message>
+        <source>This device can render tissue up to %1 N/mm.</source>
+        <translation>Dieses Gerät kann Gewebe bis %1 N/mm darstellen.</translation>
+    </message>
+    <message>
+        <source>Edge of the workspace: move the device back to the middle. Until then, the hand in the scene does not move.</source>
+        <translation>Rand des Arbeitsraums: Führen Sie das Gerät zur Mitte zurück. Bis dahin bewegt sich die Hand in der Szene nicht.</translation>
+    </message>
+    <message>
+        <source>Lifted: the device moves, the hand in the scene does not.</source>
+        <translation>Angehoben: Das Gerät bewegt sich, die Hand in der Szene nicht.</translation>
+    </message>
+    <message>
+        <source>The hand is inside %1, which is only felt from outside. Move the hand out towards you first.</source>
+        <translation>Die Hand ist in %1, nur von außen tastbar. Führen Sie die Hand erst zu sich heraus.</translation>
+    </message>
+    <message>
+        <source>Unscaled: 1 mm of the device is 1 mm of the scene.</source>
+        <translation>Ohne Maßstab: 1 mm des Geräts ist 1 mm der Szene.</translation>
+    </message>
+    <message>
+        <source>%1 fills the workspace: 1 mm of the device is %2 mm of the scene.</source>
+        <translation>%1 füllt den Arbeitsraum: 1 mm des Geräts ist %2 mm der Szene.</translation>
+    </message>
+    <message>
+        <source>Maximum tissue stiffness</source>
+        <translation>Maximale Gewebesteifigkeit</translation>
+    </message>
+    <message>
+        <source>Map the full device range to all visible structures (W)</source>
+        <translation>Den ganzen Weg des Geräts auf alle sichtbaren Strukturen abbilden (W)</translation>
+    </message>
+    <message>
+        <source>Map the full device range to the touched organ, or else to the organ under the pointer or the selected one (O)</source>
+        <translation>Den ganzen Weg des Geräts auf das berührte Organ abbilden, sonst auf das unter dem Zeiger oder das ausgewählte (O)</translation>
+    </message>
+    <message>
+        <source>Map the full device range to 10 mm around the contact, or else around the pointer or the newest finding (L)</source>
+        <translation>Den ganzen Weg des Geräts auf 10 mm um den Kontakt abbilden, sonst um den Zeiger oder den neuesten Befund (L)</translation>
+    </message>
+    <message>
+        <source>Fit workspace to</source>
+        <translation>Arbeitsraum anpassen an</translation>
+    </message>
+    <message>
+        <source>Current workspace</source>
+        <translation>Aktueller Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>Scene millimetres per device millimetre</source>
+        <translation>Millimeter der Szene je Millimeter des Geräts</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Scene axes</source>
+        <translation>Szenenachsen</translation>
+    </message>
+    <message>
+        <source>Device orientation</source>
+        <translation>Ausrichtung des Geräts</translation>
+    </message>
+    <message>
+        <source>View: right is right on screen, however the view is rotated.
+Patient: right is the patient&apos;s left, up is towards the head.
+Scene axes: device coordinates equal scene coordinates, without scaling; the hand cannot be lifted.</source>
+        <translation>Ansicht: Rechts ist rechts auf dem Bildschirm, wie auch immer die Ansicht gedreht ist.
+Patient: Rechts ist die linke Seite des Patienten, oben ist kopfwärts.
+Szenenachsen: Die Koordinaten des Geräts sind die der Szene, ohne Maßstab; die Hand lässt sich nicht anheben.</translation>
+    </message>
+    <message>
+        <source>Aligned with</source>
+        <translation>Ausgerichtet an</translation>
+    </message>
+    <message>
+        <source>Function of button %1</source>
+        <translation>Funktion von Taste %1</translation>
+    </message>
+    <message>
+        <source>Swaps the first two buttons</source>
+        <translation>Vertauscht die ersten beiden Tasten</translation>
+    </message>
+    <message>
+        <source>While held, the device moves and the hand in the scene does not; C switches lifting on and off</source>
+        <translation>Solange gehalten, bewegt sich das Gerät und die Hand in der Szene nicht; C schaltet um</translation>
+    </message>
+    <message>
+        <source>Centres the device range on the fitted region</source>
+        <translation>Zentriert den Weg des Geräts auf den angepassten Bereich</translation>
+    </message>
+    <message>
+        <source>Force (hold)</source>
+        <translation>Kraft (halten)</translation>
+    </message>
+    <message>
+        <source>Press mode</source>
+        <translation>Art des Drückens</translation>
+    </message>
+    <message>
+        <source>Depth: the same depth everywhere; a stiff place pushes back harder.
+Force: the same force everywhere; a stiff place yields less. The force rises by 1 N per second while the button is held; with a pen, the pen pressure sets the force. (E)</source>
+        <translation>Tiefe: überall gleich tief; eine steife Stelle drückt stärker zurück.
+Kraft: überall gleich stark; eine steife Stelle gibt weniger nach. Die Kraft wächst um 1 N je Sekunde, solange die Taste gehalten wird; bei einem Stift bestimmt der Stiftdruck die Kraft. (E)</translation>
+    </message>
+    <message>
+        <source>Maximum force</source>
         <translation>Größte Kraft</translation>
     </message>
     <message>
-        <source>The press gets no harder than this, and a pen&apos;s full pressure is this; the wheel changes it by 0.5 N</source>
-        <translation>Stärker wird der Druck nicht, und der volle Druck eines Stifts ist so stark; das Rad ändert es um 0,5 N</translation>
+        <source>Force limit of a press and force at full pen pressure; the wheel changes the value by 0.5 N</source>
+        <translation>Kraftgrenze eines Drucks und Kraft bei vollem Stiftdruck; das Rad ändert den Wert um 0,5 N</translation>
     </message>
     <message>
-        <source>At most</source>
-        <translation>Höchstens</translation>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::HintLine</name>
     <message>
-        <source>The newest message; F4 shows all</source>
-        <translation>Die neueste Meldung; F4 zeigt alle</translation>
+        <source>Latest message; F4 shows all</source>
+        <translation>Neueste Meldung; F4 zeigt alle</translation>
     </message>
     <message>
         <source>%1
-Press here or F4 for all messages</source>
+Click here or press F4 for all messages</source>
         <translation>%1
-Hier drücken oder F4 für alle Meldungen</translation>
+Hier klicken oder F4 drücken für alle Meldungen</translation>
     </message>
     <message>
-        <source>No new message</source>
-        <translation>Keine neue Meldung</translation>
+        <source>No new messages</source>
+        <translation>Keine neuen Meldungen</translation>
     </message>
 </context>
 <context>
@@ -4256,18 +5327,6 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Gemessene Punkte</translation>
     </message>
     <message>
-        <source>Law</source>
-        <translation>Gesetz</translation>
-    </message>
-    <message>
-        <source>By what law the force rises with the depth</source>
-        <translation>Nach welchem Gesetz die Kraft mit der Tiefe steigt</translation>
-    </message>
-    <message>
-        <source>Take the points of a measured curve from a CSV file with depth_mm and force_N</source>
-        <translation>Die Punkte einer gemessenen Kurve aus einer CSV-Datei mit depth_mm und force_N nehmen</translation>
-    </message>
-    <message>
         <source>%1 in %2</source>
         <translation>%1 in %2</translation>
     </message>
@@ -4279,21 +5338,21 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <source>Tables (*.csv);;All files (*)</source>
         <translation>Tabellen (*.csv);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Force law</source>
+        <translation>Kraftgesetz</translation>
+    </message>
+    <message>
+        <source>How the force rises with depth</source>
+        <translation>Wie die Kraft mit der Tiefe steigt</translation>
+    </message>
+    <message>
+        <source>Load a measured curve from a CSV file with columns depth_mm and force_N</source>
+        <translation>Eine gemessene Kurve aus einer CSV-Datei mit den Spalten depth_mm und force_N laden</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::LawPlot</name>
-    <message>
-        <source>Force in newton by depth in millimetres</source>
-        <translation>Kraft in Newton über der Tiefe in Millimetern</translation>
-    </message>
-    <message>
-        <source>Force [N] by depth [mm]. Drag a point; or choose one with ← → and move it with ↑ ↓</source>
-        <translation>Kraft [N] über der Tiefe [mm]. Einen Punkt ziehen; oder mit ← → wählen und mit ↑ ↓ bewegen</translation>
-    </message>
-    <message>
-        <source>Force [N] by depth [mm]</source>
-        <translation>Kraft [N] über der Tiefe [mm]</translation>
-    </message>
     <message>
         <source>%1 mm deep</source>
         <translation>%1 mm tief</translation>
@@ -4314,48 +5373,52 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <source>now %1 mm, here × %2</source>
         <translation>jetzt %1 mm, hier × %2</translation>
     </message>
+    <message>
+        <source>Force in newtons over depth in millimetres</source>
+        <translation>Kraft in Newton über der Tiefe in Millimetern</translation>
+    </message>
+    <message>
+        <source>Force [N] over depth [mm]. Drag a point, or select one with ← → and move with ↑ ↓</source>
+        <translation>Kraft [N] über der Tiefe [mm]. Einen Punkt ziehen oder mit ← → wählen und mit ↑ ↓ bewegen</translation>
+    </message>
+    <message>
+        <source>Force [N] over depth [mm]</source>
+        <translation>Kraft [N] über der Tiefe [mm]</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::LiveTouch</name>
     <message>
-        <source> Its makers state no more.</source>
-        <translation> Mehr geben seine Hersteller nicht an.</translation>
-    </message>
-    <message>
-        <source> beside the layers around it</source>
-        <translation> neben den Schichten ringsum</translation>
-    </message>
-    <message>
-        <source>%1 can show tissue up to %2 N/mm.</source>
+        <source>%1 can render tissue up to %2 N/mm.</source>
         <translation>%1 kann Gewebe bis %2 N/mm darstellen.</translation>
     </message>
     <message>
-        <source>%1 can show tissue up to %2 N/mm here.</source>
+        <source>%1 can render tissue up to %2 N/mm here.</source>
         <translation>%1 kann hier Gewebe bis %2 N/mm darstellen.</translation>
     </message>
     <message>
-        <source> Its force comes %1 ms late: anything stiffer could make it tremble.</source>
-        <translation> Seine Kraft kommt %1 ms zu spät: bei Steiferem könnte es zittern.</translation>
+        <source> This is the rating of the manufacturer.</source>
+        <translation> Das ist die Angabe des Herstellers.</translation>
     </message>
     <message>
-        <source> A millimetre of the device is %1 mm of the scene: with a smaller scale (panel Device) it can show more.</source>
-        <translation> Ein Millimeter des Geräts ist %1 mm der Szene: mit einem kleineren Maßstab (Panel „Gerät“) kann es mehr darstellen.</translation>
+        <source> The force is delayed by %1 ms; stiffer tissue could make the device vibrate.</source>
+        <translation> Die Kraft kommt %1 ms verzögert; bei steiferem Gewebe könnte das Gerät zittern.</translation>
     </message>
     <message>
-        <source>%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 can show here%5.</source>
-        <translation>%1 verlangt %2 N/mm; gefühlt werden %3 N/mm, das meiste, was %4 hier darstellen kann%5.</translation>
+        <source> 1 mm of the device is %1 mm of the scene; a smaller scale (Device panel) allows stiffer tissue.</source>
+        <translation> 1 mm des Geräts ist %1 mm der Szene; ein kleinerer Maßstab (Panel „Gerät“) erlaubt steiferes Gewebe.</translation>
+    </message>
+    <message>
+        <source>%1 is set to %2 N/mm but feels like %3 N/mm, the maximum that %4 can render here%5.</source>
+        <translation>%1 ist auf %2 N/mm eingestellt, fühlt sich aber wie %3 N/mm an, das Maximum, das %4 hier darstellen kann%5.</translation>
+    </message>
+    <message>
+        <source> in addition to the surrounding layers</source>
+        <translation> zusätzlich zu den umgebenden Schichten</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::Looks</name>
-    <message>
-        <source>As the system</source>
-        <translation>Wie das System</translation>
-    </message>
-    <message>
-        <source>Light or dark, as the system is</source>
-        <translation>Hell oder dunkel, wie das System ist</translation>
-    </message>
     <message>
         <source>Light</source>
         <translation>Hell</translation>
@@ -4377,55 +5440,63 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Hoher Kontrast, auf Schwarz</translation>
     </message>
     <message>
-        <source>White text on black, with edges that are seen</source>
-        <translation>Weiße Schrift auf Schwarz, mit sichtbaren Kanten</translation>
-    </message>
-    <message>
         <source>High contrast, on white</source>
         <translation>Hoher Kontrast, auf Weiß</translation>
-    </message>
-    <message>
-        <source>Black text on white, with edges that are seen</source>
-        <translation>Schwarze Schrift auf Weiß, mit sichtbaren Kanten</translation>
     </message>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Texts as large as the system&apos;s</source>
-        <translation>Schrift so groß wie die des Systems</translation>
+        <source>Same as system</source>
+        <translation>Wie das System</translation>
     </message>
     <message>
-        <source>Texts in panels and in the view</source>
-        <translation>Schrift in den Feldern und in der Ansicht</translation>
+        <source>Light or dark, following the system</source>
+        <translation>Hell oder dunkel, wie das System</translation>
+    </message>
+    <message>
+        <source>White text on black, with visible edges</source>
+        <translation>Weiße Schrift auf Schwarz, mit sichtbaren Kanten</translation>
+    </message>
+    <message>
+        <source>Black text on white, with visible edges</source>
+        <translation>Schwarze Schrift auf Weiß, mit sichtbaren Kanten</translation>
+    </message>
+    <message>
+        <source>Text size of the system</source>
+        <translation>Schriftgröße des Systems</translation>
+    </message>
+    <message>
+        <source>Text size in panels and in the view</source>
+        <translation>Schriftgröße in den Panels und in der Ansicht</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::LumpMaps</name>
     <message>
-        <source>No lump lies inside an organ here: nothing to be felt through one.</source>
-        <translation>Hier liegt kein Knoten in einem Organ: nichts ist durch eines hindurch zu tasten.</translation>
+        <source>No lump was found inside a closed organ.</source>
+        <translation>In keinem geschlossenen Organ wurde ein Knoten gefunden.</translation>
     </message>
     <message>
-        <source>Making what is felt through %1; until then a lump in it is felt as a layer</source>
-        <translation>Was durch %1 hindurch gefühlt wird, wird berechnet; bis dahin ist ein Knoten darin eine Schicht</translation>
+        <source>Computing how lumps in %1 feel; simulated as layers until then</source>
+        <translation>Berechne, wie sich Knoten in %1 anfühlen; bis dahin als Schichten simuliert</translation>
     </message>
     <message>
-        <source>What can be felt of %1</source>
-        <translation>Was an %1 tastbar ist</translation>
+        <source>Palpability of %1</source>
+        <translation>Tastbarkeit von %1</translation>
     </message>
     <message>
-        <source>What is felt through an organ was cancelled: lumps are felt as layers until the scene changes.</source>
-        <translation>Was durch ein Organ hindurch gefühlt wird, wurde abgebrochen: Knoten sind Schichten, bis sich die Szene ändert.</translation>
+        <source>The stiffness ratio of %2 to %1 is unknown, so palpability is not judged. Enter a ratio under What can be felt (B) or choose a published one.</source>
+        <translation>Das Steifigkeitsverhältnis von %2 zu %1 ist unbekannt, daher wird die Tastbarkeit nicht beurteilt. Unter „Was tastbar ist“ (B) einen Wert eingeben oder einen veröffentlichten wählen.</translation>
     </message>
     <message>
-        <source>What can be felt here was cancelled.</source>
-        <translation>Was hier tastbar ist, wurde abgebrochen.</translation>
+        <source>The computation of buried lumps was cancelled. Lumps are simulated as layers until the scene changes.</source>
+        <translation>Die Berechnung verborgener Knoten wurde abgebrochen. Knoten werden als Schichten simuliert, bis sich die Szene ändert.</translation>
     </message>
     <message>
-        <source>How many times as stiff as %1 is %2? It is not known, so no verdict is given: type it in What can be felt (B), or choose one that is published.</source>
-        <translation>Wievielmal so steif wie %1 ist %2? Das ist nicht bekannt, daher kein Urteil: in „Was tastbar ist“ (B) eingeben oder einen veröffentlichten Wert wählen.</translation>
+        <source>The computation of palpability was cancelled.</source>
+        <translation>Die Berechnung der Tastbarkeit wurde abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -4439,32 +5510,32 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Schubmodul, kPa</translation>
     </message>
     <message>
-        <source>friction, times the tissue&apos;s own</source>
-        <translation>Reibung, Vielfaches der des Gewebes</translation>
-    </message>
-    <message>
-        <source>stiffness felt, N/mm</source>
-        <translation>Steifigkeit gefühlt, N/mm</translation>
-    </message>
-    <message>
-        <source>stiffness felt, times the law</source>
-        <translation>Steifigkeit gefühlt, Vielfaches des Gesetzes</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>nothing said</source>
-        <translation>keine Angabe</translation>
+        <source>damping, N·s/mm</source>
+        <translation>Dämpfung, N·s/mm</translation>
     </message>
     <message>
-        <source>%1: nothing said</source>
-        <translation>%1: keine Angabe</translation>
+        <source>friction, relative to the tissue</source>
+        <translation>Reibung, relativ zum Gewebe</translation>
     </message>
     <message>
-        <source>resists fast movement, N·s/mm</source>
-        <translation>bremst schnelle Bewegung, N·s/mm</translation>
+        <source>felt stiffness, N/mm</source>
+        <translation>gefühlte Steifigkeit, N/mm</translation>
+    </message>
+    <message>
+        <source>felt stiffness, relative to the law</source>
+        <translation>gefühlte Steifigkeit, relativ zum Gesetz</translation>
+    </message>
+    <message>
+        <source>%1: no data</source>
+        <translation>%1: keine Daten</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>keine Daten</translation>
     </message>
 </context>
 <context>
@@ -4472,10 +5543,6 @@ Hier drücken oder F4 für alle Meldungen</translation>
     <message>
         <source>Map</source>
         <translation>Karte</translation>
-    </message>
-    <message>
-        <source>How the tissue varies over the surface</source>
-        <translation>Wie das Gewebe über die Oberfläche variiert</translation>
     </message>
     <message>
         <source>By name</source>
@@ -4486,56 +5553,12 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Keine</translation>
     </message>
     <message>
-        <source>By hand</source>
-        <translation>Von Hand</translation>
-    </message>
-    <message>
-        <source>The arrays of the mesh whose names say what they are, such as StiffnessScale</source>
-        <translation>Die Felder des Netzes, deren Namen sagen, was sie sind, wie StiffnessScale</translation>
-    </message>
-    <message>
-        <source>Varies</source>
-        <translation>Variiert</translation>
-    </message>
-    <message>
-        <source>What of the tissue varies</source>
-        <translation>Was am Gewebe variiert</translation>
-    </message>
-    <message>
         <source>Stiffness</source>
         <translation>Steifigkeit</translation>
     </message>
     <message>
         <source>Friction</source>
         <translation>Reibung</translation>
-    </message>
-    <message>
-        <source>By</source>
-        <translation>Nach</translation>
-    </message>
-    <message>
-        <source>Which array of the mesh, or which volume, says it</source>
-        <translation>Welches Feld des Netzes oder welches Volumen es sagt</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>In</translation>
-    </message>
-    <message>
-        <source>What the numbers are. Shear and Young&apos;s modulus differ by a factor of three: see what the scanner&apos;s manual says</source>
-        <translation>Was die Zahlen sind. Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei: siehe das Handbuch des Scanners</translation>
-    </message>
-    <message>
-        <source>say which…</source>
-        <translation>bitte angeben…</translation>
-    </message>
-    <message>
-        <source>Times the tissue&apos;s own</source>
-        <translation>Vielfaches des Gewebewerts</translation>
-    </message>
-    <message>
-        <source>N/mm, as felt</source>
-        <translation>N/mm, wie gefühlt</translation>
     </message>
     <message>
         <source>Shear modulus, kPa</source>
@@ -4554,44 +5577,16 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation> mm</translation>
     </message>
     <message>
-        <source>Of the finger that feels a modulus: the stiffness is 8 times radius times shear modulus</source>
-        <translation>Des Fingers, der einen Modul fühlt: die Steifigkeit ist 8-mal Radius mal Schubmodul</translation>
-    </message>
-    <message>
         <source>Contact radius</source>
         <translation>Kontaktradius</translation>
-    </message>
-    <message>
-        <source>Keep numbers within</source>
-        <translation>Zahlen begrenzen</translation>
-    </message>
-    <message>
-        <source>Numbers beyond are taken as the nearest one within</source>
-        <translation>Zahlen außerhalb gelten als die nächste innerhalb</translation>
-    </message>
-    <message>
-        <source>At least</source>
-        <translation>Mindestens</translation>
-    </message>
-    <message>
-        <source>At most</source>
-        <translation>Höchstens</translation>
     </message>
     <message>
         <source>to</source>
         <translation>bis</translation>
     </message>
     <message>
-        <source>What the map says</source>
-        <translation>Was die Karte sagt</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Zeigen</translation>
-    </message>
-    <message>
-        <source>Colours the structure by numbers, with a legend</source>
-        <translation>Färbt die Struktur nach Zahlen, mit Legende</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -4614,20 +5609,96 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Eigene Farbe</translation>
     </message>
     <message>
-        <source>Say what the numbers of %1 are: shear and Young&apos;s modulus differ by a factor of three.</source>
-        <translation>Geben Sie an, was die Zahlen von %1 sind: Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei.</translation>
-    </message>
-    <message>
         <source>%1 varies by %2.</source>
         <translation>%1 variiert nach %2.</translation>
     </message>
     <message>
-        <source>%1: %2 of %3 places say nothing. The tissue&apos;s own is felt there.</source>
-        <translation>%1: %2 von %3 Stellen haben keine Angabe. Dort wird der Wert des Gewebes gefühlt.</translation>
+        <source>Variation of the tissue over the surface</source>
+        <translation>Änderung des Gewebes über die Oberfläche</translation>
     </message>
     <message>
-        <source>Resists fast movement</source>
-        <translation>Bremst schnelle Bewegung</translation>
+        <source>Manual</source>
+        <translation>Manuell</translation>
+    </message>
+    <message>
+        <source>Mesh arrays with a known name, such as StiffnessScale</source>
+        <translation>Felder des Netzes mit bekanntem Namen, wie StiffnessScale</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>Eigenschaft</translation>
+    </message>
+    <message>
+        <source>Tissue property that varies</source>
+        <translation>Gewebeeigenschaft, die variiert</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Mesh array or volume with the values</source>
+        <translation>Feld des Netzes oder Volumen mit den Werten</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Meaning of the numbers. Shear modulus and Young&apos;s modulus differ by a factor of three; check the scanner manual</source>
+        <translation>Bedeutung der Zahlen. Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei; siehe Handbuch des Scanners</translation>
+    </message>
+    <message>
+        <source>choose…</source>
+        <translation>auswählen…</translation>
+    </message>
+    <message>
+        <source>Relative to the tissue</source>
+        <translation>Relativ zum Gewebe</translation>
+    </message>
+    <message>
+        <source>Stiffness, N/mm</source>
+        <translation>Steifigkeit, N/mm</translation>
+    </message>
+    <message>
+        <source>Radius of the finger contact; stiffness = 8 × radius × shear modulus</source>
+        <translation>Radius des Fingerkontakts; Steifigkeit = 8 × Radius × Schubmodul</translation>
+    </message>
+    <message>
+        <source>Limit the values</source>
+        <translation>Werte begrenzen</translation>
+    </message>
+    <message>
+        <source>Values outside the range are set to the nearest limit</source>
+        <translation>Werte außerhalb des Bereichs werden auf die nächste Grenze gesetzt</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Map status</source>
+        <translation>Zustand der Karte</translation>
+    </message>
+    <message>
+        <source>Colours the structure by value, with a legend</source>
+        <translation>Färbt die Struktur nach Werten, mit Legende</translation>
+    </message>
+    <message>
+        <source>Choose the unit of %1: shear modulus and Young&apos;s modulus differ by a factor of three.</source>
+        <translation>Wählen Sie die Einheit von %1: Schub- und Elastizitätsmodul unterscheiden sich um den Faktor drei.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 places have no value. The tissue value is used there.</source>
+        <translation>%1: %2 von %3 Stellen haben keinen Wert. Dort gilt der Wert des Gewebes.</translation>
     </message>
 </context>
 <context>
@@ -4637,24 +5708,24 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>(%1; %2; %3) mm</translation>
     </message>
     <message>
-        <source>%1: what the lumps below make of it changes too sharply for the %2 at %3.</source>
-        <translation>%1: Was die Knoten darunter bewirken, ändert sich bei %3 zu scharf für das Gerät „%2“.</translation>
+        <source>%1: the effect of the lumps below changes too abruptly for the %2 at %3.</source>
+        <translation>%1: Die Wirkung der Knoten darunter ändert sich bei %3 zu abrupt für das Gerät „%2“.</translation>
     </message>
     <message>
-        <source>%1: its map of stiffness bends too sharply for the %2 at %3.</source>
-        <translation>%1: Die Karte der Steifigkeit knickt bei %3 zu scharf für das Gerät „%2“.</translation>
+        <source>%1: the stiffness map changes too abruptly for the %2 at %3.</source>
+        <translation>%1: Die Steifigkeitskarte ändert sich bei %3 zu abrupt für das Gerät „%2“.</translation>
     </message>
     <message>
-        <source>The push aside jumps by %1 N there and can keep the hand swinging by %2 mm.</source>
+        <source>The sideways force jumps by %1 N there and can make the hand oscillate by %2 mm.</source>
         <translation>Die Kraft zur Seite springt dort um %1 N und kann die Hand um %2 mm schwingen lassen.</translation>
     </message>
     <message>
-        <source>Give the tissue friction, or open a mesh with shorter edges there.</source>
-        <translation>Dem Gewebe Reibung geben oder ein Netz öffnen, das dort kürzere Kanten hat.</translation>
+        <source>Add friction to the tissue, or use a mesh with shorter edges there.</source>
+        <translation>Dem Gewebe Reibung geben oder ein Netz mit dort kürzeren Kanten verwenden.</translation>
     </message>
     <message>
-        <source>Spread the step over more millimetres, round its ends, or give the tissue friction.</source>
-        <translation>Die Stufe über mehr Millimeter verteilen, ihre Enden abrunden oder dem Gewebe Reibung geben.</translation>
+        <source>Spread the step over a longer distance, smooth both ends, or add friction to the tissue.</source>
+        <translation>Die Stufe über eine längere Strecke verteilen, ihre Enden abrunden oder dem Gewebe Reibung geben.</translation>
     </message>
 </context>
 <context>
@@ -4668,12 +5739,12 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Die Liste der Meldungen zeigen (F4)</translation>
     </message>
     <message>
-        <source>1 older message waits (F4 shows all)</source>
-        <translation>1 ältere Meldung wartet (F4 zeigt alle)</translation>
+        <source>1 older message (F4 shows all)</source>
+        <translation>1 ältere Meldung (F4 zeigt alle)</translation>
     </message>
     <message>
-        <source>%1 older messages wait (F4 shows all)</source>
-        <translation>%1 ältere Meldungen warten (F4 zeigt alle)</translation>
+        <source>%1 older messages (F4 shows all)</source>
+        <translation>%1 ältere Meldungen (F4 zeigt alle)</translation>
     </message>
 </context>
 <context>
@@ -4690,12 +5761,12 @@ Hier drücken oder F4 für alle Meldungen</translation>
 <context>
     <name>palpate::ui::MessageRow</name>
     <message>
-        <source>Close this message; the list of messages keeps it (F4)</source>
-        <translation>Diese Meldung schließen; die Liste der Meldungen behält sie (F4)</translation>
-    </message>
-    <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Close this message; still listed under Messages (F4)</source>
+        <translation>Diese Meldung schließen; sie bleibt in der Liste der Meldungen (F4)</translation>
     </message>
 </context>
 <context>
@@ -4703,10 +5774,6 @@ Hier drücken oder F4 für alle Meldungen</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Told</source>
-        <translation>Mitteilung</translation>
     </message>
     <message>
         <source>Warning</source>
@@ -4720,17 +5787,13 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <source>Offer</source>
         <translation>Angebot</translation>
     </message>
+    <message>
+        <source>Information</source>
+        <translation>Information</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::PalpationController</name>
-    <message>
-        <source>%1 mm is the deepest press: the scene is no larger.</source>
-        <translation>%1 mm ist der tiefste Druck: größer ist die Szene nicht.</translation>
-    </message>
-    <message>
-        <source>Nothing that can be felt is in view.</source>
-        <translation>In der Ansicht ist nichts, was sich fühlen lässt.</translation>
-    </message>
     <message>
         <source>camera</source>
         <translation>Kamera</translation>
@@ -4752,16 +5815,24 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>drückt %1 von %2 mm</translation>
     </message>
     <message>
-        <source>%1 N is the hardest press.</source>
-        <translation>%1 N ist der stärkste Druck.</translation>
-    </message>
-    <message>
         <source>presses up to %1 N</source>
         <translation>drückt bis %1 N</translation>
     </message>
     <message>
-        <source>aims at %1 of %2 N, reaches %3 N, %4 mm</source>
-        <translation>Ziel %1 von %2 N, erreicht %3 N, %4 mm</translation>
+        <source>%1 mm is the maximum depth, limited by the size of the scene.</source>
+        <translation>%1 mm ist die größte Tiefe, begrenzt durch die Größe der Szene.</translation>
+    </message>
+    <message>
+        <source>%1 N is the maximum press force.</source>
+        <translation>%1 N ist die größte Druckkraft.</translation>
+    </message>
+    <message>
+        <source>No palpable structure is in view.</source>
+        <translation>In der Ansicht ist keine tastbare Struktur.</translation>
+    </message>
+    <message>
+        <source>target %1 of %2 N, actual %3 N, %4 mm</source>
+        <translation>Soll %1 von %2 N, ist %3 N, %4 mm</translation>
     </message>
 </context>
 <context>
@@ -4774,26 +5845,26 @@ Hier drücken oder F4 für alle Meldungen</translation>
 <context>
     <name>palpate::ui::RecordedTouch</name>
     <message>
-        <source>%1 ended at %2 s because the disk was full; what was felt after is not in it.</source>
-        <translation>%1 endete bei %2 s, weil der Datenträger voll war; was danach gefühlt wurde, fehlt darin.</translation>
+        <source>%1 ends at %2 s because the disk was full. Later palpation was not recorded.</source>
+        <translation>%1 endet bei %2 s, weil der Datenträger voll war. Spätere Palpation wurde nicht aufgezeichnet.</translation>
     </message>
     <message>
-        <source>%1 ended at %2 s because the disk could not be written; what was felt after is not in it.</source>
-        <translation>%1 endete bei %2 s, weil der Datenträger nicht beschreibbar war; was danach gefühlt wurde, fehlt darin.</translation>
+        <source>%1 ends at %2 s because of a disk write error. Later palpation was not recorded.</source>
+        <translation>%1 endet bei %2 s wegen eines Schreibfehlers des Datenträgers. Spätere Palpation wurde nicht aufgezeichnet.</translation>
     </message>
     <message>
-        <source>%1 was not closed (a crash, or a full disk): it ends at %2 s, and what was felt after is not in it.</source>
-        <translation>%1 wurde nicht abgeschlossen (Absturz oder voller Datenträger): sie endet bei %2 s, und was danach gefühlt wurde, fehlt darin.</translation>
+        <source>%1 was not closed (crash or full disk) and ends at %2 s. Later palpation was not recorded.</source>
+        <translation>%1 wurde nicht abgeschlossen (Absturz oder voller Datenträger) und endet bei %2 s. Spätere Palpation wurde nicht aufgezeichnet.</translation>
     </message>
     <message>
-        <source>%1: %2 moments were lost while it was recorded, because the disk was too slow.</source>
-        <translation>%1: %2 Augenblicke gingen bei der Aufzeichnung verloren, weil der Datenträger zu langsam war.</translation>
+        <source>%1: %2 samples were lost during recording because the disk was too slow.</source>
+        <translation>%1: %2 Messpunkte gingen bei der Aufzeichnung verloren, weil der Datenträger zu langsam war.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 is damaged, or was changed after it was recorded: %n place(s) do not match their checksums. What was felt there is left out; &quot;palpate session verify&quot; names the first place.</source>
+        <source>%1 is damaged or was changed after recording: %n part(s) do not match their checksums and are left out. &quot;palpate session verify&quot; names the first part.</source>
         <translation>
-            <numerusform>%1 ist beschädigt oder wurde nach der Aufnahme geändert: %n Stelle passt nicht zu ihrer Prüfsumme. Was dort gefühlt wurde, fehlt; „palpate session verify“ nennt die erste Stelle.</numerusform>
-            <numerusform>%1 ist beschädigt oder wurde nach der Aufnahme geändert: %n Stellen passen nicht zu ihren Prüfsummen. Was dort gefühlt wurde, fehlt; „palpate session verify“ nennt die erste Stelle.</numerusform>
+            <numerusform>%1 ist beschädigt oder wurde nach der Aufnahme geändert: %n Abschnitt passt nicht zu seiner Prüfsumme und fehlt. „palpate session verify“ nennt den ersten Abschnitt.</numerusform>
+            <numerusform>%1 ist beschädigt oder wurde nach der Aufnahme geändert: %n Abschnitte passen nicht zu ihren Prüfsummen und fehlen. „palpate session verify“ nennt den ersten Abschnitt.</numerusform>
         </translation>
     </message>
 </context>
@@ -4812,20 +5883,20 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Bereite das Tasten vor</translation>
     </message>
     <message>
-        <source>its view</source>
-        <translation>ihre Ansicht</translation>
-    </message>
-    <message>
-        <source>the fields of it that this version does not know</source>
-        <translation>ihre Felder, die diese Version nicht kennt</translation>
-    </message>
-    <message>
-        <source>%1: opened together with another scene; not taken: %2</source>
-        <translation>%1: zusammen mit einer anderen Szene geöffnet; nicht übernommen: %2</translation>
-    </message>
-    <message>
         <source>, </source>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>unknown fields</source>
+        <translation>unbekannte Felder</translation>
+    </message>
+    <message>
+        <source>%1: opened together with another scene; not imported: %2</source>
+        <translation>%1: zusammen mit einer anderen Szene geöffnet; nicht übernommen: %2</translation>
     </message>
 </context>
 <context>
@@ -4843,10 +5914,6 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>%1 ×</translation>
     </message>
     <message>
-        <source>Speed of playing; 1 × is as it was recorded</source>
-        <translation>Tempo des Abspielens; 1 × ist wie aufgezeichnet</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Tempo</translation>
     </message>
@@ -4862,6 +5929,10 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <source>%1 late, %2 lost</source>
         <translation>%1 verspätet, %2 verloren</translation>
     </message>
+    <message>
+        <source>Playback speed; 1 × is real time</source>
+        <translation>Wiedergabetempo; 1 × ist Echtzeit</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureList</name>
@@ -4876,10 +5947,6 @@ Hier drücken oder F4 für alle Meldungen</translation>
     <message>
         <source>Filter the structures by name</source>
         <translation>Die Strukturen nach Namen filtern</translation>
-    </message>
-    <message>
-        <source>List only what has these words in its name (Ctrl+F); Esc lists all</source>
-        <translation>Nur auflisten, was diese Wörter im Namen hat (Strg+F); Esc listet alle auf</translation>
     </message>
     <message>
         <source>Order and groups of the list</source>
@@ -4918,12 +5985,16 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>Nach Datei oder Ordner</translation>
     </message>
     <message>
-        <source>By layer, as felt</source>
-        <translation>Nach Schicht, wie gefühlt</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>List only structures with these words in the name (Ctrl+F); Esc lists all</source>
+        <translation>Nur Strukturen mit diesen Wörtern im Namen auflisten (Strg+F); Esc listet alle auf</translation>
+    </message>
+    <message>
+        <source>By layer</source>
+        <translation>Nach Schicht</translation>
     </message>
 </context>
 <context>
@@ -4941,56 +6012,12 @@ Hier drücken oder F4 für alle Meldungen</translation>
         <translation>unter %1</translation>
     </message>
     <message>
-        <source>%1 below</source>
-        <translation>%1 darunter</translation>
-    </message>
-    <message>
-        <source>%1 is shown. Click to hide it; what is hidden is not felt.</source>
-        <translation>%1 wird gezeigt. Zum Verbergen klicken; Verborgenes wird nicht gefühlt.</translation>
-    </message>
-    <message>
-        <source>%1 is hidden. Click to show it.</source>
-        <translation>%1 ist verborgen. Zum Zeigen klicken.</translation>
-    </message>
-    <message>
-        <source>%1, felt %2</source>
-        <translation>%1, gefühlt %2</translation>
-    </message>
-    <message>
-        <source>%1
-%2 triangles
-Felt: %3</source>
-        <translation>%1
-%2 Dreiecke
-Gefühlt: %3</translation>
-    </message>
-    <message>
-        <source>%1 can be felt. Click to let the hand pass through it.</source>
-        <translation>%1 ist zu fühlen. Klicken, um die Hand hindurchzulassen.</translation>
-    </message>
-    <message>
-        <source>The hand passes through %1. Click to feel it.</source>
-        <translation>Die Hand geht durch %1 hindurch. Zum Fühlen klicken.</translation>
-    </message>
-    <message>
         <source>Structure</source>
         <translation>Struktur</translation>
     </message>
     <message>
-        <source>Shown</source>
-        <translation>Gezeigt</translation>
-    </message>
-    <message>
         <source>Name and colour</source>
         <translation>Name und Farbe</translation>
-    </message>
-    <message>
-        <source>What was found in the mesh</source>
-        <translation>Was im Netz gefunden wurde</translation>
-    </message>
-    <message>
-        <source>Can be felt</source>
-        <translation>Zu fühlen</translation>
     </message>
     <message>
         <source>Remove %1</source>
@@ -5011,26 +6038,6 @@ Gefühlt: %3</translation>
     <message>
         <source>Part of the mesh is open: feels like a sheet there</source>
         <translation>Ein Teil des Netzes ist offen: fühlt sich dort an wie ein Blatt</translation>
-    </message>
-    <message>
-        <source>The mesh is inside out: felt from within only</source>
-        <translation>Das Netz ist umgestülpt: nur von innen zu fühlen</translation>
-    </message>
-    <message>
-        <source>The mesh had faults, which were mended</source>
-        <translation>Das Netz hatte Fehler; sie wurden behoben</translation>
-    </message>
-    <message>
-        <source>The mesh branches along some edges</source>
-        <translation>Das Netz verzweigt sich an manchen Kanten</translation>
-    </message>
-    <message>
-        <source>About the mesh of %1:
-• %2
-The list of messages (F4) has the details.</source>
-        <translation>Zum Netz von %1:
-• %2
-Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
     </message>
     <message>
         <source>through %1</source>
@@ -5061,8 +6068,72 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Die Oberfläche ist geglättet: höchstens um %1 mm verschoben, Volumen %2 %</translation>
     </message>
     <message>
-        <source>The surface is a staircase of %1 × %2 × %3 mm voxels: the hand feels its steps</source>
-        <translation>Die Oberfläche ist eine Treppe aus Voxeln von %1 × %2 × %3 mm: Die Hand spürt ihre Stufen</translation>
+        <source>%1 below surface</source>
+        <translation>%1 unter der Oberfläche</translation>
+    </message>
+    <message>
+        <source>The surface has steps of %1 × %2 × %3 mm voxels, which can be felt</source>
+        <translation>Die Oberfläche hat Stufen von Voxeln mit %1 × %2 × %3 mm, die zu fühlen sind</translation>
+    </message>
+    <message>
+        <source>The mesh is inside out: palpable only from inside</source>
+        <translation>Das Netz ist umgestülpt: nur von innen tastbar</translation>
+    </message>
+    <message>
+        <source>Mesh defects were repaired</source>
+        <translation>Fehler des Netzes wurden behoben</translation>
+    </message>
+    <message>
+        <source>Some edges are shared by more than two triangles</source>
+        <translation>Manche Kanten gehören zu mehr als zwei Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1 is visible. Click to hide; hidden structures cannot be felt.</source>
+        <translation>%1 ist sichtbar. Zum Verbergen klicken; verborgene Strukturen sind nicht tastbar.</translation>
+    </message>
+    <message>
+        <source>%1 is hidden. Click to show.</source>
+        <translation>%1 ist verborgen. Zum Zeigen klicken.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1
+%2 triangles
+Depth order: %3</source>
+        <translation>%1
+%2 Dreiecke
+Tiefenlage: %3</translation>
+    </message>
+    <message>
+        <source>Mesh of %1:
+• %2
+See the list of messages (F4) for details.</source>
+        <translation>Netz von %1:
+• %2
+Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
+    </message>
+    <message>
+        <source>%1 is palpable. Click to let the hand pass through.</source>
+        <translation>%1 ist tastbar. Klicken, um die Hand hindurchzulassen.</translation>
+    </message>
+    <message>
+        <source>The hand passes through %1. Click to make palpable.</source>
+        <translation>Die Hand geht durch %1 hindurch. Klicken, um tastbar zu machen.</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Notes on the mesh</source>
+        <translation>Hinweise zum Netz</translation>
+    </message>
+    <message>
+        <source>Palpable</source>
+        <translation>Tastbar</translation>
     </message>
 </context>
 <context>
@@ -5080,16 +6151,8 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Deckkraft in Prozent</translation>
     </message>
     <message>
-        <source>Opacity [%]: what lies behind shows through</source>
-        <translation>Deckkraft [%]: was dahinter liegt, scheint durch</translation>
-    </message>
-    <message>
         <source>Opacity</source>
         <translation>Deckkraft</translation>
-    </message>
-    <message>
-        <source>%1 as felt [%2]: %3</source>
-        <translation>%1, wie gefühlt [%2]: %3</translation>
     </message>
     <message>
         <source>%1 in %2</source>
@@ -5100,36 +6163,8 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Gewebe</translation>
     </message>
     <message>
-        <source>How the structure feels, by name</source>
-        <translation>Wie sich die Struktur anfühlt, nach Namen</translation>
-    </message>
-    <message>
         <source>Friction</source>
         <translation>Reibung</translation>
-    </message>
-    <message>
-        <source>How much the surface holds the fingertip, by name</source>
-        <translation>Wie stark die Oberfläche die Fingerspitze hält, nach Namen</translation>
-    </message>
-    <message>
-        <source>What is felt of it</source>
-        <translation>Was davon gefühlt wird</translation>
-    </message>
-    <message>
-        <source>Why the value was refused</source>
-        <translation>Warum der Wert abgewiesen wurde</translation>
-    </message>
-    <message>
-        <source>Felt, in order from outside</source>
-        <translation>Gefühlt, der Reihe nach von außen</translation>
-    </message>
-    <message>
-        <source>What a hand meets first as it presses in, and what it meets through that (Ctrl+Down, Ctrl+Up in the list)</source>
-        <translation>Worauf eine Hand beim Eindrücken zuerst trifft, und worauf durch dieses hindurch (Strg+↓, Strg+↑ in der Liste)</translation>
-    </message>
-    <message>
-        <source>Felt</source>
-        <translation>Gefühlt</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -5144,44 +6179,12 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Quelle: %1</translation>
     </message>
     <message>
-        <source>%1 takes %2</source>
-        <translation>%1 nimmt %2</translation>
-    </message>
-    <message>
-        <source>This law is refused: %1.</source>
-        <translation>Dieses Gesetz wird abgewiesen: %1.</translation>
-    </message>
-    <message>
-        <source>%1 Of that %2.</source>
-        <translation>%1 Davon: %2.</translation>
-    </message>
-    <message>
-        <source>%1 N/mm is refused. %2 Enter %3 N/mm or less.</source>
-        <translation>%1 N/mm wird abgewiesen. %2 Geben Sie %3 N/mm oder weniger ein.</translation>
-    </message>
-    <message>
-        <source>A law that rises by %1 N/mm where it is steepest is refused. %2 Enter numbers by which it rises by %3 N/mm or less.</source>
-        <translation>Ein Gesetz, das an der steilsten Stelle um %1 N/mm steigt, wird abgewiesen. %2 Geben Sie Zahlen ein, mit denen es um höchstens %3 N/mm steigt.</translation>
-    </message>
-    <message>
         <source>Colour of %1</source>
         <translation>Farbe von %1</translation>
     </message>
     <message>
         <source>Show all</source>
         <translation>Alle zeigen</translation>
-    </message>
-    <message>
-        <source>Feel all</source>
-        <translation>Alle fühlen</translation>
-    </message>
-    <message>
-        <source>numbers chosen</source>
-        <translation>Zahlen gewählt</translation>
-    </message>
-    <message>
-        <source>shear modulus by MR elastography (PMC2894569), as a fingertip of 5 mm radius feels it</source>
-        <translation>Schubmodul aus MR-Elastographie (PMC2894569), wie eine Fingerspitze von 5 mm Radius ihn fühlt</translation>
     </message>
     <message>
         <source>Very soft organ</source>
@@ -5224,36 +6227,8 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Leber, steifer mit der Tiefe</translation>
     </message>
     <message>
-        <source>shape after Carter et al. 2001 (exponential), numbers chosen</source>
-        <translation>Form nach Carter et al. 2001 (exponentiell), Zahlen gewählt</translation>
-    </message>
-    <message>
-        <source>Soft ground under a ball</source>
-        <translation>Weicher Grund unter einer Kugel</translation>
-    </message>
-    <message>
-        <source>shape after Hertz 1882, numbers chosen</source>
-        <translation>Form nach Hertz 1882, Zahlen gewählt</translation>
-    </message>
-    <message>
-        <source>Button that clicks</source>
-        <translation>Knopf, der klickt</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Wet (0.05, chosen)</source>
-        <translation>Nass (0,05, gewählt)</translation>
-    </message>
-    <message>
-        <source>Moist (0.15, chosen)</source>
-        <translation>Feucht (0,15, gewählt)</translation>
-    </message>
-    <message>
-        <source>Dry (0.40, chosen)</source>
-        <translation>Trocken (0,40, gewählt)</translation>
     </message>
     <message>
         <source>Change %1 structures</source>
@@ -5268,14 +6243,6 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>%1 Strukturen</translation>
     </message>
     <message>
-        <source>Show only what is selected</source>
-        <translation>Nur die Auswahl zeigen</translation>
-    </message>
-    <message>
-        <source>Feel only what is selected</source>
-        <translation>Nur die Auswahl fühlen</translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation>Umbenennen…</translation>
     </message>
@@ -5288,28 +6255,8 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Eigene Werte</translation>
     </message>
     <message>
-        <source>The list of messages (F4) has the details</source>
-        <translation>Einzelheiten stehen in der Liste der Meldungen (F4)</translation>
-    </message>
-    <message>
-        <source>felt as at most %1 N/mm: the device can show %2 N/mm in all%3</source>
-        <translation>gefühlt als höchstens %1 N/mm: das Gerät kann insgesamt %2 N/mm darstellen%3</translation>
-    </message>
-    <message>
-        <source>felt as %1 N/mm: the device can show %2 N/mm in all%3</source>
-        <translation>gefühlt als %1 N/mm: das Gerät kann insgesamt %2 N/mm darstellen%3</translation>
-    </message>
-    <message>
-        <source>%1 N·s/mm is refused: the device can resist movement with %2 N·s/mm at most. Enter that or less.</source>
-        <translation>%1 N·s/mm wird abgewiesen: das Gerät kann Bewegung mit höchstens %2 N·s/mm bremsen. Geben Sie dies oder weniger ein.</translation>
-    </message>
-    <message>
         <source>Change %1</source>
         <translation>%1 ändern</translation>
-    </message>
-    <message>
-        <source>on its own surface, outermost</source>
-        <translation>auf eigener Oberfläche, außen</translation>
     </message>
     <message>
         <source>as a layer, %1</source>
@@ -5324,10 +6271,6 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>durch %1 hindurch (von oben gefühlt)</translation>
     </message>
     <message>
-        <source>What its map can do to the device</source>
-        <translation>Was die Karte mit dem Gerät machen kann</translation>
-    </message>
-    <message>
         <source>As in the file</source>
         <translation>Wie in der Datei</translation>
     </message>
@@ -5340,16 +6283,8 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Oberfläche</translation>
     </message>
     <message>
-        <source>Smoothing takes away the steps of voxels, by at most half a voxel, for the eye and for the hand. The file is not changed.</source>
-        <translation>Glätten entfernt die Stufen der Voxel, um höchstens ein halbes Voxel, für Auge und Hand. Die Datei wird nicht verändert.</translation>
-    </message>
-    <message>
         <source>Turn around</source>
         <translation>Umdrehen</translation>
-    </message>
-    <message>
-        <source>Young&apos;s modulus by shear-wave ultrasound (Arda et al. 2011, AJR 197:532), as a fingertip of 5 mm radius feels it</source>
-        <translation>Young-Modul durch Scherwellen-Ultraschall (Arda et al. 2011, AJR 197:532), wie eine Fingerkuppe von 5 mm Radius ihn fühlt</translation>
     </message>
     <message>
         <source>Kidney (5.0 kPa)</source>
@@ -5384,36 +6319,164 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Prostata (17,0 kPa)</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus by indentation (Urology 2010), as a fingertip of 5 mm radius feels it</source>
-        <translation>Young-Modul durch Eindrücken (Urology 2010), wie eine Fingerkuppe von 5 mm Radius ihn fühlt</translation>
-    </message>
-    <message>
         <source>Breast (3.2 kPa)</source>
         <translation>Brust (3,2 kPa)</translation>
-    </message>
-    <message>
-        <source>Young&apos;s modulus by indentation (Teixeira et al. 2023), as a fingertip of 5 mm radius feels it</source>
-        <translation>Young-Modul durch Eindrücken (Teixeira et al. 2023), wie eine Fingerkuppe von 5 mm Radius ihn fühlt</translation>
     </message>
     <message>
         <source>Lymph node</source>
         <translation>Lymphknoten</translation>
     </message>
     <message>
-        <source>number chosen below 22 kPa, above which lymph nodes count as malignant (2.71 m/s by shear-wave ultrasound)</source>
-        <translation>Wert gewählt unter 22 kPa, ab denen Lymphknoten als bösartig gelten (2,71 m/s durch Scherwellen-Ultraschall)</translation>
+        <source>Opacity [%]; at lower values, structures behind show through</source>
+        <translation>Deckkraft [%]; bei kleineren Werten scheinen Strukturen dahinter durch</translation>
+    </message>
+    <message>
+        <source>%1 [%2]: %3</source>
+        <translation>%1 [%2]: %3</translation>
+    </message>
+    <message>
+        <source>Tissue preset</source>
+        <translation>Gewebevorlage</translation>
+    </message>
+    <message>
+        <source>Stability warning for the map</source>
+        <translation>Stabilitätswarnung zur Karte</translation>
+    </message>
+    <message>
+        <source>Friction preset</source>
+        <translation>Reibungsvorlage</translation>
+    </message>
+    <message>
+        <source>Effective stiffness</source>
+        <translation>Wirksame Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Reason for rejecting the value</source>
+        <translation>Grund der Ablehnung des Werts</translation>
+    </message>
+    <message>
+        <source>Depth order, from outside</source>
+        <translation>Tiefenlage, von außen</translation>
+    </message>
+    <message>
+        <source>Order in which a pressing hand meets the structures (Ctrl+Down, Ctrl+Up in the list)</source>
+        <translation>Reihenfolge, in der eine drückende Hand auf die Strukturen trifft (Strg+↓, Strg+↑ in der Liste)</translation>
+    </message>
+    <message>
+        <source>Depth order</source>
+        <translation>Tiefenlage</translation>
+    </message>
+    <message>
+        <source>Smoothing removes voxel steps for display and touch, moving the surface by at most half a voxel. The file is not changed.</source>
+        <translation>Glätten entfernt Voxelstufen für Anzeige und Tasten und verschiebt die Oberfläche um höchstens ein halbes Voxel. Die Datei wird nicht verändert.</translation>
+    </message>
+    <message>
+        <source>See the list of messages (F4) for details</source>
+        <translation>Einzelheiten stehen in der Liste der Meldungen (F4)</translation>
+    </message>
+    <message>
+        <source>own surface, outermost</source>
+        <translation>eigene Oberfläche, außen</translation>
+    </message>
+    <message>
+        <source>%1 uses %2</source>
+        <translation>%1 braucht %2</translation>
+    </message>
+    <message>
+        <source>limited to at most %1 N/mm: the device can render %2 N/mm in total%3</source>
+        <translation>begrenzt auf höchstens %1 N/mm: das Gerät kann insgesamt %2 N/mm darstellen%3</translation>
+    </message>
+    <message>
+        <source>limited to %1 N/mm: the device can render %2 N/mm in total%3</source>
+        <translation>begrenzt auf %1 N/mm: das Gerät kann insgesamt %2 N/mm darstellen%3</translation>
+    </message>
+    <message>
+        <source>Invalid force law: %1.</source>
+        <translation>Ungültiges Kraftgesetz: %1.</translation>
+    </message>
+    <message>
+        <source>%1 N·s/mm is too much: the device can render at most %2 N·s/mm. Enter %2 N·s/mm or less.</source>
+        <translation>%1 N·s/mm ist zu viel: Das Gerät kann höchstens %2 N·s/mm darstellen. Geben Sie %2 N·s/mm oder weniger ein.</translation>
+    </message>
+    <message>
+        <source>%1 Of this, %2.</source>
+        <translation>%1 Davon: %2.</translation>
+    </message>
+    <message>
+        <source>%1 N/mm is too stiff. %2 Enter %3 N/mm or less.</source>
+        <translation>%1 N/mm ist zu steif. %2 Geben Sie %3 N/mm oder weniger ein.</translation>
+    </message>
+    <message>
+        <source>The force law is too steep: up to %1 N/mm. %2 Enter values with a slope of at most %3 N/mm.</source>
+        <translation>Das Kraftgesetz ist zu steil: bis %1 N/mm. %2 Geben Sie Werte mit einer Steigung von höchstens %3 N/mm ein.</translation>
+    </message>
+    <message>
+        <source>Show only the selection</source>
+        <translation>Nur die Auswahl zeigen</translation>
+    </message>
+    <message>
+        <source>Make only the selection palpable</source>
+        <translation>Nur die Auswahl tastbar machen</translation>
+    </message>
+    <message>
+        <source>Make all palpable</source>
+        <translation>Alle tastbar machen</translation>
+    </message>
+    <message>
+        <source>none, assumed values</source>
+        <translation>keine, angenommene Werte</translation>
+    </message>
+    <message>
+        <source>shear modulus from MR elastography (PMC2894569), for a fingertip of 5 mm radius</source>
+        <translation>Schubmodul aus MR-Elastographie (PMC2894569), für eine Fingerkuppe von 5 mm Radius</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus from shear-wave ultrasound (Arda et al. 2011, AJR 197:532), for a fingertip of 5 mm radius</source>
+        <translation>Elastizitätsmodul aus Scherwellen-Ultraschall (Arda et al. 2011, AJR 197:532), für eine Fingerkuppe von 5 mm Radius</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus from indentation (Urology 2010), for a fingertip of 5 mm radius</source>
+        <translation>Elastizitätsmodul aus Eindruckversuchen (Urology 2010), für eine Fingerkuppe von 5 mm Radius</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus from indentation (Teixeira et al. 2023), for a fingertip of 5 mm radius</source>
+        <translation>Elastizitätsmodul aus Eindruckversuchen (Teixeira et al. 2023), für eine Fingerkuppe von 5 mm Radius</translation>
+    </message>
+    <message>
+        <source>assumed value below 22 kPa, the malignancy threshold of lymph nodes (2.71 m/s by shear-wave ultrasound)</source>
+        <translation>angenommener Wert unter 22 kPa, der Malignitätsschwelle von Lymphknoten (2,71 m/s durch Scherwellen-Ultraschall)</translation>
+    </message>
+    <message>
+        <source>shape after Carter et al. 2001 (exponential), assumed values</source>
+        <translation>Form nach Carter et al. 2001 (exponentiell), angenommene Werte</translation>
+    </message>
+    <message>
+        <source>Demo: ball on soft ground</source>
+        <translation>Demo: Kugel auf weichem Grund</translation>
+    </message>
+    <message>
+        <source>shape after Hertz 1882, assumed values</source>
+        <translation>Form nach Hertz 1882, angenommene Werte</translation>
+    </message>
+    <message>
+        <source>Demo: clicking button</source>
+        <translation>Demo: klickender Knopf</translation>
+    </message>
+    <message>
+        <source>Wet (0.05, assumed)</source>
+        <translation>Nass (0,05, angenommen)</translation>
+    </message>
+    <message>
+        <source>Moist (0.15, assumed)</source>
+        <translation>Feucht (0,15, angenommen)</translation>
+    </message>
+    <message>
+        <source>Dry (0.40, assumed)</source>
+        <translation>Trocken (0,40, angenommen)</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::StructureTree</name>
-    <message>
-        <source>Felt outermost</source>
-        <translation>Zuäußerst gefühlt</translation>
-    </message>
-    <message>
-        <source>Felt %1 below</source>
-        <translation>%1 darunter gefühlt</translation>
-    </message>
     <message>
         <source>Other</source>
         <translation>Andere</translation>
@@ -5435,107 +6498,16 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Die Hand durch alle aus %1 lassen</translation>
     </message>
     <message>
-        <source>Feel all of %1</source>
-        <translation>Alle aus %1 fühlen</translation>
-    </message>
-</context>
-<context>
-    <name>palpate::ui::Terms</name>
-    <message>
-        <source>Stiffness</source>
-        <translation>Steifigkeit</translation>
+        <source>Outermost</source>
+        <translation>Zuäußerst</translation>
     </message>
     <message>
-        <source>force for each mm pressed in</source>
-        <translation>Kraft je eingedrücktem mm</translation>
+        <source>%1 below surface</source>
+        <translation>%1 unter der Oberfläche</translation>
     </message>
     <message>
-        <source>newton per millimetre</source>
-        <translation>Newton je Millimeter</translation>
-    </message>
-    <message>
-        <source>force against each mm/s of movement</source>
-        <translation>Kraft gegen jeden mm/s der Bewegung</translation>
-    </message>
-    <message>
-        <source>newton seconds per millimetre</source>
-        <translation>Newtonsekunden je Millimeter</translation>
-    </message>
-    <message>
-        <source>Friction at rest</source>
-        <translation>Haftreibung</translation>
-    </message>
-    <message>
-        <source>share of the normal force that holds</source>
-        <translation>Anteil der Normalkraft, der hält</translation>
-    </message>
-    <message>
-        <source>Friction sliding</source>
-        <translation>Gleitreibung</translation>
-    </message>
-    <message>
-        <source>share of the normal force that drags while it slides</source>
-        <translation>Anteil der Normalkraft, der beim Gleiten bremst</translation>
-    </message>
-    <message>
-        <source>Drag</source>
-        <translation>Viskose Reibung</translation>
-    </message>
-    <message>
-        <source>force against each mm/s of sliding</source>
-        <translation>Kraft gegen jeden mm/s des Gleitens</translation>
-    </message>
-    <message>
-        <source>Stiffness at first touch</source>
-        <translation>Steifigkeit bei erster Berührung</translation>
-    </message>
-    <message>
-        <source>Growth with depth</source>
-        <translation>Zunahme mit der Tiefe</translation>
-    </message>
-    <message>
-        <source>Greatest stiffness</source>
-        <translation>Größte Steifigkeit</translation>
-    </message>
-    <message>
-        <source>Young&apos;s modulus</source>
-        <translation>Elastizitätsmodul</translation>
-    </message>
-    <message>
-        <source>Radius of the ball</source>
-        <translation>Radius der Kugel</translation>
-    </message>
-    <message>
-        <source>Thickness of the layer</source>
-        <translation>Dicke der Schicht</translation>
-    </message>
-    <message>
-        <source>Bonded to what is below</source>
-        <translation>Mit dem darunter verbunden</translation>
-    </message>
-    <message>
-        <source>Stiffness before the click</source>
-        <translation>Steifigkeit vor dem Klick</translation>
-    </message>
-    <message>
-        <source>Force at which it gives way</source>
-        <translation>Kraft, bei der es nachgibt</translation>
-    </message>
-    <message>
-        <source>Force that it falls to</source>
-        <translation>Kraft, auf die es fällt</translation>
-    </message>
-    <message>
-        <source>Depth over which it falls</source>
-        <translation>Tiefe, über die es fällt</translation>
-    </message>
-    <message>
-        <source>Stiffness after the click</source>
-        <translation>Steifigkeit nach dem Klick</translation>
-    </message>
-    <message>
-        <source>Resists fast movement</source>
-        <translation>Bremst schnelle Bewegung</translation>
+        <source>Make all of %1 palpable</source>
+        <translation>Alle aus %1 tastbar machen</translation>
     </message>
 </context>
 <context>
@@ -5573,12 +6545,12 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>entlang der Oberfläche</translation>
     </message>
     <message>
-        <source>nothing was felt yet</source>
-        <translation>noch nichts gefühlt</translation>
+        <source>no contact yet</source>
+        <translation>noch kein Kontakt</translation>
     </message>
     <message>
-        <source>now %1 N, %2 mm deep; at most %3 N, %4 mm</source>
-        <translation>jetzt %1 N, %2 mm tief; höchstens %3 N, %4 mm</translation>
+        <source>now %1 N, %2 mm deep; maximum %3 N, %4 mm</source>
+        <translation>jetzt %1 N, %2 mm tief; Maximum %3 N, %4 mm</translation>
     </message>
 </context>
 <context>
@@ -5592,10 +6564,6 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>N</translation>
     </message>
     <message>
-        <source>Force in newton</source>
-        <translation>Kraft in Newton</translation>
-    </message>
-    <message>
         <source>Force on the hand [N]</source>
         <translation>Kraft auf die Hand [N]</translation>
     </message>
@@ -5604,16 +6572,8 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Berührte Struktur</translation>
     </message>
     <message>
-        <source>Touched structures, the outermost first, with their forces and depths</source>
-        <translation>Berührte Strukturen, die äußerste zuerst, mit Kräften und Tiefen</translation>
-    </message>
-    <message>
         <source>Depth and stiffness</source>
         <translation>Tiefe und Steifigkeit</translation>
-    </message>
-    <message>
-        <source>Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers that are touched [N/mm]</source>
-        <translation>Tiefe: von der äußersten Oberfläche zur Hand [mm]; Steifigkeit, wie gefühlt, aller berührten Schichten [N/mm]</translation>
     </message>
     <message>
         <source>press on a structure to feel it</source>
@@ -5632,10 +6592,6 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>%1 N, %2 mm tief</translation>
     </message>
     <message>
-        <source>More triangles of the mesh lie in this place than there is time to feel at once</source>
-        <translation>An dieser Stelle hat das Netz mehr Dreiecke, als sich auf einmal fühlen lassen</translation>
-    </message>
-    <message>
         <source>Not touching</source>
         <translation>Keine Berührung</translation>
     </message>
@@ -5644,18 +6600,8 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>die Hand ist frei</translation>
     </message>
     <message>
-        <source>very fine mesh here: the force follows late</source>
-        <translation>hier ist das Netz sehr fein: die Kraft folgt verspätet</translation>
-    </message>
-    <message>
         <source>%1 in %2</source>
         <translation>%1 in %2</translation>
-    </message>
-    <message>
-        <source>Each layer that is touched, the outermost first: its part along the force [N], which add
-up to it, and how deep the hand is in it [mm]</source>
-        <translation>Jede berührte Schicht, die äußerste zuerst: ihr Anteil längs der Kraft [N], die sich
-zu ihr addieren, und wie tief die Hand darin ist [mm]</translation>
     </message>
     <message>
         <source>over %1: %2, %3</source>
@@ -5665,20 +6611,46 @@ zu ihr addieren, und wie tief die Hand darin ist [mm]</translation>
         <source>over %1: %2</source>
         <translation>über %1: %2</translation>
     </message>
+    <message>
+        <source>Force in newtons</source>
+        <translation>Kraft in Newton</translation>
+    </message>
+    <message>
+        <source>Touched structures from outside in, with forces and depths</source>
+        <translation>Berührte Strukturen von außen nach innen, mit Kräften und Tiefen</translation>
+    </message>
+    <message>
+        <source>Touched layers from outside in: share of the total force [N], measured along
+the total force, and depth of the hand in each layer [mm]</source>
+        <translation>Berührte Schichten von außen nach innen: Anteil an der Gesamtkraft [N], längs der
+Gesamtkraft gemessen, und Tiefe der Hand in jeder Schicht [mm]</translation>
+    </message>
+    <message>
+        <source>Depth of the hand below the outermost surface [mm]; stiffness of all touched layers together [N/mm]</source>
+        <translation>Tiefe der Hand unter der äußersten Oberfläche [mm]; Steifigkeit aller berührten Schichten zusammen [N/mm]</translation>
+    </message>
+    <message>
+        <source>The mesh has more triangles here than can be evaluated in time</source>
+        <translation>Das Netz hat hier mehr Dreiecke, als sich rechtzeitig auswerten lassen</translation>
+    </message>
+    <message>
+        <source>very fine mesh here: force delayed</source>
+        <translation>hier sehr feines Netz: Kraft verzögert</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::TouchSound</name>
     <message>
-        <source>no loudspeaker is there</source>
-        <translation>kein Lautsprecher da</translation>
-    </message>
-    <message>
-        <source>%1 can&apos;t play it</source>
-        <translation>%1 kann ihn nicht spielen</translation>
-    </message>
-    <message>
         <source>built without Qt Multimedia</source>
         <translation>ohne Qt Multimedia gebaut</translation>
+    </message>
+    <message>
+        <source>no loudspeaker found</source>
+        <translation>kein Lautsprecher gefunden</translation>
+    </message>
+    <message>
+        <source>%1 cannot play the tone</source>
+        <translation>%1 kann den Ton nicht abspielen</translation>
     </message>
 </context>
 <context>
@@ -5711,10 +6683,6 @@ zu ihr addieren, und wie tief die Hand darin ist [mm]</translation>
         <translation>← → ↑ ↓</translation>
     </message>
     <message>
-        <source>turn the camera by 15°; with Shift: move it</source>
-        <translation>die Kamera um 15° drehen; mit Umschalt: verschieben</translation>
-    </message>
-    <message>
         <source>+  −</source>
         <translation>+  −</translation>
     </message>
@@ -5727,24 +6695,28 @@ zu ihr addieren, und wie tief die Hand darin ist [mm]</translation>
         <translation>Strg+← → ↑ ↓</translation>
     </message>
     <message>
-        <source>move the place to press by 2 mm along the screen</source>
-        <translation>die Druckstelle um 2 mm entlang des Bildschirms verschieben</translation>
-    </message>
-    <message>
         <source>Enter</source>
         <translation>Enter</translation>
-    </message>
-    <message>
-        <source>press there, let go</source>
-        <translation>dort drücken, loslassen</translation>
     </message>
     <message>
         <source>Page down  up</source>
         <translation>Bild ab  auf</translation>
     </message>
     <message>
-        <source>press deeper, less deep by 0.5 mm</source>
-        <translation>um 0,5 mm tiefer, weniger tief drücken</translation>
+        <source>rotate the camera by 15°; with Shift: pan</source>
+        <translation>die Kamera um 15° drehen; mit Umschalt: verschieben</translation>
+    </message>
+    <message>
+        <source>move the press point by 2 mm on screen</source>
+        <translation>die Druckstelle um 2 mm auf dem Bildschirm verschieben</translation>
+    </message>
+    <message>
+        <source>press, release</source>
+        <translation>drücken, loslassen</translation>
+    </message>
+    <message>
+        <source>press 0.5 mm deeper, less deep</source>
+        <translation>0,5 mm tiefer, weniger tief drücken</translation>
     </message>
 </context>
 <context>
@@ -5785,16 +6757,16 @@ zu ihr addieren, und wie tief die Hand darin ist [mm]</translation>
         <translation>Netz- oder Szenendateien öffnen (Strg+O)</translation>
     </message>
     <message>
-        <source>Open the phantom that comes with Palpate: a liver with two lumps, and a recorded palpation</source>
-        <translation>Das mit Palpate gelieferte Phantom öffnen: eine Leber mit zwei Knoten und eine aufgezeichnete Palpation</translation>
-    </message>
-    <message>
         <source>Then press P, drag to press, and set the depth with the wheel. Press ? for all keys.</source>
         <translation>Dann P drücken, zum Drücken ziehen und die Tiefe mit dem Rad stellen. ? zeigt alle Tasten.</translation>
     </message>
     <message>
         <source>or</source>
         <translation>oder</translation>
+    </message>
+    <message>
+        <source>Open the bundled phantom: a liver with two lumps and a recorded palpation</source>
+        <translation>Das mitgelieferte Phantom öffnen: eine Leber mit zwei Knoten und eine aufgezeichnete Palpation</translation>
     </message>
 </context>
 </TS>

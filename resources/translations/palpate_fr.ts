@@ -20,24 +20,12 @@
         <translation>Coordonnées&#x202f;: LPS</translation>
     </message>
     <message>
-        <source>The files count to the patient&apos;s left, back and head, as DICOM does</source>
-        <translation>Les axes des fichiers vont vers la gauche, le dos et la tête du patient, comme en DICOM</translation>
-    </message>
-    <message>
         <source>Coordinates: RAS</source>
         <translation>Coordonnées&#x202f;: RAS</translation>
     </message>
     <message>
-        <source>The files count to the patient&apos;s right, front and head, as older models of 3D Slicer do</source>
-        <translation>Les axes des fichiers vont vers la droite, l’avant et la tête du patient, comme les anciens modèles de 3D Slicer</translation>
-    </message>
-    <message>
         <source>Coordinates: Y up</source>
         <translation>Coordonnées&#x202f;: Y haut</translation>
-    </message>
-    <message>
-        <source>The files count to the patient&apos;s left, head and front, as modelling programs do</source>
-        <translation>Les axes des fichiers vont vers la gauche, la tête et l’avant du patient, comme dans les modeleurs</translation>
     </message>
     <message>
         <source> and </source>
@@ -48,20 +36,32 @@
         <translation>%1 supposé</translation>
     </message>
     <message>
-        <source>The files&apos; coordinates are %1.</source>
-        <translation>Les coordonnées des fichiers sont %1.</translation>
-    </message>
-    <message>
-        <source>Not every file says along which axes it lies: %1 is assumed, and left and right may be exchanged. Click to say it.</source>
-        <translation>Certains fichiers ne disent pas selon quels axes ils sont placés&#x202f;: %1 est supposé, gauche et droite peuvent être inversées. Cliquer pour l’indiquer.</translation>
-    </message>
-    <message>
-        <source>The surfaces are a recording&apos;s and stay as they were felt.</source>
-        <translation>Les surfaces sont d’un enregistrement et restent telles que palpées.</translation>
-    </message>
-    <message>
         <source>Coordinates: %1</source>
         <translation>Coordonnées&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>File axes point left, posterior and superior, as in DICOM</source>
+        <translation>Axes des fichiers : gauche, arrière, tête, comme en DICOM</translation>
+    </message>
+    <message>
+        <source>File axes point right, anterior and superior, as in older 3D Slicer models</source>
+        <translation>Axes des fichiers : droite, avant, tête, comme dans les anciens modèles de 3D Slicer</translation>
+    </message>
+    <message>
+        <source>File axes point left, superior and anterior, as in 3D modelling programs</source>
+        <translation>Axes des fichiers : gauche, tête, avant, comme dans les modeleurs 3D</translation>
+    </message>
+    <message>
+        <source>The files use %1 coordinates.</source>
+        <translation>Les fichiers utilisent les coordonnées %1.</translation>
+    </message>
+    <message>
+        <source>Some files do not state their axes. %1 is assumed; left and right may be swapped. Click to choose the axes.</source>
+        <translation>Certains fichiers n’indiquent pas leurs axes. %1 est supposé ; gauche et droite peuvent être inversées. Cliquer pour choisir les axes.</translation>
+    </message>
+    <message>
+        <source>The surfaces belong to a recording and keep their recorded coordinates.</source>
+        <translation>Les surfaces appartiennent à un enregistrement et gardent leurs coordonnées.</translation>
     </message>
 </context>
 <context>
@@ -113,51 +113,16 @@
 <context>
     <name>FindingsDesk</name>
     <message>
-        <source>Nothing is touched: press on the place first, then mark it (M).</source>
-        <translation>Rien n’est touché&#x202f;: appuyer d’abord à l’endroit voulu, puis le marquer (M).</translation>
-    </message>
-    <message>
         <source>Finding %1</source>
         <translation>Point %1</translation>
-    </message>
-    <message>
-        <source>%1 marked on %2 with %3 N</source>
-        <translation>%1 marqué sur %2 avec %3&#xa0;N</translation>
     </message>
     <message>
         <source>Note %1</source>
         <translation>Note %1</translation>
     </message>
     <message>
-        <source>No finding yet: press on a place and mark it (M).</source>
-        <translation>Aucun point repéré&#x202f;: appuyer à un endroit et le marquer (M).</translation>
-    </message>
-    <message>
-        <source>%1 keeps no view.</source>
-        <translation>%1 n’a pas de vue.</translation>
-    </message>
-    <message>
         <source>%1 was not marked in a recording.</source>
         <translation>%1 n’a pas été marqué dans un enregistrement.</translation>
-    </message>
-    <message>
-        <source>A recording is being made: stop it (R) to play.</source>
-        <translation>Un enregistrement est en cours&#x202f;: l’arrêter (R) pour lire.</translation>
-    </message>
-    <message>
-        <source>%1: the recording of %2 is not there any more.</source>
-        <translation>%1&#x202f;: l’enregistrement de %2 n’est plus là.</translation>
-    </message>
-    <message>
-        <source>%1: this is another recording than the one in which %2 was marked.</source>
-        <translation>%1&#x202f;: cet enregistrement n’est pas celui où %2 a été marqué.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n finding(s) written to %1</source>
-        <translation>
-            <numerusform>%n point repéré écrit dans %1</numerusform>
-            <numerusform>%n points repérés écrits dans %1</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>Import %n finding(s)</source>
@@ -166,534 +131,105 @@
             <numerusform>Importer %n points repérés</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n finding(s) taken from %1</source>
-        <translation>
-            <numerusform>%n point repéré repris de %1</numerusform>
-            <numerusform>%n points repérés repris de %1</numerusform>
-        </translation>
-    </message>
     <message>
         <source>, stiffness %1</source>
         <translation>, rigidité %1</translation>
+    </message>
+    <message>
+        <source>Nothing is touched. Press on a place first, then mark a finding (M).</source>
+        <translation>Rien n’est touché. Appuyer d’abord à un endroit, puis marquer un point (M).</translation>
+    </message>
+    <message>
+        <source>%1 marked on %2 at %3 N</source>
+        <translation>%1 marqué sur %2 à %3 N</translation>
+    </message>
+    <message>
+        <source>No findings yet. Press on a place, then mark a finding (M).</source>
+        <translation>Aucun point repéré. Appuyer à un endroit, puis marquer un point (M).</translation>
+    </message>
+    <message>
+        <source>%1 has no saved view.</source>
+        <translation>%1 n’a pas de vue enregistrée.</translation>
+    </message>
+    <message>
+        <source>Recording in progress. Stop recording (R) before playing.</source>
+        <translation>Enregistrement en cours. L’arrêter (R) avant de lire.</translation>
+    </message>
+    <message>
+        <source>%1: the recording with %2 was not found.</source>
+        <translation>%1 : l’enregistrement avec %2 est introuvable.</translation>
+    </message>
+    <message>
+        <source>%1: this is not the recording in which %2 was marked.</source>
+        <translation>%1 : ce n’est pas l’enregistrement dans lequel %2 a été marqué.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) exported to %1</source>
+        <translation>
+            <numerusform>%n point repéré exporté dans %1</numerusform>
+            <numerusform>%n points repérés exportés dans %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) imported from %1</source>
+        <translation>
+            <numerusform>%n point repéré importé de %1</numerusform>
+            <numerusform>%n points repérés importés de %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>LumpLayout</name>
     <message>
-        <source>%1 lies in %2 and is felt below it, as a layer: %3</source>
-        <translation>%1 est dans %2 et se sent dessous, comme une couche&#x202f;: %3</translation>
+        <source>%1 seems to be inside %2 but cannot be felt there yet, because the surface of %2 is open or inside out</source>
+        <translation>%1 semble être dans %2, mais n’y est pas encore palpable, car la surface de %2 est ouverte ou retournée</translation>
     </message>
     <message>
-        <source>its surface is open or inside out</source>
-        <translation>sa surface est ouverte ou retournée</translation>
+        <source>%1: inside %2, %3 × as stiff (%4), felt through %2</source>
+        <translation>%1 : dans %2, %3 × plus raide (%4), palpable à travers %2</translation>
     </message>
     <message>
-        <source>%1 is a lump itself</source>
-        <translation>%1 est lui-même un nodule</translation>
+        <source>%1: inside %2, felt as a layer below %2 (%3)</source>
+        <translation>%1 : dans %2, palpable comme une couche sous %2 (%3)</translation>
     </message>
     <message>
-        <source>a scene file could not name %1 alone</source>
-        <translation>un fichier de scène ne pourrait pas nommer %1 seul</translation>
+        <source>surface open or inside out</source>
+        <translation>surface ouverte ou retournée</translation>
     </message>
     <message>
-        <source>it reaches out of %1</source>
-        <translation>elle dépasse de %1</translation>
+        <source>%1 is also a lump</source>
+        <translation>%1 est aussi un nodule</translation>
     </message>
     <message>
-        <source>it is as stiff as %1</source>
-        <translation>aussi raide que %1</translation>
+        <source>the name %1 is not unique</source>
+        <translation>le nom %1 n’est pas unique</translation>
     </message>
     <message>
-        <source>%1 seems to lie in %2, whose surface is open or inside out: it is felt neither through nor below it</source>
-        <translation>%1 semble être dans %2, dont la surface est ouverte ou retournée&#x202f;: il ne se sent ni à travers ni dessous</translation>
+        <source>extends beyond %1</source>
+        <translation>dépasse de %1</translation>
     </message>
     <message>
-        <source>%1 lies inside %2, %3 times as stiff (%4), and is felt through it</source>
-        <translation>%1 est dans %2, %3 fois plus rigide (%4), et se sent à travers</translation>
+        <source>stiffness map on the lump or on %1</source>
+        <translation>carte de raideur sur le nodule ou sur %1</translation>
     </message>
     <message>
-        <source>a map varies how stiff it or %1 is</source>
-        <translation>une carte fait varier sa rigidité ou celle de %1</translation>
+        <source>stiffness ratio to %1 unknown: enter a ratio under What can be felt (B)</source>
+        <translation>rapport de raideur à %1 inconnu : à saisir sous « Ce qui se sent » (B)</translation>
     </message>
     <message>
-        <source>how many times as stiff as %1 is it? Type it in What can be felt (B)</source>
-        <translation>combien de fois plus rigide que %1&#x202f;? À saisir dans «&#x202f;Ce qui se sent&#x202f;» (B)</translation>
+        <source>same stiffness as %1</source>
+        <translation>même raideur que %1</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
-        <source>Palpate[*]</source>
-        <translation>Palpate[*]</translation>
-    </message>
-    <message>
-        <source>Structures</source>
-        <translation>Structures</translation>
-    </message>
-    <message>
-        <source>Touch</source>
-        <translation>Toucher</translation>
-    </message>
-    <message>
-        <source>Findings and measures</source>
-        <translation>Points et mesures</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Appareil</translation>
-    </message>
-    <message>
-        <source>Session</source>
-        <translation>Séance</translation>
-    </message>
-    <message>
-        <source>Progress of opening</source>
-        <translation>Progression de l’ouverture</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Interrompre</translation>
-    </message>
-    <message>
         <source>Research, training and planning rehearsal. Not a medical device.</source>
         <translation>Recherche, formation et répétition du geste planifié. Pas un dispositif médical.</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Undo: %1</source>
-        <translation>Annuler&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rétablir</translation>
-    </message>
-    <message>
-        <source>Redo: %1</source>
-        <translation>Rétablir&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>Open what was recorded</source>
-        <translation>Ouvrir ce qui a été enregistré</translation>
-    </message>
-    <message>
-        <source>The phantom was not found beside the program.</source>
-        <translation>Le fantôme est introuvable à côté du programme.</translation>
-    </message>
-    <message>
-        <source>Opening was cancelled.</source>
-        <translation>Ouverture interrompue.</translation>
-    </message>
-    <message>
-        <source>Reading what varies over %1…</source>
-        <translation>Lecture de ce qui varie sur %1…</translation>
-    </message>
-    <message>
-        <source>The map of %1 is felt.</source>
-        <translation>La carte de %1 se sent.</translation>
-    </message>
-    <message>
-        <source>Open…</source>
-        <translation>Ouvrir…</translation>
-    </message>
-    <message>
-        <source>Open meshes, a scene or a recording</source>
-        <translation>Ouvrir des maillages, une scène ou un enregistrement</translation>
-    </message>
-    <message>
-        <source>Add to the scene…</source>
-        <translation>Ajouter à la scène…</translation>
-    </message>
-    <message>
-        <source>Open more meshes or a scene beside what is open</source>
-        <translation>Ouvrir d’autres maillages ou une scène en plus</translation>
-    </message>
-    <message>
-        <source>Close the scene</source>
-        <translation>Fermer la scène</translation>
-    </message>
-    <message>
-        <source>Close what is open</source>
-        <translation>Fermer ce qui est ouvert</translation>
-    </message>
-    <message>
-        <source>Save scene</source>
-        <translation>Enregistrer la scène</translation>
-    </message>
-    <message>
-        <source>Save the scene with its tissue</source>
-        <translation>Enregistrer la scène avec ses tissus</translation>
-    </message>
-    <message>
-        <source>Save scene as…</source>
-        <translation>Enregistrer la scène sous…</translation>
-    </message>
-    <message>
-        <source>Save the scene with its tissue to another file</source>
-        <translation>Enregistrer la scène avec ses tissus dans un autre fichier</translation>
-    </message>
-    <message>
-        <source>Snapshot</source>
-        <translation>Photo</translation>
-    </message>
-    <message>
-        <source>Save a picture of the view</source>
-        <translation>Enregistrer une image de la vue</translation>
-    </message>
-    <message>
-        <source>Import findings…</source>
-        <translation>Importer des points…</translation>
-    </message>
-    <message>
-        <source>Take the points of a 3D Slicer markups file (.mrk.json) as findings</source>
-        <translation>Reprendre les points d’un fichier 3D Slicer (.mrk.json) comme points repérés</translation>
-    </message>
-    <message>
-        <source>Export findings…</source>
-        <translation>Exporter les points…</translation>
-    </message>
-    <message>
-        <source>Write findings and notes as a table (CSV) or as 3D Slicer markups (.mrk.json)</source>
-        <translation>Écrire points repérés et notes en tableau (CSV) ou en annotations 3D Slicer (.mrk.json)</translation>
-    </message>
-    <message>
         <source>Quit</source>
         <translation>Quitter</translation>
-    </message>
-    <message>
-        <source>End Palpate</source>
-        <translation>Quitter Palpate</translation>
-    </message>
-    <message>
-        <source>Undo the newest change</source>
-        <translation>Annuler le dernier changement</translation>
-    </message>
-    <message>
-        <source>Do it again</source>
-        <translation>Refaire</translation>
-    </message>
-    <message>
-        <source>Find a structure…</source>
-        <translation>Chercher une structure…</translation>
-    </message>
-    <message>
-        <source>List only structures with these words in their names</source>
-        <translation>Ne lister que les structures dont le nom contient ces mots</translation>
-    </message>
-    <message>
-        <source>Rename the structure…</source>
-        <translation>Renommer la structure…</translation>
-    </message>
-    <message>
-        <source>Write another name for the selected structure</source>
-        <translation>Donner un autre nom à la structure choisie</translation>
-    </message>
-    <message>
-        <source>Remove from the scene</source>
-        <translation>Retirer de la scène</translation>
-    </message>
-    <message>
-        <source>Take the selected structures out of the scene; their files stay</source>
-        <translation>Retirer de la scène les structures choisies&#x202f;; leurs fichiers restent</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Cadrer</translation>
-    </message>
-    <message>
-        <source>Fit everything into the view</source>
-        <translation>Cadrer le tout dans la vue</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Points repérés</translation>
-    </message>
-    <message>
-        <source>Show the places marked as findings</source>
-        <translation>Afficher les endroits marqués comme points repérés</translation>
-    </message>
-    <message>
-        <source>What can be felt here</source>
-        <translation>Ce qui est palpable ici</translation>
-    </message>
-    <message>
-        <source>Colour organs by how much of the lumps below a hand feels, with a table</source>
-        <translation>Colorer les organes selon ce qu’une main sent des nodules en dessous, avec un tableau</translation>
-    </message>
-    <message>
-        <source>From the front (A)</source>
-        <translation>De face (A)</translation>
-    </message>
-    <message>
-        <source>From the back (P)</source>
-        <translation>De dos (P)</translation>
-    </message>
-    <message>
-        <source>From the left (L)</source>
-        <translation>De la gauche (L)</translation>
-    </message>
-    <message>
-        <source>From the right (R)</source>
-        <translation>De la droite (R)</translation>
-    </message>
-    <message>
-        <source>From the head (S)</source>
-        <translation>De la tête (S)</translation>
-    </message>
-    <message>
-        <source>From the feet (I)</source>
-        <translation>Des pieds (I)</translation>
-    </message>
-    <message>
-        <source>Oblique</source>
-        <translation>Oblique</translation>
-    </message>
-    <message>
-        <source>hold Space</source>
-        <translation>tenir Espace</translation>
-    </message>
-    <message>
-        <source>palpate while it is held</source>
-        <translation>palper tant qu’elle est tenue</translation>
-    </message>
-    <message>
-        <source>drag</source>
-        <translation>glisser</translation>
-    </message>
-    <message>
-        <source>camera: rotate · palpate: press and slide</source>
-        <translation>caméra&#x202f;: tourner · palper&#x202f;: appuyer et glisser</translation>
-    </message>
-    <message>
-        <source>click</source>
-        <translation>clic</translation>
-    </message>
-    <message>
-        <source>camera: select the structure (with Ctrl: one more)</source>
-        <translation>caméra&#x202f;: choisir la structure (avec Ctrl&#x202f;: une de plus)</translation>
-    </message>
-    <message>
-        <source>right drag</source>
-        <translation>glisser droit</translation>
-    </message>
-    <message>
-        <source>camera: zoom · palpate: rotate</source>
-        <translation>caméra&#x202f;: zoomer · palper&#x202f;: tourner</translation>
-    </message>
-    <message>
-        <source>middle drag</source>
-        <translation>glisser milieu</translation>
-    </message>
-    <message>
-        <source>pan</source>
-        <translation>déplacer</translation>
-    </message>
-    <message>
-        <source>wheel</source>
-        <translation>molette</translation>
-    </message>
-    <message>
-        <source>camera: zoom · palpate: depth in mm, or effort in N (with Ctrl: zoom)</source>
-        <translation>caméra&#x202f;: zoomer · palper&#x202f;: profondeur en mm, ou effort en N (avec Ctrl&#x202f;: zoomer)</translation>
-    </message>
-    <message>
-        <source>double-click</source>
-        <translation>double-clic</translation>
-    </message>
-    <message>
-        <source>centre the view on the point</source>
-        <translation>centrer la vue sur le point</translation>
-    </message>
-    <message>
-        <source>Let go</source>
-        <translation>Lâcher</translation>
-    </message>
-    <message>
-        <source>let go, then back to the camera</source>
-        <translation>lâcher, puis revenir à la caméra</translation>
-    </message>
-    <message>
-        <source>Ctrl+E  Ctrl+H</source>
-        <translation>Ctrl+E  Ctrl+H</translation>
-    </message>
-    <message>
-        <source>show or hide, feel or not</source>
-        <translation>afficher ou masquer, sentir ou non</translation>
-    </message>
-    <message>
-        <source>letters</source>
-        <translation>lettres</translation>
-    </message>
-    <message>
-        <source>go to the structure that begins so</source>
-        <translation>aller à la structure qui commence ainsi</translation>
-    </message>
-    <message>
-        <source>F2  Del</source>
-        <translation>F2  Suppr</translation>
-    </message>
-    <message>
-        <source>rename, remove from the scene</source>
-        <translation>renommer, retirer de la scène</translation>
-    </message>
-    <message>
-        <source>Ctrl+↓  ↑</source>
-        <translation>Ctrl+↓  ↑</translation>
-    </message>
-    <message>
-        <source>felt a layer deeper, farther out</source>
-        <translation>senti une couche dessous, dessus</translation>
-    </message>
-    <message>
-        <source>Enter  F2  Del</source>
-        <translation>Entrée  F2  Suppr</translation>
-    </message>
-    <message>
-        <source>in the findings: go there, edit, delete</source>
-        <translation>points repérés&#x202f;: y aller, modifier, supprimer</translation>
-    </message>
-    <message>
-        <source>Shift+Enter</source>
-        <translation>Maj+Entrée</translation>
-    </message>
-    <message>
-        <source>in the findings: play where it was marked</source>
-        <translation>points repérés&#x202f;: lire au moment du marquage</translation>
-    </message>
-    <message>
-        <source>Palpate</source>
-        <translation>Palper</translation>
-    </message>
-    <message>
-        <source>Press by effort</source>
-        <translation>Appuyer par effort</translation>
-    </message>
-    <message>
-        <source>Effort in, depth out: the force rises while the button is held, or is a pen&apos;s pressure, and a stiff place gives way less; off: the wheel says how deep</source>
-        <translation>On donne l’effort, la profondeur suit&#x202f;: la force croît tant que le bouton est tenu, ou est la pression d’un stylet, et un endroit raide cède moins&#x202f;; désactivé&#x202f;: la molette règle la profondeur</translation>
-    </message>
-    <message>
-        <source>Lift the hand</source>
-        <translation>Lever la main</translation>
-    </message>
-    <message>
-        <source>Move the device without the hand in the scene, as a mouse is lifted; again to go on</source>
-        <translation>Déplacer l’appareil sans la main dans la scène, comme on lève une souris&#x202f;; encore une fois pour continuer</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>Record what the hand feels, at every moment</source>
-        <translation>Enregistrer ce que sent la main, à chaque instant</translation>
-    </message>
-    <message>
-        <source>Play</source>
-        <translation>Lire</translation>
-    </message>
-    <message>
-        <source>Play or pause the recording</source>
-        <translation>Lire ou suspendre l’enregistrement</translation>
-    </message>
-    <message>
-        <source>To the start</source>
-        <translation>Au début</translation>
-    </message>
-    <message>
-        <source>Back to the recording&apos;s start</source>
-        <translation>Retour au début de l’enregistrement</translation>
-    </message>
-    <message>
-        <source>Mark a finding</source>
-        <translation>Marquer un point</translation>
-    </message>
-    <message>
-        <source>Mark the place that is touched, in the scene and in the recording</source>
-        <translation>Marquer l’endroit touché, dans la scène et dans l’enregistrement</translation>
-    </message>
-    <message>
-        <source>Mark a finding and write…</source>
-        <translation>Marquer un point et écrire…</translation>
-    </message>
-    <message>
-        <source>Mark the place that is touched and write about it</source>
-        <translation>Marquer l’endroit touché et écrire une note à son sujet</translation>
-    </message>
-    <message>
-        <source>Note…</source>
-        <translation>Note…</translation>
-    </message>
-    <message>
-        <source>Write a note without a place</source>
-        <translation>Écrire une note sans endroit</translation>
-    </message>
-    <message>
-        <source>Next finding</source>
-        <translation>Point suivant</translation>
-    </message>
-    <message>
-        <source>Go to the next finding, in the view from which it was marked</source>
-        <translation>Aller au point repéré suivant, dans la vue d’où il a été marqué</translation>
-    </message>
-    <message>
-        <source>Previous finding</source>
-        <translation>Point précédent</translation>
-    </message>
-    <message>
-        <source>Go to the finding before</source>
-        <translation>Aller au point repéré précédent</translation>
-    </message>
-    <message>
-        <source>Results…</source>
-        <translation>Résultats…</translation>
-    </message>
-    <message>
-        <source>Forces, coverage and findings of the recording, and exports</source>
-        <translation>Forces, couverture et points repérés de l’enregistrement, et exports</translation>
-    </message>
-    <message>
-        <source>Keep the surfaces inside recordings</source>
-        <translation>Garder les surfaces dans les enregistrements</translation>
-    </message>
-    <message>
-        <source>One file then holds the whole session; it grows by what the meshes take</source>
-        <translation>Un seul fichier contient alors toute la séance&#x202f;; il grossit de la taille des maillages</translation>
-    </message>
-    <message>
-        <source>Zoom the hand&apos;s space to everything</source>
-        <translation>Zoomer l’espace de la main sur tout</translation>
-    </message>
-    <message>
-        <source>The device&apos;s whole way goes through all that is shown</source>
-        <translation>Toute la course de l’appareil parcourt tout ce qui est affiché</translation>
-    </message>
-    <message>
-        <source>Zoom the hand&apos;s space to the organ</source>
-        <translation>Zoomer l’espace de la main sur l’organe</translation>
-    </message>
-    <message>
-        <source>The device&apos;s whole way goes through the organ that is touched or pointed at</source>
-        <translation>Toute la course de l’appareil parcourt l’organe touché ou pointé</translation>
-    </message>
-    <message>
-        <source>Zoom the hand&apos;s space to the lump</source>
-        <translation>Zoomer l’espace de la main sur le nodule</translation>
-    </message>
-    <message>
-        <source>The device&apos;s whole way is 10 mm, about what is touched, pointed at or found</source>
-        <translation>Toute la course de l’appareil vaut 10&#xa0;mm, autour de ce qui est touché, pointé ou repéré</translation>
-    </message>
-    <message>
-        <source>All keys</source>
-        <translation>Raccourcis</translation>
-    </message>
-    <message>
-        <source>Show all keys</source>
-        <translation>Afficher les raccourcis</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -732,407 +268,8 @@
         <translation>Outils</translation>
     </message>
     <message>
-        <source>What the pointer or the device does</source>
-        <translation>Ce que fait le pointeur ou l’appareil</translation>
-    </message>
-    <message>
-        <source>Recording</source>
-        <translation>Enregistrement</translation>
-    </message>
-    <message>
-        <source>How touch runs</source>
-        <translation>Marche du toucher</translation>
-    </message>
-    <message>
-        <source>What the pointer does: it turns the view, or it presses this far along the line of sight [mm] or with this force [N]; the wheel sets it (P switches)</source>
-        <translation>Ce que fait le pointeur&#x202f;: il tourne la vue, ou il appuie de tant le long du regard [mm] ou avec cette force [N]&#x202f;; la molette le règle (P change)</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Arrêter</translation>
-    </message>
-    <message>
-        <source>&amp;Device</source>
-        <translation>A&amp;ppareil</translation>
-    </message>
-    <message>
-        <source>P palpate, drag to press, wheel for depth</source>
-        <translation>P palpe, glisser pour appuyer, molette pour la profondeur</translation>
-    </message>
-    <message>
-        <source>Touch with the device; O or L zooms its space to the organ or lump, C lifts the hand</source>
-        <translation>Toucher avec l’appareil&#x202f;; O ou L zoome son espace sur l’organe ou le nodule, C lève la main</translation>
-    </message>
-    <message>
-        <source>Feel again</source>
-        <translation>Sentir à nouveau</translation>
-    </message>
-    <message>
-        <source>What can be felt</source>
-        <translation>Ce qui est palpable</translation>
-    </message>
-    <message>
-        <source>This anatomy is %1 mm across: its numbers are probably metres.</source>
-        <translation>Cette anatomie mesure %1&#xa0;mm&#x202f;: ses nombres sont sans doute des mètres.</translation>
-    </message>
-    <message>
-        <source>Read as metres</source>
-        <translation>Lire en mètres</translation>
-    </message>
-    <message>
-        <source>Stop the recording first: it holds the surfaces as they lie now.</source>
-        <translation>Arrêtez d’abord l’enregistrement&#x202f;: il contient les surfaces telles que placées.</translation>
-    </message>
-    <message>
-        <source>1 note on these files</source>
-        <translation>1 remarque sur ces fichiers</translation>
-    </message>
-    <message>
-        <source>%1 notes on these files</source>
-        <translation>%1 remarques sur ces fichiers</translation>
-    </message>
-    <message>
-        <source>%1  ·  %2 (F4 lists them)</source>
-        <translation>%1  ·  %2 (F4 les liste)</translation>
-    </message>
-    <message>
-        <source>Read again with coordinates %1: tissue and findings are kept, undo starts anew.</source>
-        <translation>Relu avec les coordonnées %1&#x202f;: tissus et points repérés sont gardés, l’annulation repart de zéro.</translation>
-    </message>
-    <message>
-        <source>As recorded, the fingertip is a ball of %1 mm radius (Session › Fingertip).</source>
-        <translation>Comme à l’enregistrement, le bout du doigt est une boule de %1&#xa0;mm de rayon (Séance › Bout du doigt).</translation>
-    </message>
-    <message>
-        <source>As recorded, the fingertip is a point (Session › Fingertip).</source>
-        <translation>Comme à l’enregistrement, le bout du doigt est un point (Séance › Bout du doigt).</translation>
-    </message>
-    <message>
-        <source>%1 can be played, but the meshes that it was made on are not where they were. Open them to see what was touched.</source>
-        <translation>%1 peut être lu, mais les maillages d’origine ne sont plus à leur place. Ouvrez-les pour voir ce qui a été touché.</translation>
-    </message>
-    <message>
-        <source>The scene was changed elsewhere</source>
-        <translation>La scène a été modifiée ailleurs</translation>
-    </message>
-    <message>
-        <source>%1 was saved by another window or program since it was opened here. To save it would replace what was saved there.</source>
-        <translation>%1 a été enregistré par une autre fenêtre ou un autre programme depuis son ouverture ici. L’enregistrer d’ici remplacerait ce travail.</translation>
-    </message>
-    <message>
-        <source>Save anyway</source>
-        <translation>Enregistrer quand même</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Enregistrer sous…</translation>
-    </message>
-    <message>
-        <source>Palpate scene (*.palpate.json)</source>
-        <translation>Scène Palpate (*.palpate.json)</translation>
-    </message>
-    <message>
-        <source>Scene saved to %1</source>
-        <translation>Scène enregistrée dans %1</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Changements non enregistrés</translation>
-    </message>
-    <message>
-        <source>Save the changes to this scene?</source>
-        <translation>Enregistrer les changements de cette scène&#x202f;?</translation>
-    </message>
-    <message>
-        <source>Unsaved scene</source>
-        <translation>Scène non enregistrée</translation>
-    </message>
-    <message>
-        <source>%1 and %2 more</source>
-        <translation>%1 et %2 de plus</translation>
-    </message>
-    <message>
-        <source>%1[*] – Palpate</source>
-        <translation>%1[*] – Palpate</translation>
-    </message>
-    <message>
-        <source>Palpate ended unexpectedly and left unsaved changes of a scene.</source>
-        <translation>Palpate s’est arrêté brutalement et a laissé des changements non enregistrés.</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Récupérer</translation>
-    </message>
-    <message>
-        <source>These changes were already restored in another window.</source>
-        <translation>Ces changements ont déjà été récupérés dans une autre fenêtre.</translation>
-    </message>
-    <message>
-        <source>Open anatomy</source>
-        <translation>Ouvrir une anatomie</translation>
-    </message>
-    <message>
-        <source>Anatomy, scenes and recordings (%1);;All files (*)</source>
-        <translation>Anatomie, scènes et enregistrements (%1);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>%1 files</source>
-        <translation>%1 fichiers</translation>
-    </message>
-    <message>
-        <source>Add %1 to the open scene?</source>
-        <translation>Ajouter %1 à la scène ouverte&#x202f;?</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Ajouter</translation>
-    </message>
-    <message>
-        <source>Open instead</source>
-        <translation>Ouvrir seul</translation>
-    </message>
-    <message>
-        <source>3D Slicer markups (*.mrk.json)</source>
-        <translation>Annotations 3D Slicer (*.mrk.json)</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tableau (*.csv)</translation>
-    </message>
-    <message>
-        <source>Export findings</source>
-        <translation>Exporter les points</translation>
-    </message>
-    <message>
-        <source>Import findings</source>
-        <translation>Importer des points</translation>
-    </message>
-    <message>
-        <source>3D Slicer markups (*.mrk.json *.json);;All files (*)</source>
-        <translation>Annotations 3D Slicer (*.mrk.json *.json);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>%1; %2 more of that kind: Felt in the panel has each.</source>
-        <translation>%1&#x202f;; %2 de plus de ce type&#x202f;: «&#x202f;Senti&#x202f;» dans le panneau les donne tous.</translation>
-    </message>
-    <message>
-        <source>Feel what is inside below what is around it</source>
-        <translation>Sentir ce qui est dedans sous ce qui l’entoure</translation>
-    </message>
-    <message>
-        <source>All in one layer</source>
-        <translation>Tout en une couche</translation>
-    </message>
-    <message>
-        <source>Feel all in one layer</source>
-        <translation>Tout sentir en une couche</translation>
-    </message>
-    <message>
-        <source>%1 lies in %2, but this scene has all in one layer: it is not felt through %2.</source>
-        <translation>%1 est dans %2, mais cette scène est en une seule couche&#x202f;: impossible à sentir à travers %2.</translation>
-    </message>
-    <message>
-        <source>Feel it below</source>
-        <translation>Sentir dessous</translation>
-    </message>
-    <message>
-        <source>Add to the scene</source>
-        <translation>Ajouter à la scène</translation>
-    </message>
-    <message>
-        <source>Add %1</source>
-        <translation>Ajouter %1</translation>
-    </message>
-    <message>
-        <source>Add %1 structures</source>
-        <translation>Ajouter %1 structures</translation>
-    </message>
-    <message>
-        <source>%1 was added to the scene.</source>
-        <translation>Ajout à la scène&#x202f;: %1.</translation>
-    </message>
-    <message>
-        <source>%1 structures were added to the scene.</source>
-        <translation>%1 structures ont été ajoutées à la scène.</translation>
-    </message>
-    <message>
-        <source>What was added lies in or around other structures, but the layers that were set are kept.</source>
-        <translation>L’ajout se trouve dans ou autour d’autres structures, mais les couches réglées sont gardées.</translation>
-    </message>
-    <message>
-        <source>Tissue by names</source>
-        <translation>Tissus selon les noms</translation>
-    </message>
-    <message>
-        <source>%1 got its tissue by its name.</source>
-        <translation>%1&#x202f;: tissu choisi d’après le nom.</translation>
-    </message>
-    <message>
-        <source>%1 structures got tissue by their names.</source>
-        <translation>%1 structures ont reçu leur tissu d’après leur nom.</translation>
-    </message>
-    <message>
-        <source>Tissue as before</source>
-        <translation>Tissus comme avant</translation>
-    </message>
-    <message>
-        <source>Recorded to %1</source>
-        <translation>Enregistré dans %1</translation>
-    </message>
-    <message>
-        <source>Recording %1</source>
-        <translation>Enregistrement %1</translation>
-    </message>
-    <message>
-        <source>Picture saved to %1</source>
-        <translation>Image enregistrée dans %1</translation>
-    </message>
-    <message>
-        <source>%1: the picture could not be written. Is the folder writable and the disk not full?</source>
-        <translation>%1&#x202f;: l’image n’a pas pu être écrite. Le dossier est-il accessible en écriture, et le disque non plein&#x202f;?</translation>
-    </message>
-    <message>
-        <source>Next panel</source>
-        <translation>Panneau suivant</translation>
-    </message>
-    <message>
-        <source>The keys go to the next panel, and on to the view</source>
-        <translation>Le clavier passe au panneau suivant, puis à la vue</translation>
-    </message>
-    <message>
-        <source>Previous panel</source>
-        <translation>Panneau précédent</translation>
-    </message>
-    <message>
-        <source>The keys go to the panel before</source>
-        <translation>Le clavier passe au panneau précédent</translation>
-    </message>
-    <message>
-        <source>Hide or show all panels</source>
-        <translation>Masquer ou afficher les panneaux</translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation>Messages</translation>
-    </message>
-    <message>
-        <source>Show or hide the list of all messages since the start, with all notes on files</source>
-        <translation>Afficher ou masquer la liste de tous les messages depuis le début, avec toutes les remarques sur les fichiers</translation>
-    </message>
-    <message>
-        <source>Engineering</source>
-        <translation>Technique</translation>
-    </message>
-    <message>
-        <source>Show or hide solver, servo loop and device in numbers</source>
-        <translation>Afficher ou masquer en chiffres le solveur, la boucle et l’appareil</translation>
-    </message>
-    <message>
-        <source>Single-letter keys</source>
-        <translation>Touches à une lettre</translation>
-    </message>
-    <message>
-        <source>Commands by one letter; off: letters do nothing, for speech input and for hands that touch keys by chance</source>
-        <translation>Commandes à une lettre&#x202f;; sinon les lettres ne font rien, pour la saisie vocale et les mains qui touchent le clavier par mégarde</translation>
-    </message>
-    <message>
-        <source>%1: %2 (%3)</source>
-        <translation>%1&#x202f;: %2 (%3)</translation>
-    </message>
-    <message>
-        <source>Forces may stutter: %1: %2. %3</source>
-        <translation>La force peut saccader&#x202f;: %1&#x202f;: %2. %3</translation>
-    </message>
-    <message>
-        <source>Touching with the %1</source>
-        <translation>Toucher avec&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>Turning the view</source>
-        <translation>Rotation de la vue</translation>
-    </message>
-    <message>
-        <source>Stop reading; what was open stays</source>
-        <translation>Arrêter la lecture&#x202f;; ce qui était ouvert reste</translation>
-    </message>
-    <message>
-        <source>Dent under the finger</source>
-        <translation>Creux sous le doigt</translation>
-    </message>
-    <message>
-        <source>Draw soft tissue bent where it is pressed, with a fine grid on it</source>
-        <translation>Dessiner le tissu mou enfoncé là où l’on appuie, avec une fine grille</translation>
-    </message>
-    <message>
-        <source>Palpate with the pointer: drag to press, wheel for depth or effort; off: the pointer moves the camera</source>
-        <translation>Palper avec le pointeur&#x202f;: glisser pour appuyer, molette pour la profondeur ou l’effort&#x202f;; sinon le pointeur déplace la caméra</translation>
-    </message>
-    <message>
-        <source>P palpate, hold to press harder, wheel for the hardest press</source>
-        <translation>P palpe, maintenir appuie plus fort, la molette règle l’appui le plus fort</translation>
-    </message>
-    <message>
-        <source>The pointer says where, the SpaceMouse how hard: push its puck down. P palpate, wheel for the hardest press</source>
-        <translation>Le pointeur dit où, la SpaceMouse avec quelle force&#x202f;: poussez son palet vers le bas. P palpe, la molette règle la pression la plus forte</translation>
-    </message>
-    <message>
-        <source>Feel it as a layer</source>
-        <translation>Le sentir comme une couche</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n did not: felt as “Firm organ”, 0.5 N/mm.</source>
-        <translation>
-            <numerusform>%n non&#x202f;: ressentie comme «&#x202f;organe ferme&#x202f;», 0,5 N/mm.</numerusform>
-            <numerusform>%n non&#x202f;: ressenties comme «&#x202f;organe ferme&#x202f;», 0,5 N/mm.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Making the surface of %1…</source>
-        <translation>Création de la surface de %1…</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
-        <source>%1 is a staircase of about %2 voxels: the hand feels its steps.</source>
-        <translation>%1 est un escalier de voxels d’environ %2&#x202f;: la main sent ses marches.</translation>
-    </message>
-    <message>
-        <source>%1 surfaces are staircases, of about %2 voxels: the hand feels their steps.</source>
-        <translation>%1 surfaces sont des escaliers de voxels d’environ %2&#x202f;: la main sent leurs marches.</translation>
-    </message>
-    <message>
-        <source>Smooth it</source>
-        <translation>Lisser</translation>
-    </message>
-    <message>
-        <source>Smooth them</source>
-        <translation>Les lisser</translation>
-    </message>
-    <message>
-        <source>%1 is inside out: felt from within only.</source>
-        <translation>%1 est à l’envers&#x202f;: sentie de l’intérieur seulement.</translation>
-    </message>
-    <message>
-        <source>%1 surfaces are inside out: felt from within only.</source>
-        <translation>%1 surfaces sont à l’envers&#x202f;: senties de l’intérieur seulement.</translation>
-    </message>
-    <message>
-        <source>Turn it around</source>
-        <translation>La retourner</translation>
-    </message>
-    <message>
-        <source>Turn them around</source>
-        <translation>Les retourner</translation>
-    </message>
-    <message>
-        <source>%1 has another surface now.</source>
-        <translation>%1 a maintenant une autre surface.</translation>
+        <source>Quit Palpate</source>
+        <translation>Quitter Palpate</translation>
     </message>
 </context>
 <context>
@@ -1174,48 +311,8 @@
         <translation>Mesure…</translation>
     </message>
     <message>
-        <source>What became of the newest export</source>
-        <translation>Ce qu’est devenu le dernier export</translation>
-    </message>
-    <message>
-        <source>Progress of the export</source>
-        <translation>Progression de l’export</translation>
-    </message>
-    <message>
-        <source>Cancel the export</source>
-        <translation>Annuler l’export</translation>
-    </message>
-    <message>
         <source>Copy</source>
         <translation>Copier</translation>
-    </message>
-    <message>
-        <source>Copy all tables, to be pasted into a spreadsheet (Ctrl+C)</source>
-        <translation>Copier tous les tableaux, à coller dans un tableur (Ctrl+C)</translation>
-    </message>
-    <message>
-        <source>Every moment with its time, places, forces, depth and events</source>
-        <translation>Chaque instant avec temps, lieux, forces, profondeur et événements</translation>
-    </message>
-    <message>
-        <source>The path of the hand, and beside it the touched surface with time spent and peak force</source>
-        <translation>Le trajet de la main et, à côté, la surface touchée avec temps passé et force maximale</translation>
-    </message>
-    <message>
-        <source>The tables above, and more, for a program</source>
-        <translation>Les tableaux ci-dessus, et plus, pour un programme</translation>
-    </message>
-    <message>
-        <source>Copied: paste it into a spreadsheet.</source>
-        <translation>Copié&#x202f;: à coller dans un tableur.</translation>
-    </message>
-    <message>
-        <source>Nothing was written: %1 is there already. Choose it by its whole name to replace it.</source>
-        <translation>Rien n’a été écrit&#x202f;: %1 existe déjà. Choisissez-le par son nom complet pour le remplacer.</translation>
-    </message>
-    <message>
-        <source>Nothing was written: %1 ends in %2. A name for %3 ends in %4.</source>
-        <translation>Rien n’a été écrit&#x202f;: %1 finit par %2. Un nom pour %3 finit par %4.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -1226,39 +323,55 @@
         <translation>Écrit dans %1 et %2.</translation>
     </message>
     <message>
-        <source>The path is written to %1; the map is not: %2</source>
-        <translation>Le trajet est écrit dans %1&#x202f;; la carte ne l’est pas&#x202f;: %2</translation>
+        <source>Result of the last export</source>
+        <translation>Résultat du dernier export</translation>
+    </message>
+    <message>
+        <source>Export progress</source>
+        <translation>Progression de l’export</translation>
+    </message>
+    <message>
+        <source>Cancel export</source>
+        <translation>Annuler l’export</translation>
+    </message>
+    <message>
+        <source>Copy all tables for a spreadsheet (Ctrl+C)</source>
+        <translation>Copier tous les tableaux pour un tableur (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Every sample with time, positions, forces, depth and events</source>
+        <translation>Chaque échantillon avec temps, positions, forces, profondeur et événements</translation>
+    </message>
+    <message>
+        <source>Path of the hand, plus the touched surface with time spent and peak force</source>
+        <translation>Trajet de la main, et surface touchée avec temps passé et force maximale</translation>
+    </message>
+    <message>
+        <source>All results in machine-readable form</source>
+        <translation>Tous les résultats sous forme lisible par un programme</translation>
+    </message>
+    <message>
+        <source>Copied. Paste into a spreadsheet.</source>
+        <translation>Copié. Coller dans un tableur.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 already exists. Enter the full file name to replace the file.</source>
+        <translation>Rien n’a été écrit : %1 existe déjà. Pour remplacer le fichier, saisir le nom complet.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 ends in %2. For %3, enter a name that ends in %4.</source>
+        <translation>Rien n’a été écrit : %1 finit par %2. Pour %3, saisir un nom qui finit par %4.</translation>
+    </message>
+    <message>
+        <source>The path was written to %1, but the surface was not: %2</source>
+        <translation>Le trajet a été écrit dans %1, mais pas la surface : %2</translation>
     </message>
 </context>
 <context>
     <name>RecordingControl</name>
     <message>
-        <source>Length of the recording [min:s]; moments of 1 ms that were late, because the computer was busy: nothing was felt in them; moments that were lost, because the disk was slow: they were felt and are not in it</source>
-        <translation>Durée de l’enregistrement [min:s]&#x202f;; instants de 1&#xa0;ms en retard, l’ordinateur étant occupé&#x202f;: rien n’y a été senti&#x202f;; instants perdus, le disque étant lent&#x202f;: ils ont été sentis et n’y sont pas</translation>
-    </message>
-    <message>
         <source>Recording</source>
         <translation>Enregistrement</translation>
-    </message>
-    <message>
-        <source>A recording is running. End it and close?</source>
-        <translation>Un enregistrement est en cours. L’arrêter et fermer&#x202f;?</translation>
-    </message>
-    <message>
-        <source>What was felt until now is kept in %1.</source>
-        <translation>Ce qui a été senti jusqu’ici est gardé dans %1.</translation>
-    </message>
-    <message>
-        <source>End the recording</source>
-        <translation>Finir l’enregistrement</translation>
-    </message>
-    <message>
-        <source>Go on recording</source>
-        <translation>Continuer</translation>
-    </message>
-    <message>
-        <source>● recording %1, the disk does not answer</source>
-        <translation>● enregistre %1, le disque ne répond pas</translation>
     </message>
     <message>
         <source>● recording %1, %2</source>
@@ -1269,8 +382,32 @@
         <translation>échec de l’enregistrement à %1</translation>
     </message>
     <message>
-        <source>%1 ended by itself</source>
-        <translation>%1 s’est arrêté seul</translation>
+        <source>Length of the recording [min:s]. Late samples (1 ms each): the computer was too busy and nothing was felt. Lost samples: felt, but not recorded because the disk was too slow.</source>
+        <translation>Durée de l’enregistrement [min:s]. Échantillons en retard (1 ms chacun) : l’ordinateur était surchargé, rien n’a été senti. Échantillons perdus : sentis, mais non enregistrés car le disque était trop lent.</translation>
+    </message>
+    <message>
+        <source>Recording in progress. Stop recording and close?</source>
+        <translation>Enregistrement en cours. L’arrêter et fermer ?</translation>
+    </message>
+    <message>
+        <source>The recording so far is kept in %1.</source>
+        <translation>L’enregistrement réalisé jusqu’ici est conservé dans %1.</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Arrêter l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Continue recording</source>
+        <translation>Continuer l’enregistrement</translation>
+    </message>
+    <message>
+        <source>● recording %1, disk not responding</source>
+        <translation>● enregistre %1, le disque ne répond pas</translation>
+    </message>
+    <message>
+        <source>%1 stopped: write error</source>
+        <translation>%1 arrêté : erreur d’écriture</translation>
     </message>
 </context>
 <context>
@@ -1300,20 +437,8 @@
         <translation>Trajet en surface</translation>
     </message>
     <message>
-        <source>Moments late</source>
-        <translation>Instants en retard</translation>
-    </message>
-    <message>
-        <source>Moments lost</source>
-        <translation>Instants perdus</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>not said</source>
-        <translation>non indiqué</translation>
     </message>
     <message>
         <source>Touch</source>
@@ -1336,16 +461,8 @@
         <translation>Médiane [N]</translation>
     </message>
     <message>
-        <source>Nearly highest [N]</source>
-        <translation>Presque max. [N]</translation>
-    </message>
-    <message>
         <source>Peak [N]</source>
         <translation>Maximum [N]</translation>
-    </message>
-    <message>
-        <source>Deepest [mm]</source>
-        <translation>Plus profond [mm]</translation>
     </message>
     <message>
         <source>Presses</source>
@@ -1354,10 +471,6 @@
     <message>
         <source>All</source>
         <translation>Tout</translation>
-    </message>
-    <message>
-        <source>Search and press</source>
-        <translation>Recherche et appui</translation>
     </message>
     <message>
         <source>Hand</source>
@@ -1376,14 +489,6 @@
         <translation>Appui</translation>
     </message>
     <message>
-        <source>Share of the surface that was examined: within %1, the fingertip&apos;s radius</source>
-        <translation>Part de la surface examinée&#x202f;: à moins de %1, le rayon du bout du doigt</translation>
-    </message>
-    <message>
-        <source>Share of the surface that was examined: within %1</source>
-        <translation>Part de la surface examinée&#x202f;: à moins de %1</translation>
-    </message>
-    <message>
         <source>Surface</source>
         <translation>Surface</translation>
     </message>
@@ -1394,14 +499,6 @@
     <message>
         <source>Examined [%]</source>
         <translation>Examiné [%]</translation>
-    </message>
-    <message>
-        <source>Longest time at one place [s]</source>
-        <translation>Temps le plus long à un endroit [s]</translation>
-    </message>
-    <message>
-        <source>its mesh is not there</source>
-        <translation>son maillage est absent</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -1424,10 +521,6 @@
         <translation>Premier toucher</translation>
     </message>
     <message>
-        <source>Times returned</source>
-        <translation>Retours</translation>
-    </message>
-    <message>
         <source>never</source>
         <translation>jamais</translation>
     </message>
@@ -1444,14 +537,6 @@
         <translation>Écrite</translation>
     </message>
     <message>
-        <source>Findings, layer by layer</source>
-        <translation>Points repérés par couche</translation>
-    </message>
-    <message>
-        <source>Felt when marked</source>
-        <translation>Senti au marquage</translation>
-    </message>
-    <message>
         <source>Structure</source>
         <translation>Structure</translation>
     </message>
@@ -1464,40 +549,88 @@
         <translation>Profondeur [mm]</translation>
     </message>
     <message>
-        <source>Nearly highest: the force that 95 % of the contact stayed below. Research measures, not a diagnosis.</source>
-        <translation>Presque max.&#x202f;: la force sous laquelle sont restés 95&#x202f;% du contact. Mesures de recherche, pas un diagnostic.</translation>
-    </message>
-    <message>
         <source>Lump</source>
         <translation>Nodule</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>Dans</translation>
-    </message>
-    <message>
-        <source>Felt by a trained hand from [cm²]</source>
-        <translation>Senti par une main exercée depuis [cm²]</translation>
-    </message>
-    <message>
-        <source>Of that pressed hard enough [%]</source>
-        <translation>Dont assez appuyé [%]</translation>
     </message>
     <message>
         <source>not by hand</source>
         <translation>pas à la main</translation>
     </message>
     <message>
-        <source>Lumps: what was recorded, and what the model predicts (an estimate)</source>
-        <translation>Masses&#x202f;: enregistré et prédit par le modèle (estimation)</translation>
+        <source>Predicted by the model [%]</source>
+        <translation>Prédit par le modèle [%]</translation>
     </message>
     <message>
-        <source>Greatest change recorded [%]</source>
+        <source>Late samples</source>
+        <translation>Échantillons en retard</translation>
+    </message>
+    <message>
+        <source>Lost samples</source>
+        <translation>Échantillons perdus</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>95th percentile [N]</source>
+        <translation>95ᵉ centile [N]</translation>
+    </message>
+    <message>
+        <source>Maximum depth [mm]</source>
+        <translation>Profondeur max. [mm]</translation>
+    </message>
+    <message>
+        <source>Searching and pressing</source>
+        <translation>Recherche et appui</translation>
+    </message>
+    <message>
+        <source>Examined share of the surface (within %1, the fingertip radius)</source>
+        <translation>Part examinée de la surface (à moins de %1, le rayon du bout du doigt)</translation>
+    </message>
+    <message>
+        <source>Examined share of the surface (within %1)</source>
+        <translation>Part examinée de la surface (à moins de %1)</translation>
+    </message>
+    <message>
+        <source>Longest time at one point [s]</source>
+        <translation>Temps maximal en un point [s]</translation>
+    </message>
+    <message>
+        <source>mesh not found</source>
+        <translation>maillage introuvable</translation>
+    </message>
+    <message>
+        <source>Revisits</source>
+        <translation>Retours</translation>
+    </message>
+    <message>
+        <source>Lumps: recorded response and model prediction (estimate)</source>
+        <translation>Nodules : réponse enregistrée et prédiction du modèle (estimation)</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organe</translation>
+    </message>
+    <message>
+        <source>Palpable by a trained hand [cm²]</source>
+        <translation>Palpable par une main exercée [cm²]</translation>
+    </message>
+    <message>
+        <source>Pressed hard enough [%]</source>
+        <translation>Assez appuyé [%]</translation>
+    </message>
+    <message>
+        <source>Largest recorded change [%]</source>
         <translation>Plus grand changement enregistré [%]</translation>
     </message>
     <message>
-        <source>Predicted by the model [%]</source>
-        <translation>Prédit par le modèle [%]</translation>
+        <source>Findings by layer</source>
+        <translation>Points repérés par couche</translation>
+    </message>
+    <message>
+        <source>95th percentile: the force stayed below this value for 95 % of the contact time. Research measures, not a diagnosis.</source>
+        <translation>95ᵉ centile : la force est restée sous cette valeur pendant 95 % du temps de contact. Mesures de recherche, pas un diagnostic.</translation>
     </message>
 </context>
 <context>
@@ -1507,8 +640,8 @@
         <translation>Marquer %1</translation>
     </message>
     <message>
-        <source>Unsaved changes would be lost in a crash; save the scene. %1</source>
-        <translation>Les modifications non enregistrées seraient perdues en cas de plantage&#x202f;; enregistrez la scène. %1</translation>
+        <source>Unsaved changes would be lost in a crash. Save the scene. %1</source>
+        <translation>Les modifications non enregistrées seraient perdues en cas de plantage. Enregistrez la scène. %1</translation>
     </message>
 </context>
 <context>
@@ -1527,23 +660,23 @@
     </message>
     <message>
         <source>found %1, expected finite numbers</source>
-        <translation>trouvé : %1, des nombres finis étaient attendus</translation>
+        <translation>trouvé&#x202f;: %1, des nombres finis étaient attendus</translation>
     </message>
     <message>
         <source>found %1, expected the first point at 0 mm and 0 N</source>
-        <translation>trouvé : %1, le premier point était attendu à 0 mm et 0 N</translation>
+        <translation>trouvé&#x202f;: %1, le premier point était attendu à 0 mm et 0 N</translation>
     </message>
     <message>
         <source>found %1, expected a force of at least 0 N</source>
-        <translation>trouvé : %1, une force d’au moins 0 N était attendue</translation>
+        <translation>trouvé&#x202f;: %1, une force d’au moins 0 N était attendue</translation>
     </message>
     <message>
         <source>found %1, expected a depth of %2 to %3 mm</source>
-        <translation>trouvé : %1, une profondeur de %2 à %3 mm était attendue</translation>
+        <translation>trouvé&#x202f;: %1, une profondeur de %2 à %3 mm était attendue</translation>
     </message>
     <message>
         <source>found %1, a slope of %2 N/mm from the previous point, expected at most %3 N/mm</source>
-        <translation>trouvé : %1, une pente de %2 N/mm depuis le point précédent, au plus %3 N/mm étaient attendus</translation>
+        <translation>trouvé&#x202f;: %1, une pente de %2 N/mm depuis le point précédent, au plus %3 N/mm étaient attendus</translation>
     </message>
     <message>
         <source>found more points, expected 2 to %1</source>
@@ -1555,15 +688,15 @@
     </message>
     <message>
         <source>point %1 of %2: %3</source>
-        <translation>point %1 sur %2 : %3</translation>
+        <translation>point %1 sur %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>%1: found %2, expected %3 to %4 %5</source>
-        <translation>%1 : trouvé : %2, attendu : de %3 à %4 %5</translation>
+        <translation>%1&#x202f;: trouvé&#x202f;: %2, attendu&#x202f;: de %3 à %4 %5</translation>
     </message>
     <message>
         <source>%1: found %2, expected at most %3 (%4)</source>
-        <translation>%1 : trouvé : %2, attendu : au plus %3 (%4)</translation>
+        <translation>%1&#x202f;: trouvé&#x202f;: %2, attendu&#x202f;: au plus %3 (%4)</translation>
     </message>
     <message>
         <source>the force falls by %1 N/mm, expected at most %2 N/mm</source>
@@ -1623,23 +756,23 @@
     </message>
     <message>
         <source>%1: cannot be written: %2; choose another folder</source>
-        <translation>%1 : écriture impossible : %2 ; choisissez un autre dossier</translation>
+        <translation>%1&#x202f;: écriture impossible&#x202f;: %2&#x202f;; choisissez un autre dossier</translation>
     </message>
     <message>
         <source>hand script: found no target, expected at least one</source>
-        <translation>script de main : aucune cible trouvée, au moins une était attendue</translation>
+        <translation>script de main&#x202f;: aucune cible trouvée, au moins une était attendue</translation>
     </message>
     <message>
         <source>hand script: target %1 is not finite</source>
-        <translation>script de main : la cible %1 n’est pas finie</translation>
+        <translation>script de main&#x202f;: la cible %1 n’est pas finie</translation>
     </message>
     <message>
         <source>hand script: found target %1 at %2 s, expected a time after %3 s</source>
-        <translation>script de main : cible %1 trouvée à %2 s, un temps après %3 s était attendu</translation>
+        <translation>script de main&#x202f;: cible %1 trouvée à %2 s, un temps après %3 s était attendu</translation>
     </message>
     <message>
         <source>hand script: target %1 needs too high a speed</source>
-        <translation>script de main : la cible %1 exige une vitesse trop élevée</translation>
+        <translation>script de main&#x202f;: la cible %1 exige une vitesse trop élevée</translation>
     </message>
     <message>
         <source>the motion to play has no rows</source>
@@ -1651,11 +784,11 @@
     </message>
     <message>
         <source>others may write to %1; remove this permission with: chmod go-w &apos;%1&apos;</source>
-        <translation>d’autres peuvent écrire dans %1 ; retirez ce droit par chmod go-w &quot;%1&quot;</translation>
+        <translation>d’autres peuvent écrire dans %1&#x202f;; retirez ce droit par chmod go-w &quot;%1&quot;</translation>
     </message>
     <message>
         <source>%1: skipped, %2</source>
-        <translation>%1 : ignoré, %2</translation>
+        <translation>%1&#x202f;: ignoré, %2</translation>
     </message>
     <message>
         <source>not a Qt plugin</source>
@@ -1663,71 +796,71 @@
     </message>
     <message>
         <source>a plugin of another program: found &quot;%1&quot;, expected &quot;%2&quot;</source>
-        <translation>un greffon d’un autre programme : trouvé « %1 », attendu « %2 »</translation>
+        <translation>un greffon d’un autre programme&#x202f;: trouvé «&#x202f;%1&#x202f;», attendu «&#x202f;%2&#x202f;»</translation>
     </message>
     <message>
         <source>built for device API %1, this program has %2; rebuild it against this version</source>
-        <translation>construit pour l’API d’appareil %1, ce programme a %2 ; reconstruisez-le pour cette version</translation>
+        <translation>construit pour l’API d’appareil %1, ce programme a %2&#x202f;; reconstruisez-le pour cette version</translation>
     </message>
     <message>
         <source>found apiVersion %1 in its metadata, expected %2, which it was built for; correct its plugin.json and rebuild it</source>
-        <translation>apiVersion %1 trouvée dans ses métadonnées, %2 était attendue, pour laquelle il est construit ; corrigez plugin.json et reconstruisez-le</translation>
+        <translation>apiVersion %1 trouvée dans ses métadonnées, %2 était attendue, pour laquelle il est construit&#x202f;; corrigez plugin.json et reconstruisez-le</translation>
     </message>
     <message>
         <source>found the id &quot;%1&quot; in its metadata, expected lowercase letters, digits and dashes</source>
-        <translation>identifiant « %1 » trouvé dans ses métadonnées, des minuscules, chiffres et tirets étaient attendus</translation>
+        <translation>identifiant «&#x202f;%1&#x202f;» trouvé dans ses métadonnées, des minuscules, chiffres et tirets étaient attendus</translation>
     </message>
     <message>
         <source>its id &quot;%1&quot; belongs to a built-in device</source>
-        <translation>son identifiant « %1 » est celui d’un appareil intégré</translation>
+        <translation>son identifiant «&#x202f;%1&#x202f;» est celui d’un appareil intégré</translation>
     </message>
     <message>
         <source>its metadata has no &quot;%1&quot;</source>
-        <translation>ses métadonnées n’ont pas « %1 »</translation>
+        <translation>ses métadonnées n’ont pas «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>%1: skipped, %2 has the same id and comes first</source>
-        <translation>%1 : ignoré, %2 a le même identifiant et vient d’abord</translation>
+        <translation>%1&#x202f;: ignoré, %2 a le même identifiant et vient d’abord</translation>
     </message>
     <message>
         <source>found no device plugin called &quot;%1&quot;, expected one of: %2 (&quot;palpate devices&quot; also lists the built-in devices)</source>
-        <translation>aucun greffon d’appareil nommé « %1 » trouvé, attendu l’un de : %2 (« palpate devices » liste aussi les appareils intégrés)</translation>
+        <translation>aucun greffon d’appareil nommé «&#x202f;%1&#x202f;» trouvé, attendu l’un de&#x202f;: %2 («&#x202f;palpate devices&#x202f;» liste aussi les appareils intégrés)</translation>
     </message>
     <message>
         <source>%1: its root object is not a device plugin</source>
-        <translation>%1 : son objet racine n’est pas un greffon d’appareil</translation>
+        <translation>%1&#x202f;: son objet racine n’est pas un greffon d’appareil</translation>
     </message>
     <message>
         <source>%1: skipped, it hung when it was started</source>
-        <translation>%1 : ignoré, bloqué au démarrage</translation>
+        <translation>%1&#x202f;: ignoré, bloqué au démarrage</translation>
     </message>
     <message>
         <source>%1: could not be tried: %2: %3</source>
-        <translation>%1 : essai impossible : %2 : %3</translation>
+        <translation>%1&#x202f;: essai impossible&#x202f;: %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>%1: skipped, it crashed when it was started (signal %2)</source>
-        <translation>%1 : ignoré, plantage au démarrage (signal %2)</translation>
+        <translation>%1&#x202f;: ignoré, plantage au démarrage (signal %2)</translation>
     </message>
     <message>
         <source>%1: skipped, it ended the process when it was started</source>
-        <translation>%1 : ignoré, a mis fin au processus au démarrage</translation>
+        <translation>%1&#x202f;: ignoré, a mis fin au processus au démarrage</translation>
     </message>
     <message>
         <source>%1: skipped, it failed when it was started: %2</source>
-        <translation>%1 : ignoré, échec au démarrage : %2</translation>
+        <translation>%1&#x202f;: ignoré, échec au démarrage&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1: skipped, it failed when it was started</source>
-        <translation>%1 : ignoré, échec au démarrage</translation>
+        <translation>%1&#x202f;: ignoré, échec au démarrage</translation>
     </message>
     <message>
         <source>simulated hand: %1: found %2, expected at least %3</source>
-        <translation>main simulée : %1 : trouvé %2, attendu au moins %3</translation>
+        <translation>main simulée&#x202f;: %1&#x202f;: trouvé %2, attendu au moins %3</translation>
     </message>
     <message>
         <source>simulated hand: %1: found %2, expected at most %3</source>
-        <translation>main simulée : %1 : trouvé %2, attendu au plus %3</translation>
+        <translation>main simulée&#x202f;: %1&#x202f;: trouvé %2, attendu au plus %3</translation>
     </message>
     <message>
         <source>found a mesh of %1 mm from its centre to its side, expected at most %2 mm</source>
@@ -1763,23 +896,1581 @@
     </message>
     <message>
         <source>force table: found %1 knots, expected 1 to %2</source>
-        <translation>table de force : %1 nœuds trouvés, 1 à %2 étaient attendus</translation>
+        <translation>table de force&#x202f;: %1 nœuds trouvés, 1 à %2 étaient attendus</translation>
     </message>
     <message>
         <source>force table: knot %1 of %2 %3</source>
-        <translation>table de force : le nœud %1 sur %2 %3</translation>
+        <translation>table de force&#x202f;: le nœud %1 sur %2 %3</translation>
     </message>
     <message>
         <source>force table: found %1 bytes, expected %2 for each knot</source>
-        <translation>table de force : %1 octets trouvés, %2 par nœud étaient attendus</translation>
+        <translation>table de force&#x202f;: %1 octets trouvés, %2 par nœud étaient attendus</translation>
+    </message>
+    <message>
+        <source>%1: no such file, expected a mesh, a scene or a recording</source>
+        <translation>%1 : fichier introuvable, attendu un maillage, une scène ou un enregistrement</translation>
+    </message>
+    <message>
+        <source>--size: found &quot;%1&quot;, expected width x height, as 1280x800</source>
+        <translation>--size : trouvé « %1 », attendu largeur x hauteur, comme 1280x800</translation>
+    </message>
+    <message>
+        <source>%1: found nothing palpable, expected a surface to touch</source>
+        <translation>%1 : rien de palpable trouvé, une surface à toucher était attendue</translation>
+    </message>
+    <message>
+        <source>%1: %2; expected a recording as it was written, or what session recover makes of it</source>
+        <translation>%1 : %2 ; attendu un enregistrement tel qu’il a été écrit, ou sa copie par session recover</translation>
+    </message>
+    <message>
+        <source>evaluate: found no SCENE and no bundled phantom, expected a mesh or a scene file</source>
+        <translation>evaluate : ni SCENE ni fantôme fourni trouvés, attendu un maillage ou un fichier de scène</translation>
+    </message>
+    <message>
+        <source>--out: %1 cannot be made: %2</source>
+        <translation>--out : %1 ne peut pas être créé : %2</translation>
+    </message>
+    <message>
+        <source>--felt: found %1, expected no SCENE</source>
+        <translation>--felt : trouvé %1, aucune SCENE n’était attendue</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected a whole number from %2 to %3</source>
+        <translation>trouvé « %1 », attendu un entier de %2 à %3</translation>
+    </message>
+    <message>
+        <source>--ratio: found &quot;%1&quot;, expected NAME=R, as &quot;lump 12 mm=4.4&quot;</source>
+        <translation>--ratio : trouvé « %1 », attendu NAME=R, comme « lump 12 mm=4.4 »</translation>
+    </message>
+    <message>
+        <source>--ratio: found %1 twice, expected once</source>
+        <translation>--ratio : %1 trouvé deux fois, attendu une fois</translation>
+    </message>
+    <message>
+        <source>%1: found neither a scene nor a recording, expected a file that keeps findings (.palpate.json or .palpate)</source>
+        <translation>%1 : ni une scène ni un enregistrement, attendu un fichier qui contient des points repérés (.palpate.json ou .palpate)</translation>
+    </message>
+    <message>
+        <source>stdout: the findings could not be written</source>
+        <translation>stdout : les points repérés n’ont pas pu être écrits</translation>
+    </message>
+    <message>
+        <source>findings --import: found %1, expected a scene (.palpate.json)</source>
+        <translation>findings --import : trouvé %1, attendu une scène (.palpate.json)</translation>
+    </message>
+    <message>
+        <source>findings: found one of --import and --out, expected both: the scene with what is taken is another file</source>
+        <translation>findings : une seule des options --import et --out trouvée, les deux étaient attendues : la scène avec les points repris est un autre fichier</translation>
+    </message>
+    <message>
+        <source>findings: found - for --csv and --markups, expected it for one</source>
+        <translation>findings : - trouvé pour --csv et --markups, attendu pour une seule</translation>
+    </message>
+    <message>
+        <source>findings --import: found --csv or --markups too, expected --out alone: export from there</source>
+        <translation>findings --import : --csv ou --markups aussi trouvé, attendu --out seul ; exportez depuis la nouvelle scène</translation>
+    </message>
+    <message>
+        <source>%1: %2, expected the program that does `palpate %3`: install it beside palpate, or build all of Palpate</source>
+        <translation>%1 : %2, attendu le programme de `palpate %3` : installez-le à côté de palpate, ou construisez tout Palpate</translation>
+    </message>
+    <message>
+        <source>%1: found after an option, expected as the first word after palpate</source>
+        <translation>%1 : trouvé après une option, attendu comme premier mot après palpate</translation>
+    </message>
+    <message>
+        <source>%1: no such file, expected a mesh, a scene or a folder</source>
+        <translation>%1 : fichier introuvable, attendu un maillage, une scène ou un dossier</translation>
+    </message>
+    <message>
+        <source>%1: found a recording, expected a mesh (palpate session info reads recordings)</source>
+        <translation>%1 : enregistrement trouvé, attendu un maillage (palpate session info lit les enregistrements)</translation>
+    </message>
+    <message>
+        <source>%1: no such file, expected a mesh, a scene or a folder of meshes</source>
+        <translation>%1 : fichier introuvable, attendu un maillage, une scène ou un dossier de maillages</translation>
+    </message>
+    <message>
+        <source>%1: no such file, expected a motion CSV or a recording</source>
+        <translation>%1 : fichier introuvable, attendu un mouvement en CSV ou un enregistrement</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: not a file; a recording is one, expected its name</source>
+        <translation>%1 : écriture impossible : n’est pas un fichier ; attendu le nom d’un fichier pour l’enregistrement</translation>
+    </message>
+    <message>
+        <source>%1: found a file of this name, expected a new one for the recording, or --force to replace it</source>
+        <translation>%1 : un fichier de ce nom existe, attendu un nouveau nom pour l’enregistrement, ou --force pour le remplacer</translation>
+    </message>
+    <message>
+        <source>%1: found nothing palpable, expected a structure that is</source>
+        <translation>%1 : rien de palpable trouvé, attendu une structure palpable</translation>
+    </message>
+    <message>
+        <source>%1: %2: this version does not know this field; it is kept, but not used</source>
+        <translation>%1 : %2 : ce champ est inconnu de cette version ; il est conservé, mais pas utilisé</translation>
+    </message>
+    <message>
+        <source>%1: structure &quot;%2&quot; was touched by itself in the recording (layer %3), here it is felt through the structure around it; expected the scene that was recorded, or --force to replay the motion alone</source>
+        <translation>%1 : la structure « %2 » a été touchée elle-même dans l’enregistrement (couche %3), ici elle se sent à travers la structure qui l’entoure ; attendu la scène enregistrée, ou --force pour rejouer le mouvement seul</translation>
+    </message>
+    <message>
+        <source>%1: structure &quot;%2&quot; was touched by itself in the recording (layer %3), here it is not palpable; expected the scene that was recorded, or --force to replay the motion alone</source>
+        <translation>%1 : la structure « %2 » a été touchée elle-même dans l’enregistrement (couche %3), ici elle n’est pas palpable ; attendu la scène enregistrée, ou --force pour rejouer le mouvement seul</translation>
+    </message>
+    <message>
+        <source>%1: %2; expected the scene that was recorded, or --force</source>
+        <translation>%1 : %2 ; attendu la scène enregistrée, ou --force</translation>
+    </message>
+    <message>
+        <source>%1: %2 ticks skipped: ticks before them are missing in the recording</source>
+        <translation>%1 : %2 instants ignorés : des instants qui les précèdent manquent dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 ticks were lost</source>
+        <translation>%1 : %2 instants sur %3 ont été perdus</translation>
+    </message>
+    <message>
+        <source>the safety gate took the force away: %1</source>
+        <translation>la sécurité a coupé la force : %1</translation>
+    </message>
+    <message>
+        <source>not computed again: %1; say where the scene is with --scene</source>
+        <translation>non recalculé : %1 ; indiquez où est la scène par --scene</translation>
+    </message>
+    <message>
+        <source>%1: %2 ticks are missing and %3 after them could not be computed again</source>
+        <translation>%1 : %2 instants manquent et %3 qui les suivent n’ont pas pu être recalculés</translation>
+    </message>
+    <message>
+        <source>%1: found a file that is no recording, expected another name for the copy, or --force to replace it</source>
+        <translation>%1 : un fichier qui n’est pas un enregistrement, attendu un autre nom pour la copie, ou --force pour le remplacer</translation>
+    </message>
+    <message>
+        <source>%1: missing in the copy: %2</source>
+        <translation>%1 : manque dans la copie : %2</translation>
+    </message>
+    <message>
+        <source>%1: no coverage of %2: %3; say where the scene is with --scene</source>
+        <translation>%1 : pas de couverture de %2 : %3 ; indiquez où est la scène par --scene</translation>
+    </message>
+    <message>
+        <source>its surface is another one now</source>
+        <translation>sa surface est maintenant une autre</translation>
+    </message>
+    <message>
+        <source>session export: found no output, expected --csv or --vtp</source>
+        <translation>session export : aucune sortie trouvée, attendu --csv ou --vtp</translation>
+    </message>
+    <message>
+        <source>--device: found &quot;%1&quot;, expected one of %2</source>
+        <translation>--device : trouvé « %1 », attendu l’un de %2</translation>
+    </message>
+    <message>
+        <source>%1: found nothing to press, expected a palpable surface</source>
+        <translation>%1 : rien à presser trouvé, attendu une surface palpable</translation>
+    </message>
+    <message>
+        <source>%1: a hand on %2 slips off it wherever it presses; is it the size it should be (--unit)?</source>
+        <translation>%1 : une main avec %2 en glisse partout où elle presse ; sa taille est-elle juste (--unit) ?</translation>
+    </message>
+    <message>
+        <source>%1: DAMAGED, or changed after it was recorded, in 1 place: ticks that do not match their checksum were left out, and figures are those of the rest</source>
+        <translation>%1 : ENDOMMAGÉ, ou changé après l’enregistrement, à 1 endroit : les instants qui ne correspondent pas à leur somme de contrôle sont omis, et les chiffres sont ceux du reste</translation>
+    </message>
+    <message>
+        <source>%1: DAMAGED, or changed after it was recorded, in %2 places: ticks that do not match their checksum were left out, and figures are those of the rest</source>
+        <translation>%1 : ENDOMMAGÉ, ou changé après l’enregistrement, à %2 endroits : les instants qui ne correspondent pas à leur somme de contrôle sont omis, et les chiffres sont ceux du reste</translation>
+    </message>
+    <message>
+        <source>%1: and %2 more</source>
+        <translation>%1 : et %2 de plus</translation>
+    </message>
+    <message>
+        <source>%1: %2; recorded by this build (%3)</source>
+        <translation>%1 : %2 ; enregistré par cette version (%3)</translation>
+    </message>
+    <message>
+        <source>%1: %2; recorded by another build (%3), this one is %4</source>
+        <translation>%1 : %2 ; enregistré par une autre version (%3), celle-ci est %4</translation>
+    </message>
+    <message>
+        <source>%1: %2; recorded by this build (%3), which should give the same bits</source>
+        <translation>%1 : %2 ; enregistré par cette version (%3), qui devrait donner les mêmes bits</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written</source>
+        <translation>%1 : ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>%1: found &quot;%2&quot;, expected a number above %3</source>
+        <translation>%1 : trouvé « %2 », attendu un nombre supérieur à %3</translation>
+    </message>
+    <message>
+        <source>%1: found &quot;%2&quot;, expected a number of at least %3</source>
+        <translation>%1 : trouvé « %2 », attendu un nombre d’au moins %3</translation>
+    </message>
+    <message>
+        <source>%1: found &quot;%2&quot;, expected a number above %3 and at most %4</source>
+        <translation>%1 : trouvé « %2 », attendu un nombre supérieur à %3 et d’au plus %4</translation>
+    </message>
+    <message>
+        <source>%1: found &quot;%2&quot;, expected a number of at least %3 and at most %4</source>
+        <translation>%1 : trouvé « %2 », attendu un nombre d’au moins %3 et d’au plus %4</translation>
+    </message>
+    <message>
+        <source>--unit: found &quot;%1&quot;, expected m, cm or mm</source>
+        <translation>--unit : trouvé « %1 », attendu m, cm ou mm</translation>
+    </message>
+    <message>
+        <source>--frame: found &quot;%1&quot;, expected LPS, RAS or Y-up</source>
+        <translation>--frame : trouvé « %1 », attendu LPS, RAS ou Y-up</translation>
+    </message>
+    <message>
+        <source>%1: found it as input and output, expected another name for the output</source>
+        <translation>%1 : trouvé comme entrée et sortie, attendu un autre nom pour la sortie</translation>
+    </message>
+    <message>
+        <source>%1: found it as output and a file of %2, expected another name for the output</source>
+        <translation>%1 : trouvé comme sortie et fichier de %2, attendu un autre nom pour la sortie</translation>
+    </message>
+    <message>
+        <source>%1: found it as two outputs, expected a name for each</source>
+        <translation>%1 : trouvé pour deux sorties, attendu un nom pour chacune</translation>
+    </message>
+    <message>
+        <source>--plugin-path: %1: expected a folder</source>
+        <translation>--plugin-path : %1 : un dossier était attendu</translation>
+    </message>
+    <message>
+        <source>--layers: found &quot;%1&quot;, expected auto</source>
+        <translation>--layers : trouvé « %1 », attendu auto</translation>
+    </message>
+    <message>
+        <source>%1; meshes are read in this process</source>
+        <translation>%1 ; les maillages sont lus dans ce processus</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>mémoire insuffisante</translation>
+    </message>
+    <message>
+        <source>stopped by an unknown error</source>
+        <translation>arrêté par une erreur inconnue</translation>
+    </message>
+    <message>
+        <source>the output could not be written</source>
+        <translation>la sortie n’a pas pu être écrite</translation>
+    </message>
+    <message>
+        <source>%1 (palpate --help lists what there is)</source>
+        <translation>%1 (palpate --help montre toutes les possibilités)</translation>
+    </message>
+    <message>
+        <source>no picture after %1 s</source>
+        <translation>aucune image après %1 s</translation>
+    </message>
+    <message>
+        <source>%1: found a link, pipe or other special file, expected a file of settings; they are not kept. Remove it</source>
+        <translation>%1 : un lien, un tube ou un autre fichier spécial, attendu un fichier de réglages ; ils ne sont pas gardés. Supprimez ce fichier</translation>
+    </message>
+    <message>
+        <source>found no display (DISPLAY is not set), expected one for the window; app/run.sh draws without</source>
+        <translation>aucun écran trouvé (DISPLAY n’est pas défini), la fenêtre en demande un ; app/run.sh dessine sans écran</translation>
+    </message>
+    <message>
+        <source>the display (%1) has no OpenGL, expected one that has; app/run.sh draws without a display</source>
+        <translation>l’écran (%1) n’a pas OpenGL, attendu un écran qui l’a ; app/run.sh dessine sans écran</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>force per millimetre of depth</source>
+        <translation>force par millimètre de profondeur</translation>
+    </message>
+    <message>
+        <source>newton per millimetre</source>
+        <translation>newtons par millimètre</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Amortissement</translation>
+    </message>
+    <message>
+        <source>resisting force per mm/s of movement</source>
+        <translation>force résistante par mm/s de mouvement</translation>
+    </message>
+    <message>
+        <source>newton seconds per millimetre</source>
+        <translation>newtons-secondes par millimètre</translation>
+    </message>
+    <message>
+        <source>Static friction</source>
+        <translation>Frottement statique</translation>
+    </message>
+    <message>
+        <source>tangential force that starts sliding, as a fraction of the normal force</source>
+        <translation>force tangentielle qui déclenche le glissement, en fraction de la force normale</translation>
+    </message>
+    <message>
+        <source>Sliding friction</source>
+        <translation>Frottement de glissement</translation>
+    </message>
+    <message>
+        <source>tangential force while sliding, as a fraction of the normal force</source>
+        <translation>force tangentielle pendant le glissement, en fraction de la force normale</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Freinage</translation>
+    </message>
+    <message>
+        <source>resisting force per mm/s of sliding</source>
+        <translation>force résistante par mm/s de glissement</translation>
+    </message>
+    <message>
+        <source>Initial stiffness</source>
+        <translation>Raideur initiale</translation>
+    </message>
+    <message>
+        <source>Growth with depth</source>
+        <translation>Hausse en profondeur</translation>
+    </message>
+    <message>
+        <source>Maximum stiffness</source>
+        <translation>Raideur maximale</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>Module d’Young</translation>
+    </message>
+    <message>
+        <source>Ball radius</source>
+        <translation>Rayon de la boule</translation>
+    </message>
+    <message>
+        <source>Layer thickness</source>
+        <translation>Épaisseur de la couche</translation>
+    </message>
+    <message>
+        <source>Bonded to the layer below</source>
+        <translation>Liée à la couche du dessous</translation>
+    </message>
+    <message>
+        <source>Stiffness before the click</source>
+        <translation>Raideur avant le déclic</translation>
+    </message>
+    <message>
+        <source>Force at the click</source>
+        <translation>Force au déclic</translation>
+    </message>
+    <message>
+        <source>Force after the click</source>
+        <translation>Force après le déclic</translation>
+    </message>
+    <message>
+        <source>Depth of the force drop</source>
+        <translation>Profondeur de la chute de force</translation>
+    </message>
+    <message>
+        <source>Stiffness after the click</source>
+        <translation>Raideur après le déclic</translation>
+    </message>
+    <message>
+        <source>This device needs no calibration.</source>
+        <translation>Cet appareil ne demande pas de calibrage.</translation>
+    </message>
+    <message>
+        <source>%1: cannot be made: %2</source>
+        <translation>%1 : ne peut pas être créé : %2</translation>
+    </message>
+    <message>
+        <source>The device gave a position that is not a number. Check its driver, then re-arm.</source>
+        <translation>L’appareil a donné une position qui n’est pas un nombre. Vérifier son pilote, puis réarmer.</translation>
+    </message>
+    <message>
+        <source>The device gave positions outside its workspace. Calibrate it, then re-arm.</source>
+        <translation>L’appareil a donné des positions hors de son espace de travail. Le calibrer, puis réarmer.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s position jumped farther than a hand can move. Check its cable and calibration, then re-arm.</source>
+        <translation>La position de l’appareil a sauté plus loin qu’une main ne peut aller. Vérifier câble et calibrage, puis réarmer.</translation>
+    </message>
+    <message>
+        <source>The device stopped giving new positions. Check its connection, then re-arm.</source>
+        <translation>L’appareil ne donne plus de nouvelles positions. Vérifier sa connexion, puis réarmer.</translation>
+    </message>
+    <message>
+        <source>The device no longer answers. Plug it in again, then re-arm.</source>
+        <translation>L’appareil ne répond plus. Le rebrancher, puis réarmer.</translation>
+    </message>
+    <message>
+        <source>The model gave a force that is not a number. Leave the surface, then re-arm.</source>
+        <translation>Le modèle a donné une force qui n’est pas un nombre. Quitter la surface, puis réarmer.</translation>
+    </message>
+    <message>
+        <source>The computer could not keep the servo rate. Close other programs or lower the rate, then re-arm.</source>
+        <translation>L’ordinateur n’a pas pu tenir la fréquence. Fermer d’autres programmes ou baisser la fréquence, puis réarmer.</translation>
+    </message>
+    <message>
+        <source>The servo thread ended by an error. Start the device again.</source>
+        <translation>La boucle d’asservissement a fini par une erreur. Redémarrer l’appareil.</translation>
+    </message>
+    <message>
+        <source>real-time priority</source>
+        <translation>priorité temps réel</translation>
+    </message>
+    <message>
+        <source>locked memory</source>
+        <translation>mémoire verrouillée</translation>
+    </message>
+    <message>
+        <source>SCHED_FIFO %1</source>
+        <translation>SCHED_FIFO %1</translation>
+    </message>
+    <message>
+        <source>SCHED_FIFO %1 was refused: %2</source>
+        <translation>SCHED_FIFO %1 a été refusé : %2</translation>
+    </message>
+    <message>
+        <source>mlockall was refused: %1</source>
+        <translation>mlockall a été refusé : %1</translation>
+    </message>
+    <message>
+        <source>only %1 KiB may be locked: %2</source>
+        <translation>seuls %1 KiB peuvent être verrouillés : %2</translation>
+    </message>
+    <message>
+        <source>pages stay in memory once touched</source>
+        <translation>les pages restent en mémoire une fois utilisées</translation>
+    </message>
+    <message>
+        <source>CPU %1: the program may not run on it (see taskset -p, or the container&apos;s settings), expected one of %2</source>
+        <translation>CPU %1 : le programme ne peut pas y tourner (voir taskset -p, ou les réglages du conteneur), attendu l’un de %2</translation>
+    </message>
+    <message>
+        <source>CPU %1: this machine has no such CPU, expected one of %2</source>
+        <translation>CPU %1 : cette machine n’a pas ce CPU, attendu l’un de %2</translation>
+    </message>
+    <message>
+        <source>thread name</source>
+        <translation>nom du fil d’exécution</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;</source>
+        <translation>« %1 »</translation>
+    </message>
+    <message>
+        <source>not asked for</source>
+        <translation>non demandé</translation>
+    </message>
+    <message>
+        <source>timer slack</source>
+        <translation>tolérance du minuteur</translation>
+    </message>
+    <message>
+        <source>%1 ns</source>
+        <translation>%1 ns</translation>
+    </message>
+    <message>
+        <source>own CPU</source>
+        <translation>CPU réservé</translation>
+    </message>
+    <message>
+        <source>CPU %1</source>
+        <translation>CPU %1</translation>
+    </message>
+    <message>
+        <source>CPU %1 was refused: %2</source>
+        <translation>le CPU %1 a été refusé : %2</translation>
+    </message>
+    <message>
+        <source>floating point</source>
+        <translation>virgule flottante</translation>
+    </message>
+    <message>
+        <source>default environment, denormals kept: a replay gives the same bits</source>
+        <translation>environnement par défaut, nombres dénormalisés gardés : une relecture donne les mêmes bits</translation>
+    </message>
+    <message>
+        <source>the default environment could not be set</source>
+        <translation>l’environnement par défaut n’a pas pu être rétabli</translation>
+    </message>
+    <message>
+        <source>servo rate is %1 Hz, expected 1 to 10000</source>
+        <translation>la fréquence est de %1 Hz, attendu de 1 à 10000</translation>
+    </message>
+    <message>
+        <source>the servo ring holds %1 ticks, expected 2 to %2</source>
+        <translation>le tampon circulaire contient %1 instants, attendu de 2 à %2</translation>
+    </message>
+    <message>
+        <source>the servo loop is already running</source>
+        <translation>la boucle d’asservissement tourne déjà</translation>
+    </message>
+    <message>
+        <source>the device could not be started: %1</source>
+        <translation>l’appareil n’a pas pu démarrer : %1</translation>
+    </message>
+    <message>
+        <source>the device could not be started: its driver failed</source>
+        <translation>l’appareil n’a pas pu démarrer : son pilote a échoué</translation>
+    </message>
+    <message>
+        <source>the servo loop is not running</source>
+        <translation>la boucle d’asservissement ne tourne pas</translation>
+    </message>
+    <message>
+        <source>the device or the servo thread could not be started: %1</source>
+        <translation>l’appareil ou la boucle d’asservissement n’a pas pu démarrer : %1</translation>
+    </message>
+    <message>
+        <source>the servo thread could not be set up</source>
+        <translation>la boucle d’asservissement n’a pas pu être préparée</translation>
+    </message>
+    <message>
+        <source>file is not a database</source>
+        <translation>le fichier n’est pas une base de données</translation>
+    </message>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>l’image disque de la base est mal formée</translation>
+    </message>
+    <message>
+        <source>unable to open database file</source>
+        <translation>impossible d’ouvrir le fichier de la base</translation>
+    </message>
+    <message>
+        <source>database or disk is full</source>
+        <translation>la base ou le disque est plein</translation>
+    </message>
+    <message>
+        <source>attempt to write a readonly database</source>
+        <translation>tentative d’écriture dans une base en lecture seule</translation>
+    </message>
+    <message>
+        <source>disk I/O error</source>
+        <translation>erreur d’entrée-sortie du disque</translation>
+    </message>
+    <message>
+        <source>%1: found a database with a write-ahead log, expected one with a rollback journal, as Palpate writes it: another program changed it</source>
+        <translation>%1 : une base à journal anticipé (WAL), une base à journal de retour était attendue, comme Palpate l’écrit : un autre programme l’a modifiée</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>le disque est plein</translation>
+    </message>
+    <message>
+        <source>its pages lead to more rows than a file of its size holds</source>
+        <translation>ses pages mènent à plus de lignes qu’un fichier de cette taille n’en contient</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2</source>
+        <translation>%1 : ne peut pas être lu : %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1 : ne peut pas être écrit : %2</translation>
+    </message>
+    <message>
+        <source>%1: found something else than a file, expected the journal of a recording; nothing was opened. Move it away to read the recording as it is</source>
+        <translation>%1 : autre chose qu’un fichier, le journal d’un enregistrement était attendu ; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
+    </message>
+    <message>
+        <source>%1: found the journal of several databases, which names another file to be deleted; Palpate writes none, so this was not made by Palpate; nothing was opened. Move it away to read the recording as it is</source>
+        <translation>%1 : le journal de plusieurs bases, qui nomme un autre fichier à supprimer ; Palpate n’en écrit pas, il ne vient donc pas de Palpate ; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
+    </message>
+    <message>
+        <source>a temporary file</source>
+        <translation>un fichier temporaire</translation>
+    </message>
+    <message>
+        <source>it asks to open %1, expected nothing but the recording and its journal</source>
+        <translation>il demande à ouvrir %1, rien que l’enregistrement et son journal n’était attendu</translation>
+    </message>
+    <message>
+        <source>it asks to delete %1, expected nothing but the recording and its journal</source>
+        <translation>il demande à supprimer %1, rien que l’enregistrement et son journal n’était attendu</translation>
+    </message>
+    <message>
+        <source>its journal holds more than a recorder changes at a time</source>
+        <translation>son journal contient plus qu’un enregistrement ne change à la fois</translation>
+    </message>
+    <message>
+        <source>distance: found %1 mm, expected at least %2 mm for surfaces this large</source>
+        <translation>distance : trouvé %1 mm, attendu au moins %2 mm pour des surfaces aussi grandes</translation>
+    </message>
+    <message>
+        <source>measuring was cancelled</source>
+        <translation>la mesure a été annulée</translation>
+    </message>
+    <message>
+        <source>the disk cannot be written (%1)</source>
+        <translation>le disque ne peut pas être écrit (%1)</translation>
+    </message>
+    <message>
+        <source>%1: the recording ended at %2 s because %3; what was felt after is not in it</source>
+        <translation>%1 : l’enregistrement a fini à %2 s car %3 ; ce qui a été senti ensuite n’y est pas</translation>
+    </message>
+    <message>
+        <source>%1: nothing was recorded because %2</source>
+        <translation>%1 : rien n’a été enregistré car %2</translation>
+    </message>
+    <message>
+        <source>%1: recording ended: %2</source>
+        <translation>%1 : l’enregistrement a pris fin : %2</translation>
+    </message>
+    <message>
+        <source>%1: is still being recorded</source>
+        <translation>%1 : est encore en cours d’enregistrement</translation>
+    </message>
+    <message>
+        <source>%1: cannot be recorded: the servo loop is not running</source>
+        <translation>%1 : impossible d’enregistrer : la boucle d’asservissement ne tourne pas</translation>
+    </message>
+    <message>
+        <source>%1: cannot be recorded: the servo loop does not answer</source>
+        <translation>%1 : impossible d’enregistrer : la boucle d’asservissement ne répond pas</translation>
+    </message>
+    <message>
+        <source>%1: %2 ticks were lost</source>
+        <translation>%1 : %2 instants ont été perdus</translation>
+    </message>
+    <message>
+        <source>%1: no such file, expected a recording</source>
+        <translation>%1 : fichier introuvable, attendu un enregistrement</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened: %2</source>
+        <translation>%1 : ne peut pas être ouvert : %2</translation>
+    </message>
+    <message>
+        <source>%1: found no SQLite database, expected a recording</source>
+        <translation>%1 : trouvé autre chose qu’une base SQLite, attendu un enregistrement</translation>
+    </message>
+    <message>
+        <source>%1: found no tick with a hand, expected at least one</source>
+        <translation>%1 : aucun instant avec une main, attendu au moins un</translation>
+    </message>
+    <message>
+        <source>%1 (and %2 more places)</source>
+        <translation>%1 (et %2 autres endroits)</translation>
+    </message>
+    <message>
+        <source>%1: damaged: %2</source>
+        <translation>%1 : endommagé : %2</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>complet</translation>
+    </message>
+    <message>
+        <source>ended at %1 s because the disk was full; what was felt after is not in it</source>
+        <translation>fini à %1 s car le disque était plein ; ce qui a été senti ensuite n’y est pas</translation>
+    </message>
+    <message>
+        <source>ended at %1 s because the disk could not be written; what was felt after is not in it</source>
+        <translation>fini à %1 s car le disque ne pouvait pas être écrit ; ce qui a été senti ensuite n’y est pas</translation>
+    </message>
+    <message>
+        <source>ended at %1 s without being closed (a crash, or a full disk); what was felt after is not in it</source>
+        <translation>fini à %1 s sans être fermé (un arrêt brutal ou un disque plein) ; ce qui a été senti ensuite n’y est pas</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot;: a map of its tissue is not there, or damaged</source>
+        <translation>structure « %1 » : une carte de son tissu manque ou est endommagée</translation>
+    </message>
+    <message>
+        <source>tick %1 after tick %2: ticks must ascend</source>
+        <translation>instant %1 après l’instant %2 : les instants doivent être croissants</translation>
+    </message>
+    <message>
+        <source>the disk takes no more: %1 ticks lost</source>
+        <translation>le disque n’accepte plus rien : %1 instants perdus</translation>
+    </message>
+    <message>
+        <source>scene %1 is described already</source>
+        <translation>la scène %1 est déjà décrite</translation>
+    </message>
+    <message>
+        <source>its first page is damaged</source>
+        <translation>sa première page est endommagée</translation>
+    </message>
+    <message>
+        <source>%1: is the recording itself, expected another name</source>
+        <translation>%1 : est l’enregistrement lui-même, attendu un autre nom</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: not a file</source>
+        <translation>%1 : ne peut pas être écrit : n’est pas un fichier</translation>
+    </message>
+    <message>
+        <source>found no SQLite database, expected a recording</source>
+        <translation>trouvé autre chose qu’une base SQLite, attendu un enregistrement</translation>
+    </message>
+    <message>
+        <source>%1: %2 rows were gathered from the file&apos;s %3 pages one by one</source>
+        <translation>%1 : %2 lignes ont été récupérées une à une dans les %3 pages du fichier</translation>
+    </message>
+    <message>
+        <source>%1: %2: nothing can be recovered</source>
+        <translation>%1 : %2 : rien ne peut être récupéré</translation>
+    </message>
+    <message>
+        <source>metadata: %1 cannot be read; set to their defaults</source>
+        <translation>métadonnées : %1 illisibles ; remises à leurs valeurs par défaut</translation>
+    </message>
+    <message>
+        <source>scene %1: kept without a checksum to hold it against</source>
+        <translation>scène %1 : gardée sans somme de contrôle pour la vérifier</translation>
+    </message>
+    <message>
+        <source>scene %1: left out</source>
+        <translation>scène %1 : omise</translation>
+    </message>
+    <message>
+        <source>event %1: kept without a checksum to hold it against</source>
+        <translation>événement %1 : gardé sans somme de contrôle pour le vérifier</translation>
+    </message>
+    <message>
+        <source>tick %1: found a time before the first tick&apos;s: left out</source>
+        <translation>instant %1 : un temps antérieur au premier : omis</translation>
+    </message>
+    <message>
+        <source>up to tick %1: %2 ticks kept without a checksum to hold them against</source>
+        <translation>jusqu’à l’instant %1 : %2 instants gardés sans somme de contrôle pour les vérifier</translation>
+    </message>
+    <message>
+        <source>%1: left out</source>
+        <translation>%1 : omis</translation>
+    </message>
+    <message>
+        <source>the end: the recording was not closed; nothing is known after tick %1</source>
+        <translation>la fin : l’enregistrement n’a pas été fermé ; rien n’est connu après l’instant %1</translation>
+    </message>
+    <message>
+        <source>scene generation %1 is not described in the recording</source>
+        <translation>la scène %1 n’est pas décrite dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>the state before the first tick: found contact with triangle %1 of structure %2, expected one of the scene&apos;s layer %3</source>
+        <translation>l’état avant le premier instant : contact avec le triangle %1 de la structure %2 trouvé, attendu un triangle de la couche %3 de la scène</translation>
+    </message>
+    <message>
+        <source>tick %1: god-object recorded at %2, now %3, %4 mm apart</source>
+        <translation>instant %1 : point de contact enregistré en %2, maintenant %3, écart de %4 mm</translation>
+    </message>
+    <message>
+        <source>tick %1: force recorded as %2, now %3, %4 N apart</source>
+        <translation>instant %1 : force enregistrée %2, maintenant %3, écart de %4 N</translation>
+    </message>
+    <message>
+        <source>tick %1: structure, triangle and constraints recorded as %2, now %3</source>
+        <translation>instant %1 : structure, triangle et contraintes enregistrés %2, maintenant %3</translation>
+    </message>
+    <message>
+        <source>tick %1: layers (structure, triangle, friction) recorded as %2, now %3</source>
+        <translation>instant %1 : couches (structure, triangle, frottement) enregistrées %2, maintenant %3</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>a map of its tissue is not in the recording, or damaged</source>
+        <translation>une carte de son tissu manque dans l’enregistrement ou est endommagée</translation>
+    </message>
+    <message>
+        <source>a map of its tissue has %1 triangles, expected %2</source>
+        <translation>une carte de son tissu a %1 triangles, %2 étaient attendus</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot; of the recording: law_table: %2</source>
+        <translation>structure « %1 » de l’enregistrement : law_table : %2</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot; of the recording: its geometry (SHA-256 %2...) is not in the scene</source>
+        <translation>structure « %1 » de l’enregistrement : sa géométrie (SHA-256 %2...) n’est pas dans la scène</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot; of the recording: %2</source>
+        <translation>structure « %1 » de l’enregistrement : %2</translation>
+    </message>
+    <message>
+        <source>found a fingertip radius of %1 mm in the recording, expected 0 to %2</source>
+        <translation>un rayon du doigt de %1 mm dans l’enregistrement, attendu de 0 à %2</translation>
+    </message>
+    <message>
+        <source>found %1, expected an ascending range from 0 to 2^53</source>
+        <translation>trouvé : %1, attendu une plage croissante de 0 à 2^53</translation>
+    </message>
+    <message>
+        <source>%1: found a checksum of %2 rows, expected at least one and at most one a tick</source>
+        <translation>%1 : une somme de contrôle sur %2 lignes, attendu au moins une et au plus une par instant</translation>
+    </message>
+    <message>
+        <source>found %1 rows, expected %2</source>
+        <translation>%1 lignes trouvées, %2 étaient attendues</translation>
+    </message>
+    <message>
+        <source>%1: found rows without a checksum</source>
+        <translation>%1 : lignes sans somme de contrôle trouvées</translation>
+    </message>
+    <message>
+        <source>%1: found without a checksum</source>
+        <translation>%1 : sans somme de contrôle</translation>
+    </message>
+    <message>
+        <source>scene %1</source>
+        <translation>scène %1</translation>
+    </message>
+    <message>
+        <source>ticks %1 to %2</source>
+        <translation>instants %1 à %2</translation>
+    </message>
+    <message>
+        <source>checks: found line %1, expected %2: a part of the recording was taken out</source>
+        <translation>sommes de contrôle : ligne %1 trouvée, %2 était attendue : une partie de l’enregistrement a été retirée</translation>
+    </message>
+    <message>
+        <source>metadata</source>
+        <translation>métadonnées</translation>
+    </message>
+    <message>
+        <source>checks: found a line of kind &quot;%1&quot;, expected one of this version</source>
+        <translation>sommes de contrôle : une ligne de sorte « %1 », attendu une sorte de cette version</translation>
+    </message>
+    <message>
+        <source>events %1 to %2</source>
+        <translation>événements %1 à %2</translation>
+    </message>
+    <message>
+        <source>%1: found a second checksum, expected one</source>
+        <translation>%1 : une deuxième somme de contrôle trouvée, une seule était attendue</translation>
+    </message>
+    <message>
+        <source>checks: %1</source>
+        <translation>sommes de contrôle : %1</translation>
+    </message>
+    <message>
+        <source>checks: %1: found behind %2, expected ascending ranges</source>
+        <translation>sommes de contrôle : %1 : trouvé derrière %2, des plages croissantes étaient attendues</translation>
+    </message>
+    <message>
+        <source>event %1</source>
+        <translation>événement %1</translation>
+    </message>
+    <message>
+        <source>tick %1: found a row without a checksum, expected ticks from 0</source>
+        <translation>instant %1 : une ligne sans somme de contrôle, des instants à partir de 0 étaient attendus</translation>
+    </message>
+    <message>
+        <source>%1: found other bits than were written (checksum)</source>
+        <translation>%1 : d’autres bits que ceux écrits (somme de contrôle)</translation>
+    </message>
+    <message>
+        <source>metadata or %1</source>
+        <translation>métadonnées ou %1</translation>
+    </message>
+    <message>
+        <source>found %1 there</source>
+        <translation>trouvé là : %1</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read</source>
+        <translation>%1 : ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>there is a file of this name; choose another name</source>
+        <translation>un fichier de ce nom existe ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>the file %1 would be taken for a part of it; move that away or choose another name</source>
+        <translation>le fichier %1 serait pris pour une partie de celui-ci ; déplacez-le ou choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>another program is recording into it; choose another name</source>
+        <translation>un autre programme y enregistre ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>another program wrote a file of this name meanwhile; kept as %1</source>
+        <translation>un autre programme a écrit entre-temps un fichier de ce nom ; gardé sous %1</translation>
+    </message>
+    <message>
+        <source>found more than %1 %2, or more bytes of them than the file has, expected what a recorder writes</source>
+        <translation>plus de %1 %2 trouvés, ou plus d’octets que le fichier n’en a, attendu ce qu’un enregistrement écrit</translation>
+    </message>
+    <message>
+        <source>found another program&apos;s SQLite database, expected a Palpate recording</source>
+        <translation>trouvé la base SQLite d’un autre programme, attendu un enregistrement de Palpate</translation>
+    </message>
+    <message>
+        <source>found a recording of version %1, expected 1 to %2: damaged</source>
+        <translation>trouvé un enregistrement de version %1, attendu de 1 à %2 : endommagé</translation>
+    </message>
+    <message>
+        <source>found a recording of version %1, expected at most %2: a newer Palpate made it</source>
+        <translation>trouvé un enregistrement de version %1, attendu au plus %2 : fait par un Palpate plus récent</translation>
+    </message>
+    <message>
+        <source>values of the metadata</source>
+        <translation>valeurs des métadonnées</translation>
+    </message>
+    <message>
+        <source>found %1 for %2, expected %3 to %4</source>
+        <translation>trouvé : %1 pour %2, attendu : de %3 à %4</translation>
+    </message>
+    <message>
+        <source>found the layer %1, expected one from 0</source>
+        <translation>couche %1 trouvée, attendu une couche à partir de 0</translation>
+    </message>
+    <message>
+        <source>found no mesh with a unit, expected one of the recording&apos;s meshes</source>
+        <translation>aucun maillage avec une unité trouvé, attendu l’un des maillages de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>found the scene %1, expected ascending generations of 32 bits</source>
+        <translation>scène %1 trouvée, des numéros croissants de 32 bits étaient attendus</translation>
+    </message>
+    <message>
+        <source>scene %1: %2</source>
+        <translation>scène %1 : %2</translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation>scènes</translation>
+    </message>
+    <message>
+        <source>structures</source>
+        <translation>structures</translation>
+    </message>
+    <message>
+        <source>found the law %1, expected one of this version</source>
+        <translation>loi %1 trouvée, attendu une loi de cette version</translation>
+    </message>
+    <message>
+        <source>scene %1, structure &quot;%2&quot;: %3</source>
+        <translation>scène %1, structure « %2 » : %3</translation>
+    </message>
+    <message>
+        <source>event %1: found values of another type or a tick out of range, expected a tick, a kind and its text: left out</source>
+        <translation>événement %1 : des valeurs d’un autre type ou un instant hors limites, attendu un instant, une sorte et son texte : omis</translation>
+    </message>
+    <message>
+        <source>events</source>
+        <translation>événements</translation>
+    </message>
+    <message>
+        <source>lines of checks</source>
+        <translation>lignes de sommes de contrôle</translation>
+    </message>
+    <message>
+        <source>tick %1: found behind tick %2, expected ascending ticks: damaged</source>
+        <translation>instant %1 : trouvé derrière l’instant %2, des instants croissants étaient attendus : endommagé</translation>
+    </message>
+    <message>
+        <source>tick %1: %2</source>
+        <translation>instant %1 : %2</translation>
+    </message>
+    <message>
+        <source>embedded surface %1...: is not in the recording</source>
+        <translation>surface incluse %1... : n’est pas dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>embedded surface %1...: found other bits than were written (checksum)</source>
+        <translation>surface incluse %1... : d’autres bits que ceux écrits (somme de contrôle)</translation>
+    </message>
+    <message>
+        <source>embedded surface %1...: found indices or coordinates out of range, expected triangles of three vertices within 1e7 mm</source>
+        <translation>surface incluse %1... : indices ou coordonnées hors limites, attendu des triangles de trois sommets à moins de 1e7 mm</translation>
+    </message>
+    <message>
+        <source>%1: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
+        <translation>%1 : pas créé par Palpate, ou endommagé (palpate session recover rassemble ce qui est intact)</translation>
+    </message>
+    <message>
+        <source>found more than %1 tables and views, expected the tables of a recording</source>
+        <translation>plus de %1 tables et vues trouvées, attendu les tables d’un enregistrement</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot; for %2 &quot;%3&quot;, expected only the tables of version %4 and the view tick_values</source>
+        <translation>« %1 » trouvé pour %2 « %3 », attendu seulement les tables de la version %4 et la vue tick_values</translation>
+    </message>
+    <message>
+        <source>found no table &quot;%1&quot;, expected the tables of version %2</source>
+        <translation>aucune table « %1 » trouvée, attendu les tables de la version %2</translation>
+    </message>
+    <message>
+        <source>found other columns in the table &quot;%1&quot;, expected those of version %2</source>
+        <translation>d’autres colonnes trouvées dans la table « %1 », attendu celles de la version %2</translation>
+    </message>
+    <message>
+        <source>meta has no value &quot;%1&quot;</source>
+        <translation>meta n’a pas de valeur « %1 »</translation>
+    </message>
+    <message>
+        <source>meta value &quot;%1&quot; is not a valid number, expected %2 to %3</source>
+        <translation>la valeur « %1 » de meta n’est pas un nombre valable, attendu de %2 à %3</translation>
+    </message>
+    <message>
+        <source>meta value &quot;%1&quot; is not a whole number</source>
+        <translation>la valeur « %1 » de meta n’est pas un entier</translation>
+    </message>
+    <message>
+        <source>meta value &quot;%1&quot; is %2, expected %3 to %4</source>
+        <translation>la valeur « %1 » de meta est %2, attendu de %3 à %4</translation>
+    </message>
+    <message>
+        <source>meta value &quot;dt_s&quot; is not one period of &quot;rate_Hz&quot;</source>
+        <translation>la valeur « dt_s » de meta n’est pas une période de « rate_Hz »</translation>
+    </message>
+    <message>
+        <source>meta value &quot;start&quot; is not a state of this version</source>
+        <translation>la valeur « start » de meta n’est pas un état de cette version</translation>
+    </message>
+    <message>
+        <source>found more than %1 bytes without a line end, expected a CSV</source>
+        <translation>plus de %1 octets sans fin de ligne trouvés, attendu un CSV</translation>
+    </message>
+    <message>
+        <source>found no rows after the header, expected one a servo tick</source>
+        <translation>aucune ligne après l’en-tête, attendu une par instant</translation>
+    </message>
+    <message>
+        <source>%1: line %2: %3</source>
+        <translation>%1 : ligne %2 : %3</translation>
+    </message>
+    <message>
+        <source>%1: line %2, column %3: %4</source>
+        <translation>%1 : ligne %2, colonne %3 : %4</translation>
+    </message>
+    <message>
+        <source>found 1 field, expected %1 as in the header</source>
+        <translation>1 champ trouvé, attendu %1 comme dans l’en-tête</translation>
+    </message>
+    <message>
+        <source>found %1 fields, expected %2 as in the header</source>
+        <translation>%1 champs trouvés, attendu %2 comme dans l’en-tête</translation>
+    </message>
+    <message>
+        <source>found an empty line, expected a header with x, y and z</source>
+        <translation>une ligne vide trouvée, attendu un en-tête avec x, y et z</translation>
+    </message>
+    <message>
+        <source>found the column twice, expected it once</source>
+        <translation>colonne trouvée deux fois, attendue une fois</translation>
+    </message>
+    <message>
+        <source>found no column %1 in %2, expected a header with x, y and z</source>
+        <translation>aucune colonne %1 dans %2, attendu un en-tête avec x, y et z</translation>
+    </message>
+    <message>
+        <source>found more than %1 rows, expected at most a day at 1 kHz: split the file</source>
+        <translation>plus de %1 lignes trouvées, attendu au plus un jour à 1 kHz : divisez le fichier</translation>
+    </message>
+    <message>
+        <source>found %1, expected a number</source>
+        <translation>trouvé : %1, attendu un nombre</translation>
+    </message>
+    <message>
+        <source>found %1, expected a finite number</source>
+        <translation>trouvé : %1, attendu un nombre fini</translation>
+    </message>
+    <message>
+        <source>found %1, expected a coordinate within 1e9 mm</source>
+        <translation>trouvé : %1, attendu une coordonnée à moins de 1e9 mm</translation>
+    </message>
+    <message>
+        <source>found a time before the previous row&apos;s, expected ascending times</source>
+        <translation>un temps antérieur à celui de la ligne précédente, des temps croissants étaient attendus</translation>
+    </message>
+    <message>
+        <source>found that no time passes, expected ascending times</source>
+        <translation>aucun temps ne s’écoule, des temps croissants étaient attendus</translation>
+    </message>
+    <message>
+        <source>found %1 s between rows on average, expected 1e-05 to 1 s: one row a servo tick</source>
+        <translation>%1 s entre les lignes en moyenne, attendu de 1e-05 à 1 s : une ligne par instant</translation>
+    </message>
+    <message>
+        <source>%1: no such file, expected a motion CSV</source>
+        <translation>%1 : fichier introuvable, attendu un mouvement en CSV</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2, expected a motion CSV</source>
+        <translation>%1 : ne peut pas être lu : %2, attendu un mouvement en CSV</translation>
+    </message>
+    <message>
+        <source>%1: found a directory, expected a motion CSV</source>
+        <translation>%1 : un dossier, attendu un mouvement en CSV</translation>
+    </message>
+    <message>
+        <source>a number within %1</source>
+        <translation>un nombre d’au plus %1</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>un entier de %1 à %2</translation>
+    </message>
+    <message>
+        <source>three numbers or none</source>
+        <translation>trois nombres ou aucun</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>octets</translation>
+    </message>
+    <message>
+        <source>found %1 for %2, expected %3</source>
+        <translation>trouvé : %1 pour %2, attendu : %3</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>du texte</translation>
+    </message>
+    <message>
+        <source>found no contacts of layers in the column layers</source>
+        <translation>aucun contact de couches dans la colonne layers</translation>
+    </message>
+    <message>
+        <source>%1 is hidden or not palpable</source>
+        <translation>%1 est masqué ou non palpable</translation>
+    </message>
+    <message>
+        <source>the scene has no structure &quot;%1&quot;, which it names as the organ</source>
+        <translation>la scène ne contient pas la structure « %1 », nommée comme organe</translation>
+    </message>
+    <message>
+        <source>it lies in no closed surface that can be felt</source>
+        <translation>il ne se trouve dans aucune surface fermée palpable</translation>
+    </message>
+    <message>
+        <source>its name is not that of a lump, and the scene gives no stiffness ratio</source>
+        <translation>son nom n’est pas celui d’une masse, et la scène ne donne aucun rapport de rigidité</translation>
+    </message>
+    <message>
+        <source>the scene names the organs of other lumps, but not of this one</source>
+        <translation>la scène nomme les organes d’autres masses, mais pas de celle-ci</translation>
+    </message>
+    <message>
+        <source>the SpaceMouse is the hand now; choose another device for it first</source>
+        <translation>la SpaceMouse est la main ; choisir d’abord un autre appareil pour celle-ci</translation>
+    </message>
+    <message>
+        <source>the SpaceMouse moves the view or presses; switch that off first</source>
+        <translation>la SpaceMouse déplace la vue ou appuie ; désactivez d’abord cela</translation>
+    </message>
+    <message>
+        <source>no device is called &quot;%1&quot;</source>
+        <translation>aucun appareil ne s’appelle « %1 »</translation>
+    </message>
+    <message>
+        <source>the simulated hand palpates what is in the middle of the view: found nothing palpable there</source>
+        <translation>la main simulée palpe ce qui est au milieu de la vue : rien de palpable trouvé là</translation>
+    </message>
+    <message>
+        <source>found no open recording, expected one whose motion the device repeats</source>
+        <translation>aucun enregistrement ouvert, attendu un dont l’appareil répète le mouvement</translation>
+    </message>
+    <message>
+        <source>rate and CPU cannot be changed while a recording runs; stop it first</source>
+        <translation>fréquence et CPU ne changent pas pendant un enregistrement ; l’arrêter d’abord</translation>
+    </message>
+    <message>
+        <source>the device cannot be changed while a recording runs; stop it first</source>
+        <translation>l’appareil ne change pas pendant un enregistrement ; l’arrêter d’abord</translation>
+    </message>
+    <message>
+        <source>%1 may not be opened: install Palpate&apos;s udev rule (in lib/udev/rules.d) and plug the device in anew</source>
+        <translation>%1 ne peut pas être ouvert : installez la règle udev de Palpate (dans lib/udev/rules.d) et rebranchez l’appareil</translation>
+    </message>
+    <message>
+        <source>%1: could not be opened: %2</source>
+        <translation>%1 : n’a pas pu être ouvert : %2</translation>
+    </message>
+    <message>
+        <source>%1: already started</source>
+        <translation>%1 : déjà démarré</translation>
+    </message>
+    <message>
+        <source>%1: %2: found %3, expected %4 to %5</source>
+        <translation>%1 : %2 : trouvé : %3, attendu : de %4 à %5</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>aucun nombre</translation>
+    </message>
+    <message>
+        <source>no 6-axis mouse is connected: plug one in</source>
+        <translation>aucune souris à 6 axes n’est connectée : branchez-en une</translation>
+    </message>
+    <message>
+        <source>%1: expected an object, as {&quot;dead_zone&quot;: 0.06}</source>
+        <translation>%1 : attendu un objet, comme {&quot;dead_zone&quot;: 0.06}</translation>
+    </message>
+    <message>
+        <source>%1: at byte %2: %3, expected an object of numbers, {&quot;length_body_a&quot;: 0.080, ...}</source>
+        <translation>%1 : à l’octet %2 : %3, attendu un objet de nombres, {&quot;length_body_a&quot;: 0.080, ...}</translation>
+    </message>
+    <message>
+        <source>too large for a device&apos;s configuration</source>
+        <translation>trop grand pour la configuration d’un appareil</translation>
+    </message>
+    <message>
+        <source>%1: could not be read</source>
+        <translation>%1 : n’a pas pu être lu</translation>
+    </message>
+    <message>
+        <source>no WoodenHaptics arm is connected (USB 1234:0006): plug it in and switch it on</source>
+        <translation>aucun bras WoodenHaptics n’est connecté (USB 1234:0006) : branchez-le et allumez-le</translation>
+    </message>
+    <message>
+        <source>woodenhaptics: %1: its reports have %2 bytes, expected 14 or 8: another device with mbed&apos;s ids</source>
+        <translation>woodenhaptics : %1 : ses rapports ont %2 octets, 14 ou 8 étaient attendus : un autre appareil avec les identifiants de mbed</translation>
+    </message>
+    <message>
+        <source>woodenhaptics: %1: it does not answer; is it switched on?</source>
+        <translation>woodenhaptics : %1 : ne répond pas ; est-il allumé ?</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::CoordinatesPart</name>
+    <message>
+        <source>Stop the recording first: it uses the current coordinates.</source>
+        <translation>Arrêtez d’abord l’enregistrement : il utilise les coordonnées actuelles.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::DevicePart</name>
+    <message>
+        <source>Device</source>
+        <translation>Appareil</translation>
+    </message>
+    <message>
+        <source>The pointer sets the place, the SpaceMouse the force: push its cap down. P palpate, wheel for the force limit</source>
+        <translation>Le pointeur choisit l’endroit, la SpaceMouse la force : poussez son palet vers le bas. P palpe, la molette règle la force maximale</translation>
+    </message>
+    <message>
+        <source>Press by effort</source>
+        <translation>Appuyer par effort</translation>
+    </message>
+    <message>
+        <source>Press with a set force: it rises while the button is held, or follows the pressure of a pen, and stiff tissue yields less. Off: the wheel sets the depth</source>
+        <translation>Appuyer avec une force réglée : elle croît tant que le bouton est tenu, ou suit la pression d’un stylet, et un tissu raide cède moins. Désactivé : la molette règle la profondeur</translation>
+    </message>
+    <message>
+        <source>Lift the hand</source>
+        <translation>Lever la main</translation>
+    </message>
+    <message>
+        <source>Move the device without moving the hand in the scene, like lifting a mouse; press again to continue</source>
+        <translation>Déplacer l’appareil sans déplacer la main dans la scène, comme on lève une souris ; encore une fois pour continuer</translation>
+    </message>
+    <message>
+        <source>Fit the workspace to the scene</source>
+        <translation>Ajuster l’espace de travail à la scène</translation>
+    </message>
+    <message>
+        <source>The workspace of the device covers everything shown</source>
+        <translation>L’espace de travail de l’appareil couvre tout ce qui est affiché</translation>
+    </message>
+    <message>
+        <source>Fit the workspace to the organ</source>
+        <translation>Ajuster l’espace de travail à l’organe</translation>
+    </message>
+    <message>
+        <source>The workspace of the device covers the organ that is touched or under the pointer</source>
+        <translation>L’espace de travail de l’appareil couvre l’organe touché ou sous le pointeur</translation>
+    </message>
+    <message>
+        <source>Fit the workspace to the lump</source>
+        <translation>Ajuster l’espace de travail au nodule</translation>
+    </message>
+    <message>
+        <source>The workspace of the device covers 10 mm around the place that is touched, under the pointer or marked</source>
+        <translation>L’espace de travail de l’appareil couvre 10 mm autour de l’endroit touché, sous le pointeur ou repéré</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>A&amp;ppareil</translation>
+    </message>
+    <message>
+        <source>Touch with the device; O or L fits the workspace to the organ or lump, C lifts the hand</source>
+        <translation>Toucher avec l’appareil ; O ou L ajuste l’espace de travail à l’organe ou au nodule, C lève la main</translation>
+    </message>
+    <message>
+        <source>P palpate, hold to press harder, wheel for the force limit</source>
+        <translation>P palpe, maintenir appuie plus fort, la molette règle la force maximale</translation>
+    </message>
+    <message>
+        <source>P palpate, drag to press, wheel for depth</source>
+        <translation>P palpe, glisser pour appuyer, molette pour la profondeur</translation>
+    </message>
+    <message>
+        <source>Restore the force</source>
+        <translation>Rétablir la force</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::Docks</name>
+    <message>
+        <source>Next panel</source>
+        <translation>Panneau suivant</translation>
+    </message>
+    <message>
+        <source>Move the keyboard focus to the next panel, after the last to the view</source>
+        <translation>Placer le focus clavier sur le panneau suivant, puis sur la vue</translation>
+    </message>
+    <message>
+        <source>Previous panel</source>
+        <translation>Panneau précédent</translation>
+    </message>
+    <message>
+        <source>Move the keyboard focus to the previous panel</source>
+        <translation>Placer le focus clavier sur le panneau précédent</translation>
+    </message>
+    <message>
+        <source>Hide or show all panels</source>
+        <translation>Masquer ou afficher les panneaux</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::DocumentPart</name>
+    <message>
+        <source>Save scene</source>
+        <translation>Enregistrer la scène</translation>
+    </message>
+    <message>
+        <source>Save the scene with its tissue</source>
+        <translation>Enregistrer la scène avec ses tissus</translation>
+    </message>
+    <message>
+        <source>Save scene as…</source>
+        <translation>Enregistrer la scène sous…</translation>
+    </message>
+    <message>
+        <source>Save the scene with its tissue to another file</source>
+        <translation>Enregistrer la scène avec ses tissus dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Undo the last change</source>
+        <translation>Annuler le dernier changement</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Redo the last undone change</source>
+        <translation>Rétablir le dernier changement annulé</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Annuler&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Rétablir&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>The scene was changed elsewhere</source>
+        <translation>La scène a été modifiée ailleurs</translation>
+    </message>
+    <message>
+        <source>Another window or program has saved %1 since it was opened here. Saving would replace that version.</source>
+        <translation>Une autre fenêtre ou un autre programme a enregistré %1 depuis son ouverture ici. Enregistrer remplacerait cette version.</translation>
+    </message>
+    <message>
+        <source>Save anyway</source>
+        <translation>Enregistrer quand même</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Palpate scene (*.palpate.json)</source>
+        <translation>Scène Palpate (*.palpate.json)</translation>
+    </message>
+    <message>
+        <source>Scene saved to %1</source>
+        <translation>Scène enregistrée dans %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Changements non enregistrés</translation>
+    </message>
+    <message>
+        <source>Save the changes to this scene?</source>
+        <translation>Enregistrer les changements de cette scène&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Palpate[*]</source>
+        <translation>Palpate[*]</translation>
+    </message>
+    <message>
+        <source>Unsaved scene</source>
+        <translation>Scène non enregistrée</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 de plus</translation>
+    </message>
+    <message>
+        <source>%1[*] – Palpate</source>
+        <translation>%1[*] – Palpate</translation>
+    </message>
+    <message>
+        <source>Palpate ended unexpectedly. Unsaved changes of a scene can be restored.</source>
+        <translation>Palpate s’est arrêté brutalement. Des changements non enregistrés d’une scène peuvent être récupérés.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Récupérer</translation>
+    </message>
+    <message>
+        <source>These changes were already restored in another window.</source>
+        <translation>Ces changements ont déjà été récupérés dans une autre fenêtre.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::EngineeringPart</name>
+    <message>
+        <source>State of the servo loop</source>
+        <translation>État de la boucle d’asservissement</translation>
+    </message>
+    <message>
+        <source>Engineering</source>
+        <translation>Technique</translation>
+    </message>
+    <message>
+        <source>Show or hide measurements of solver, servo loop and device</source>
+        <translation>Afficher ou masquer les mesures du solveur, de la boucle et de l’appareil</translation>
+    </message>
+    <message>
+        <source>Forces may stutter: %1: %2. %3</source>
+        <translation>La force peut saccader&#x202f;: %1&#x202f;: %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::FindingsPart</name>
+    <message>
+        <source>Import findings…</source>
+        <translation>Importer des points…</translation>
+    </message>
+    <message>
+        <source>Import the points of a 3D Slicer markups file (.mrk.json) as findings</source>
+        <translation>Importer les points d’un fichier 3D Slicer (.mrk.json) comme points repérés</translation>
+    </message>
+    <message>
+        <source>Export findings…</source>
+        <translation>Exporter les points…</translation>
+    </message>
+    <message>
+        <source>Export findings and notes as a table (CSV) or as 3D Slicer markups (.mrk.json)</source>
+        <translation>Exporter points repérés et notes en tableau (CSV) ou en annotations 3D Slicer (.mrk.json)</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Points repérés</translation>
+    </message>
+    <message>
+        <source>Show the places marked as findings</source>
+        <translation>Afficher les endroits marqués comme points repérés</translation>
+    </message>
+    <message>
+        <source>Mark a finding</source>
+        <translation>Marquer un point</translation>
+    </message>
+    <message>
+        <source>Mark the touched place in the scene and in the recording</source>
+        <translation>Marquer l’endroit touché, dans la scène et dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Mark a finding and write…</source>
+        <translation>Marquer un point et écrire…</translation>
+    </message>
+    <message>
+        <source>Mark the touched place and write a note on it</source>
+        <translation>Marquer l’endroit touché et écrire une note à son sujet</translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation>Note…</translation>
+    </message>
+    <message>
+        <source>Write a note without a place</source>
+        <translation>Écrire une note sans endroit</translation>
+    </message>
+    <message>
+        <source>Next finding</source>
+        <translation>Point suivant</translation>
+    </message>
+    <message>
+        <source>Go to the next finding and restore the view in which it was marked</source>
+        <translation>Aller au point repéré suivant, dans la vue où il a été marqué</translation>
+    </message>
+    <message>
+        <source>Previous finding</source>
+        <translation>Point précédent</translation>
+    </message>
+    <message>
+        <source>Go to the previous finding</source>
+        <translation>Aller au point repéré précédent</translation>
+    </message>
+    <message>
+        <source>Enter  F2  Del</source>
+        <translation>Entrée  F2  Suppr</translation>
+    </message>
+    <message>
+        <source>in the findings: go there, edit, delete</source>
+        <translation>points repérés&#x202f;: y aller, modifier, supprimer</translation>
+    </message>
+    <message>
+        <source>Shift+Enter</source>
+        <translation>Maj+Entrée</translation>
+    </message>
+    <message>
+        <source>in the findings: play the recording from the marked moment</source>
+        <translation>points repérés : lire l’enregistrement depuis le marquage</translation>
+    </message>
+    <message>
+        <source>Findings and measures</source>
+        <translation>Points et mesures</translation>
+    </message>
+    <message>
+        <source>3D Slicer markups (*.mrk.json)</source>
+        <translation>Annotations 3D Slicer (*.mrk.json)</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export findings</source>
+        <translation>Exporter les points</translation>
+    </message>
+    <message>
+        <source>Import findings</source>
+        <translation>Importer des points</translation>
+    </message>
+    <message>
+        <source>3D Slicer markups (*.mrk.json *.json);;All files (*)</source>
+        <translation>Annotations 3D Slicer (*.mrk.json *.json);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
     <name>palpate::app::Fingertip</name>
-    <message>
-        <source>Ball of %1 mm radius</source>
-        <translation>Boule de %1&#xa0;mm de rayon</translation>
-    </message>
     <message>
         <source>Point</source>
         <translation>Point</translation>
@@ -1789,51 +2480,74 @@
         <translation>Bout du doigt</translation>
     </message>
     <message>
-        <source>What touches: a point feels every facet, a ball slides over small pits as a finger does</source>
-        <translation>Ce qui touche&#x202f;: un point sent chaque facette, une boule glisse sur les petits creux comme un doigt</translation>
+        <source>Ball, radius %1 mm</source>
+        <translation>Boule, rayon %1 mm</translation>
+    </message>
+    <message>
+        <source>Contact shape: a point feels every facet; a ball slides over small pits like a finger</source>
+        <translation>Forme du contact : un point sent chaque facette ; une boule glisse sur les petits creux comme un doigt</translation>
     </message>
 </context>
 <context>
     <name>palpate::app::Help</name>
     <message>
-        <source>Documents</source>
-        <translation>Documents</translation>
-    </message>
-    <message>
-        <source>Open the folder of documents: keys, recordings, measures, glossary, devices</source>
-        <translation>Ouvrir le dossier des documents&#x202f;: raccourcis, enregistrements, mesures, glossaire, appareils</translation>
-    </message>
-    <message>
         <source>About Palpate</source>
         <translation>À propos de Palpate</translation>
     </message>
     <message>
-        <source>Version, build and licences, to copy for a report</source>
-        <translation>Version, build et licences, à copier pour un rapport</translation>
+        <source>Copied: version, build and system.</source>
+        <translation>Copié&#x202f;: version, build et système.</translation>
     </message>
     <message>
-        <source>The documents were not found beside the program.</source>
-        <translation>Les documents n’ont pas été trouvés à côté du programme.</translation>
+        <source>Documentation</source>
+        <translation>Documentation</translation>
     </message>
     <message>
-        <source>Nothing here opens folders; the documents are in %1</source>
-        <translation>Rien ici n’ouvre les dossiers&#x202f;; les documents sont dans %1</translation>
+        <source>Open the documentation folder: keys, recordings, measures, glossary, devices</source>
+        <translation>Ouvrir le dossier de documentation : raccourcis, enregistrements, mesures, glossaire, appareils</translation>
+    </message>
+    <message>
+        <source>Version, build and licences, for bug reports</source>
+        <translation>Version, build et licences, pour les rapports de bogue</translation>
+    </message>
+    <message>
+        <source>The documentation was not found next to the program.</source>
+        <translation>La documentation n’a pas été trouvée à côté du programme.</translation>
+    </message>
+    <message>
+        <source>No file manager was found. The documentation is in %1</source>
+        <translation>Aucun gestionnaire de fichiers trouvé. La documentation est dans %1</translation>
     </message>
     <message>
         <source>Research, training and planning rehearsal. Not a medical device.
 
-Palpate is free software under the BSD 3-Clause licence. It is made with Qt (LGPL 3), VTK (BSD 3-Clause), Eigen (MPL 2.0), SQLite (public domain), hidapi (BSD) and CLI11 (BSD 3-Clause).</source>
+Palpate is free software under the BSD 3-Clause licence, built with Qt (LGPL 3), VTK (BSD 3-Clause), Eigen (MPL 2.0), SQLite (public domain), hidapi (BSD) and CLI11 (BSD 3-Clause).</source>
         <translation>Recherche, formation et répétition du geste planifié. Pas un dispositif médical.
 
-Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL 3), VTK (BSD à 3 clauses), Eigen (MPL 2.0), SQLite (domaine public), hidapi (BSD) et CLI11 (BSD à 3 clauses).</translation>
+Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (LGPL 3), VTK (BSD à 3 clauses), Eigen (MPL 2.0), SQLite (domaine public), hidapi (BSD) et CLI11 (BSD à 3 clauses).</translation>
     </message>
     <message>
-        <source>Copy for a report</source>
-        <translation>Copier pour un rapport</translation>
+        <source>Copy for a bug report</source>
+        <translation>Copier pour un rapport de bogue</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::HelpPart</name>
+    <message>
+        <source>All keys</source>
+        <translation>Raccourcis</translation>
     </message>
     <message>
-        <source>Copied: version, build and system.</source>
-        <translation>Copié&#x202f;: version, build et système.</translation>
+        <source>Show all keys</source>
+        <translation>Afficher les raccourcis</translation>
+    </message>
+    <message>
+        <source>Single-letter keys</source>
+        <translation>Touches à une lettre</translation>
+    </message>
+    <message>
+        <source>Run commands by single letters. Turn this off for speech input, or if keys are pressed by accident</source>
+        <translation>Lancer les commandes par une seule lettre. À désactiver pour la saisie vocale, ou si des touches sont pressées par mégarde</translation>
     </message>
 </context>
 <context>
@@ -1843,12 +2557,355 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>Langue</translation>
     </message>
     <message>
-        <source>Palpate speaks another language when it is started again.</source>
-        <translation>Palpate changera de langue au prochain démarrage.</translation>
+        <source>The new language takes effect when Palpate is restarted.</source>
+        <translation>La nouvelle langue s’appliquera au prochain démarrage de Palpate.</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>Same as system</source>
         <translation>Comme le système</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::LayerOffers</name>
+    <message>
+        <source>%1; %2 more are listed in the panel.</source>
+        <translation>%1 ; %2 de plus figurent dans le panneau.</translation>
+    </message>
+    <message>
+        <source>Feel inner structures below outer ones</source>
+        <translation>Sentir les structures internes sous les externes</translation>
+    </message>
+    <message>
+        <source>Feel it as a layer</source>
+        <translation>Le sentir comme une couche</translation>
+    </message>
+    <message>
+        <source>All in one layer</source>
+        <translation>Tout en une couche</translation>
+    </message>
+    <message>
+        <source>Feel all in one layer</source>
+        <translation>Tout sentir en une couche</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2, but all structures of this scene are in one layer: %1 cannot be felt through %2.</source>
+        <translation>%1 est dans %2, mais toutes les structures de cette scène sont en une seule couche : %1 ne se sent pas à travers %2.</translation>
+    </message>
+    <message>
+        <source>Feel it below</source>
+        <translation>Sentir dessous</translation>
+    </message>
+    <message>
+        <source>Added structures lie in or around others. The existing layers were kept.</source>
+        <translation>Des structures ajoutées sont dans ou autour d’autres. Les couches existantes ont été gardées.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::LumpsPart</name>
+    <message>
+        <source>What can be felt here</source>
+        <translation>Ce qui est palpable ici</translation>
+    </message>
+    <message>
+        <source>Colour organs by the palpability of the lumps below, with a table</source>
+        <translation>Colorer les organes selon la palpabilité des nodules en dessous, avec un tableau</translation>
+    </message>
+    <message>
+        <source>What can be felt</source>
+        <translation>Ce qui est palpable</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::Notices</name>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Show or hide the list of all messages and file notes since the start</source>
+        <translation>Afficher ou masquer la liste des messages et des remarques sur les fichiers depuis le début</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::PicturePart</name>
+    <message>
+        <source>Snapshot</source>
+        <translation>Photo</translation>
+    </message>
+    <message>
+        <source>Save a picture of the view</source>
+        <translation>Enregistrer une image de la vue</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Cadrer</translation>
+    </message>
+    <message>
+        <source>Fit everything into the view</source>
+        <translation>Cadrer le tout dans la vue</translation>
+    </message>
+    <message>
+        <source>Picture saved to %1</source>
+        <translation>Image enregistrée dans %1</translation>
+    </message>
+    <message>
+        <source>%1: the picture could not be written. Is the folder writable and the disk not full?</source>
+        <translation>%1&#x202f;: l’image n’a pas pu être écrite. Le dossier est-il accessible en écriture, et le disque non plein&#x202f;?</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::RecordingPart</name>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Record the motion and the force of the hand</source>
+        <translation>Enregistrer le mouvement et la force de la main</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>Play or pause the recording</source>
+        <translation>Lire ou suspendre l’enregistrement</translation>
+    </message>
+    <message>
+        <source>To the start</source>
+        <translation>Au début</translation>
+    </message>
+    <message>
+        <source>Return to the start of the recording</source>
+        <translation>Revenir au début de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Séance</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>%1 can be played, but its meshes were not found. Open them to see what was touched.</source>
+        <translation>%1 peut être lu, mais ses maillages sont introuvables. Ouvrez-les pour voir ce qui a été touché.</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Enregistrement %1</translation>
+    </message>
+    <message>
+        <source>Recorded to %1</source>
+        <translation>Enregistré dans %1</translation>
+    </message>
+    <message>
+        <source>Results…</source>
+        <translation>Résultats…</translation>
+    </message>
+    <message>
+        <source>Open the recording</source>
+        <translation>Ouvrir l’enregistrement</translation>
+    </message>
+    <message>
+        <source>The fingertip is a ball of %1 mm radius, as in the recording (Session › Fingertip).</source>
+        <translation>Le bout du doigt est, comme à l’enregistrement, une boule de %1 mm de rayon (Séance › Bout du doigt).</translation>
+    </message>
+    <message>
+        <source>The fingertip is a point, as in the recording (Session › Fingertip).</source>
+        <translation>Le bout du doigt est, comme à l’enregistrement, un point (Séance › Bout du doigt).</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ResultsPart</name>
+    <message>
+        <source>Results…</source>
+        <translation>Résultats…</translation>
+    </message>
+    <message>
+        <source>Show and export forces, coverage and findings of the recording</source>
+        <translation>Afficher et exporter forces, couverture et points repérés de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Store the surfaces in recordings</source>
+        <translation>Stocker les surfaces dans les enregistrements</translation>
+    </message>
+    <message>
+        <source>A recording then contains the whole session and grows by the size of the meshes</source>
+        <translation>Un enregistrement contient alors toute la séance et grossit de la taille des maillages</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::SceneChanges</name>
+    <message>
+        <source>1 note on these files</source>
+        <translation>1 remarque sur ces fichiers</translation>
+    </message>
+    <message>
+        <source>%1 notes on these files</source>
+        <translation>%1 remarques sur ces fichiers</translation>
+    </message>
+    <message>
+        <source>%1  ·  %2 (F4 lists them)</source>
+        <translation>%1  ·  %2 (F4 les liste)</translation>
+    </message>
+    <message>
+        <source>The meshes were read again with coordinates %1. Tissue and findings are kept; earlier changes cannot be undone.</source>
+        <translation>Les maillages ont été relus avec les coordonnées %1. Tissus et points repérés sont gardés ; les changements antérieurs ne peuvent plus être annulés.</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1&#x202f;: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 was added to the scene.</source>
+        <translation>Ajout à la scène&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>%1 structures were added to the scene.</source>
+        <translation>%1 structures ont été ajoutées à la scène.</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
+    <message>
+        <source>Add %1 structures</source>
+        <translation>Ajouter %1 structures</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::SceneFiles</name>
+    <message>
+        <source>Opening was cancelled.</source>
+        <translation>Ouverture interrompue.</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Open meshes, a scene or a recording</source>
+        <translation>Ouvrir des maillages, une scène ou un enregistrement</translation>
+    </message>
+    <message>
+        <source>Add to the scene…</source>
+        <translation>Ajouter à la scène…</translation>
+    </message>
+    <message>
+        <source>Add meshes or a scene to the open scene</source>
+        <translation>Ajouter des maillages ou une scène à la scène ouverte</translation>
+    </message>
+    <message>
+        <source>Close the scene</source>
+        <translation>Fermer la scène</translation>
+    </message>
+    <message>
+        <source>Close the open scene</source>
+        <translation>Fermer la scène ouverte</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 fichiers</translation>
+    </message>
+    <message>
+        <source>Add %1 to the open scene?</source>
+        <translation>Ajouter %1 à la scène ouverte&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Open instead</source>
+        <translation>Ouvrir seul</translation>
+    </message>
+    <message>
+        <source>The phantom was not found next to the program.</source>
+        <translation>Le fantôme est introuvable à côté du programme.</translation>
+    </message>
+    <message>
+        <source>This anatomy is only %1 mm across. Its coordinates are probably in metres.</source>
+        <translation>Cette anatomie ne mesure que %1 mm. Ses coordonnées sont sans doute en mètres.</translation>
+    </message>
+    <message>
+        <source>Read as metres</source>
+        <translation>Lire en mètres</translation>
+    </message>
+    <message>
+        <source>Open anatomy</source>
+        <translation>Ouvrir une anatomie</translation>
+    </message>
+    <message>
+        <source>Anatomy, scenes and recordings (%1);;All files (*)</source>
+        <translation>Anatomie, scènes et enregistrements (%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Add to the scene</source>
+        <translation>Ajouter à la scène</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::SceneSurfaces</name>
+    <message>
+        <source>Computing the surface of %1…</source>
+        <translation>Calcul de la surface de %1…</translation>
+    </message>
+    <message>
+        <source>The map of %1 was applied.</source>
+        <translation>La carte de %1 a été appliquée.</translation>
+    </message>
+    <message>
+        <source>Reading the maps of %1…</source>
+        <translation>Lecture des cartes de %1…</translation>
+    </message>
+    <message>
+        <source>The surface of %1 was replaced.</source>
+        <translation>La surface de %1 a été remplacée.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 has voxel steps of about %2, which can be felt.</source>
+        <translation>%1 a des marches de voxels d’environ %2, que l’on sent.</translation>
+    </message>
+    <message>
+        <source>%1 surfaces have voxel steps of about %2, which can be felt.</source>
+        <translation>%1 surfaces ont des marches de voxels d’environ %2, que l’on sent.</translation>
+    </message>
+    <message>
+        <source>Smooth it</source>
+        <translation>Lisser</translation>
+    </message>
+    <message>
+        <source>Smooth them</source>
+        <translation>Les lisser</translation>
+    </message>
+    <message>
+        <source>%1 is inside out: it can be felt only from inside.</source>
+        <translation>%1 est à l’envers et ne se sent que de l’intérieur.</translation>
+    </message>
+    <message>
+        <source>%1 surfaces are inside out: they can be felt only from inside.</source>
+        <translation>%1 surfaces sont à l’envers et ne se sentent que de l’intérieur.</translation>
+    </message>
+    <message>
+        <source>Turn it around</source>
+        <translation>La retourner</translation>
+    </message>
+    <message>
+        <source>Turn them around</source>
+        <translation>Les retourner</translation>
     </message>
 </context>
 <context>
@@ -1858,67 +2915,309 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>Visite guidée</translation>
     </message>
     <message>
-        <source>Four notes on the window, on the practice liver when nothing is open</source>
-        <translation>Quatre notes sur la fenêtre, sur le foie d’exercice si rien n’est ouvert</translation>
-    </message>
-    <message>
         <source>This is a practice liver with lumps inside.</source>
         <translation>Voici un foie d’exercice qui contient des nodules.</translation>
-    </message>
-    <message>
-        <source>Shown on what is open; nothing of it is changed.</source>
-        <translation>Montré sur ce qui est ouvert&#x202f;; rien n’en est modifié.</translation>
     </message>
     <message>
         <source>Structures</source>
         <translation>Structures</translation>
     </message>
     <message>
-        <source>The list has every structure. The eye shows or hides it, the hand lets you feel it or not; below stands the tissue that it is felt as.</source>
-        <translation>La liste contient toutes les structures. L’œil en affiche ou masque une, la main la rend palpable ou non&#x202f;; en dessous figure le tissu comme lequel elle est sentie.</translation>
-    </message>
-    <message>
         <source>Press to feel</source>
         <translation>Appuyer pour sentir</translation>
-    </message>
-    <message>
-        <source>Press P, then drag on the anatomy: you press and slide, the wheel goes deeper. By keys: Ctrl and the arrows move the place, Enter presses, Page down goes deeper. Esc lets go.</source>
-        <translation>Taper P, puis glisser sur l’anatomie&#x202f;: on appuie et on glisse, la molette va plus profond. Au clavier&#x202f;: Ctrl et les flèches déplacent l’endroit, Entrée appuie, Page suivante va plus profond. Échap lâche.</translation>
     </message>
     <message>
         <source>Touch</source>
         <translation>Toucher</translation>
     </message>
     <message>
-        <source>The force in newtons, which structure is touched, how deep in millimetres, and the last ten seconds. What is stiffer than its surroundings pushes back more at the same depth.</source>
-        <translation>La force en newtons, la structure touchée, la profondeur en millimètres, et les dix dernières secondes. Ce qui est plus raide que son entourage repousse plus fort à la même profondeur.</translation>
+        <source>Short tour of the window, with the practice liver if no scene is open</source>
+        <translation>Brève visite de la fenêtre, avec le foie d’exercice si aucune scène n’est ouverte</translation>
     </message>
     <message>
-        <source>Record and findings</source>
+        <source>The tour uses the open scene and changes nothing.</source>
+        <translation>La visite utilise la scène ouverte et n’y change rien.</translation>
+    </message>
+    <message>
+        <source>The list shows all structures. The eye shows or hides a structure; the hand makes a structure palpable or not. Below the list you set how the structure feels.</source>
+        <translation>La liste contient toutes les structures. L’œil affiche ou masque une structure ; la main la rend palpable ou non. Sous la liste, on règle comment la structure se sent.</translation>
+    </message>
+    <message>
+        <source>Press P, then drag on the anatomy to press and slide; the wheel sets the depth. With the keyboard: Ctrl and the arrow keys move the press point, Enter presses, Page Down goes deeper. Esc releases.</source>
+        <translation>Taper P, puis glisser sur l’anatomie pour appuyer et glisser ; la molette règle la profondeur. Au clavier : Ctrl et les flèches déplacent le point d’appui, Entrée appuie, Page suivante va plus profond. Échap relâche.</translation>
+    </message>
+    <message>
+        <source>Force in newtons, touched structure, depth in millimetres and a chart of the last ten seconds. At the same depth, stiffer tissue pushes back harder.</source>
+        <translation>Force en newtons, structure touchée, profondeur en millimètres et courbe des dix dernières secondes. À profondeur égale, un tissu plus raide repousse plus fort.</translation>
+    </message>
+    <message>
+        <source>Recording and findings</source>
         <translation>Enregistrement et points repérés</translation>
     </message>
     <message>
-        <source>R records what you feel, and again ends it. M marks the place you touch as a finding: it stands here with force and depth; F2 names it. File › Export findings… writes them out.</source>
-        <translation>R enregistre ce que vous sentez, et y met fin. M marque l’endroit touché comme point repéré&#x202f;: il figure ici avec force et profondeur&#x202f;; F2 le nomme. Fichier › Exporter les points repérés… les écrit.</translation>
+        <source>R starts and stops a recording. M marks the touched place as a finding, listed here with force and depth; F2 renames the finding. File › Export findings… saves the list.</source>
+        <translation>R démarre et arrête un enregistrement. M marque l’endroit touché comme point repéré, listé ici avec force et profondeur ; F2 le renomme. Fichier › Exporter les points repérés… enregistre la liste.</translation>
     </message>
 </context>
 <context>
     <name>palpate::app::SoundChoice</name>
     <message>
-        <source>Sound of touch</source>
+        <source>Touch sound</source>
         <translation>Son du toucher</translation>
     </message>
     <message>
-        <source>Hear a tone as high as the place is stiff, as loud as the force</source>
-        <translation>Un son d’autant plus aigu que l’endroit est raide, d’autant plus fort que la force est grande</translation>
+        <source>Play a tone: higher pitch for stiffer tissue, louder for more force</source>
+        <translation>Jouer un son : plus aigu pour un tissu plus raide, plus fort pour une force plus grande</translation>
     </message>
     <message>
-        <source>The sound of touch has ended: the loudspeaker is gone.</source>
-        <translation>Le son du toucher a cessé&#x202f;: le haut-parleur a disparu.</translation>
+        <source>Touch sound stopped: the loudspeaker was disconnected.</source>
+        <translation>Son du toucher arrêté : le haut-parleur a été déconnecté.</translation>
     </message>
     <message>
-        <source>Sound of touch (%1)</source>
+        <source>Touch sound (%1)</source>
         <translation>Son du toucher (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::StatusProgress</name>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Interrompre</translation>
+    </message>
+    <message>
+        <source>Cancel; the open scene does not change</source>
+        <translation>Interrompre ; la scène ouverte ne change pas</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::StructuresPart</name>
+    <message>
+        <source>Find a structure…</source>
+        <translation>Chercher une structure…</translation>
+    </message>
+    <message>
+        <source>List only structures with these words in their names</source>
+        <translation>Ne lister que les structures dont le nom contient ces mots</translation>
+    </message>
+    <message>
+        <source>Rename the structure…</source>
+        <translation>Renommer la structure…</translation>
+    </message>
+    <message>
+        <source>Rename the selected structure</source>
+        <translation>Renommer la structure choisie</translation>
+    </message>
+    <message>
+        <source>Remove from the scene</source>
+        <translation>Retirer de la scène</translation>
+    </message>
+    <message>
+        <source>Remove the selected structures from the scene; their files are kept</source>
+        <translation>Retirer les structures choisies de la scène ; leurs fichiers sont conservés</translation>
+    </message>
+    <message>
+        <source>Ctrl+E  Ctrl+H</source>
+        <translation>Ctrl+E  Ctrl+H</translation>
+    </message>
+    <message>
+        <source>show or hide, turn touch on or off</source>
+        <translation>afficher ou masquer, activer ou non le toucher</translation>
+    </message>
+    <message>
+        <source>letters</source>
+        <translation>lettres</translation>
+    </message>
+    <message>
+        <source>go to the structure whose name starts with them</source>
+        <translation>aller à la structure dont le nom commence ainsi</translation>
+    </message>
+    <message>
+        <source>F2  Del</source>
+        <translation>F2  Suppr</translation>
+    </message>
+    <message>
+        <source>rename, remove from the scene</source>
+        <translation>renommer, retirer de la scène</translation>
+    </message>
+    <message>
+        <source>Ctrl+↓  ↑</source>
+        <translation>Ctrl+↓  ↑</translation>
+    </message>
+    <message>
+        <source>move one layer deeper or outwards</source>
+        <translation>déplacer d’une couche vers l’intérieur ou l’extérieur</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Structures</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::TissueOffer</name>
+    <message>
+        <source>The tissue of %1 was chosen by its name.</source>
+        <translation>%1 : tissu choisi d’après le nom.</translation>
+    </message>
+    <message>
+        <source>The tissue of %1 structures was chosen by their names.</source>
+        <translation>%1 structures : tissu choisi d’après leur nom.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No preset matches the name of %n: “Firm organ”, 0.5 N/mm.</source>
+        <translation>
+            <numerusform>Aucun préréglage d’après le nom pour %n : « organe ferme », 0,5 N/mm.</numerusform>
+            <numerusform>Aucun préréglage d’après le nom pour %n : « organe ferme », 0,5 N/mm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Tissue by name</source>
+        <translation>Tissus selon le nom</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Restore tissue</source>
+        <translation>Rétablir les tissus</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::TouchPart</name>
+    <message>
+        <source>Use of the pointer or the device</source>
+        <translation>Usage du pointeur ou de l’appareil</translation>
+    </message>
+    <message>
+        <source>The pointer turns the view, or presses this far along the line of sight [mm] or with this force [N]. The wheel sets the value; P switches between the two</source>
+        <translation>Le pointeur tourne la vue, ou appuie de tant le long du regard [mm] ou avec cette force [N]. La molette règle la valeur ; P passe de l’un à l’autre</translation>
+    </message>
+    <message>
+        <source>Palpate</source>
+        <translation>Palper</translation>
+    </message>
+    <message>
+        <source>Palpate with the pointer: drag to press, wheel for depth or effort; off: the pointer moves the camera</source>
+        <translation>Palper avec le pointeur&#x202f;: glisser pour appuyer, molette pour la profondeur ou l’effort&#x202f;; sinon le pointeur déplace la caméra</translation>
+    </message>
+    <message>
+        <source>hold Space</source>
+        <translation>tenir Espace</translation>
+    </message>
+    <message>
+        <source>palpate while the key is held</source>
+        <translation>palper tant que la touche est tenue</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>glisser</translation>
+    </message>
+    <message>
+        <source>camera: rotate · palpate: press and slide</source>
+        <translation>caméra&#x202f;: tourner · palper&#x202f;: appuyer et glisser</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>clic</translation>
+    </message>
+    <message>
+        <source>camera: select the structure (with Ctrl: add to the selection)</source>
+        <translation>caméra : choisir la structure (avec Ctrl : ajouter à la sélection)</translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation>glisser droit</translation>
+    </message>
+    <message>
+        <source>camera: zoom · palpate: rotate</source>
+        <translation>caméra&#x202f;: zoomer · palper&#x202f;: tourner</translation>
+    </message>
+    <message>
+        <source>middle drag</source>
+        <translation>glisser milieu</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>déplacer</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>molette</translation>
+    </message>
+    <message>
+        <source>camera: zoom · palpate: depth in mm, or effort in N (with Ctrl: zoom)</source>
+        <translation>caméra&#x202f;: zoomer · palper&#x202f;: profondeur en mm, ou effort en N (avec Ctrl&#x202f;: zoomer)</translation>
+    </message>
+    <message>
+        <source>double-click</source>
+        <translation>double-clic</translation>
+    </message>
+    <message>
+        <source>centre the view on the point</source>
+        <translation>centrer la vue sur le point</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Lâcher</translation>
+    </message>
+    <message>
+        <source>lift the hand, then return to the camera</source>
+        <translation>lever la main, puis revenir à la caméra</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Toucher</translation>
+    </message>
+    <message>
+        <source>Touching with the %1</source>
+        <translation>Toucher avec&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Turning the view</source>
+        <translation>Rotation de la vue</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ViewPart</name>
+    <message>
+        <source>Dent under the finger</source>
+        <translation>Creux sous le doigt</translation>
+    </message>
+    <message>
+        <source>Draw soft tissue deformed at the contact, with a fine grid</source>
+        <translation>Dessiner le tissu mou déformé au contact, avec une fine grille</translation>
+    </message>
+    <message>
+        <source>From the front (A)</source>
+        <translation>De face (A)</translation>
+    </message>
+    <message>
+        <source>From the back (P)</source>
+        <translation>De dos (P)</translation>
+    </message>
+    <message>
+        <source>From the left (L)</source>
+        <translation>De la gauche (L)</translation>
+    </message>
+    <message>
+        <source>From the right (R)</source>
+        <translation>De la droite (R)</translation>
+    </message>
+    <message>
+        <source>From the head (S)</source>
+        <translation>De la tête (S)</translation>
+    </message>
+    <message>
+        <source>From the feet (I)</source>
+        <translation>Des pieds (I)</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>Oblique</translation>
     </message>
 </context>
 <context>
@@ -1931,12 +3230,12 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
 <context>
     <name>palpate::ui::ChipRow</name>
     <message>
-        <source>What else there is to say</source>
-        <translation>Ce qu’il y a d’autre à dire</translation>
+        <source>More status</source>
+        <translation>Autres indications</translation>
     </message>
     <message>
-        <source>What there is no room for in this row</source>
-        <translation>Ce qui ne tient pas dans cette ligne</translation>
+        <source>Status items that do not fit in this row</source>
+        <translation>Indications qui ne tiennent pas dans cette ligne</translation>
     </message>
 </context>
 <context>
@@ -1946,24 +3245,8 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>Souris</translation>
     </message>
     <message>
-        <source>The pointer over the view; it feels nothing, the force is shown</source>
-        <translation>Le pointeur sur la vue&#x202f;; il ne sent rien, la force est affichée</translation>
-    </message>
-    <message>
         <source>Simulated hand</source>
         <translation>Main simulée</translation>
-    </message>
-    <message>
-        <source>Palpates what is in the middle of the view, and feels the force</source>
-        <translation>Palpe ce qui est au milieu de la vue, et sent la force</translation>
-    </message>
-    <message>
-        <source>Replay with today&apos;s tissue</source>
-        <translation>Rejouer avec le tissu d’aujourd’hui</translation>
-    </message>
-    <message>
-        <source>The open recording&apos;s motion, felt with the tissue as it is now</source>
-        <translation>Le mouvement de l’enregistrement ouvert, senti avec les tissus actuels</translation>
     </message>
     <message>
         <source>%1 (skipped)</source>
@@ -1974,20 +3257,8 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>SpaceMouse déplace la vue</translation>
     </message>
     <message>
-        <source>The puck turns and shifts the anatomy while another device is the hand</source>
-        <translation>Le palet tourne et déplace l’anatomie pendant qu’un autre appareil est la main</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>Étalonner</translation>
-    </message>
-    <message>
-        <source>Takes the pose that the device is in now as its calibration pose</source>
-        <translation>Prend la position actuelle de l’appareil comme position d’étalonnage</translation>
-    </message>
-    <message>
-        <source>What is plugged in…</source>
-        <translation>Ce qui est branché…</translation>
     </message>
     <message>
         <source>mouse</source>
@@ -1998,10 +3269,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>main simulée</translation>
     </message>
     <message>
-        <source>recording, felt anew</source>
-        <translation>enregistrement, senti de nouveau</translation>
-    </message>
-    <message>
         <source>%1 lost</source>
         <translation>%1 perdu</translation>
     </message>
@@ -2010,24 +3277,8 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>%1&#x202f;: étalonner</translation>
     </message>
     <message>
-        <source>The hand&apos;s device: %1</source>
-        <translation>L’appareil de la main&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>It feels nothing: the force is shown, up to %1 N.</source>
-        <translation>Il ne rend rien au toucher&#x202f;: la force est affichée, jusqu’à %1&#xa0;N.</translation>
-    </message>
-    <message>
         <source>Up to %1 N and %2 N/mm</source>
         <translation>Jusqu’à %1&#xa0;N et %2&#xa0;N/mm</translation>
-    </message>
-    <message>
-        <source>%1: it would need %2.</source>
-        <translation>%1&#x202f;: il faudrait %2.</translation>
-    </message>
-    <message>
-        <source>No haptic device and no 6-axis mouse is plugged in.</source>
-        <translation>Aucun appareil haptique ni souris à 6 axes n’est branché.</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -2038,8 +3289,56 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>La SpaceMouse appuie</translation>
     </message>
     <message>
-        <source>The pointer says where, the puck how hard: the further it is pushed down, the more newtons of effort</source>
-        <translation>Le pointeur dit où, le palet avec quelle force&#x202f;: plus il est poussé vers le bas, plus il y a de newtons</translation>
+        <source>Mouse pointer over the view; the force is displayed, not felt</source>
+        <translation>Pointeur de la souris sur la vue ; la force est affichée, non sentie</translation>
+    </message>
+    <message>
+        <source>Virtual hand that palpates the centre of the view and responds to the force</source>
+        <translation>Main virtuelle qui palpe le centre de la vue et réagit à la force</translation>
+    </message>
+    <message>
+        <source>Replay with current tissue</source>
+        <translation>Rejouer avec le tissu actuel</translation>
+    </message>
+    <message>
+        <source>Repeats the motion of the open recording on the current tissue</source>
+        <translation>Répète le mouvement de l’enregistrement ouvert sur le tissu actuel</translation>
+    </message>
+    <message>
+        <source>Use the current pose of the device as calibration pose</source>
+        <translation>Utiliser la position actuelle de l’appareil comme position d’étalonnage</translation>
+    </message>
+    <message>
+        <source>Connected devices…</source>
+        <translation>Appareils branchés…</translation>
+    </message>
+    <message>
+        <source>The puck rotates and moves the anatomy while another device palpates</source>
+        <translation>Le palet tourne et déplace l’anatomie pendant qu’un autre appareil palpe</translation>
+    </message>
+    <message>
+        <source>The pointer sets the place, the puck sets the force: the further down, the more newtons</source>
+        <translation>Le pointeur fixe l’endroit, le palet la force : plus il est enfoncé, plus il y a de newtons</translation>
+    </message>
+    <message>
+        <source>replayed recording</source>
+        <translation>enregistrement rejoué</translation>
+    </message>
+    <message>
+        <source>Input device: %1</source>
+        <translation>Appareil d’entrée : %1</translation>
+    </message>
+    <message>
+        <source>No force feedback: forces up to %1 N are displayed only.</source>
+        <translation>Sans retour d’effort : les forces sont seulement affichées, jusqu’à %1 N.</translation>
+    </message>
+    <message>
+        <source>%1: requires %2.</source>
+        <translation>%1 : nécessite %2.</translation>
+    </message>
+    <message>
+        <source>No haptic device or 6-axis mouse is connected.</source>
+        <translation>Aucun appareil haptique ni souris à 6 axes n’est branché.</translation>
     </message>
 </context>
 <context>
@@ -2660,90 +3959,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>un de %1</translation>
     </message>
     <message>
-        <source>no such file, expected a recording</source>
-        <translation>fichier introuvable, attendu un enregistrement</translation>
-    </message>
-    <message>
-        <source>found no SQLite database, expected a recording</source>
-        <translation>trouvé autre chose qu’une base SQLite, attendu un enregistrement</translation>
-    </message>
-    <message>
-        <source>found another program&apos;s SQLite database, expected a Palpate recording</source>
-        <translation>trouvé la base SQLite d’un autre programme, attendu un enregistrement de Palpate</translation>
-    </message>
-    <message>
-        <source>found a recording of version %1, expected at most %2: a newer Palpate made it</source>
-        <translation>trouvé un enregistrement de version %1, attendu au plus %2&#x202f;: fait par un Palpate plus récent</translation>
-    </message>
-    <message>
-        <source>found no tick with a hand, expected at least one</source>
-        <translation>aucun instant avec une main, attendu au moins un</translation>
-    </message>
-    <message>
-        <source>damaged: %1</source>
-        <translation>endommagé&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>file is not a database</source>
-        <translation>le fichier n’est pas une base de données</translation>
-    </message>
-    <message>
-        <source>database disk image is malformed</source>
-        <translation>l’image disque de la base est mal formée</translation>
-    </message>
-    <message>
-        <source>unable to open database file</source>
-        <translation>impossible d’ouvrir le fichier de la base</translation>
-    </message>
-    <message>
-        <source>database or disk is full</source>
-        <translation>la base ou le disque est plein</translation>
-    </message>
-    <message>
-        <source>attempt to write a readonly database</source>
-        <translation>tentative d’écriture dans une base en lecture seule</translation>
-    </message>
-    <message>
-        <source>disk I/O error</source>
-        <translation>erreur d’entrée-sortie du disque</translation>
-    </message>
-    <message>
-        <source>the recording ended at %1 s because %2; what was felt after is not in it</source>
-        <translation>l’enregistrement a fini à %1&#xa0;s car %2&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
-    </message>
-    <message>
-        <source>nothing was recorded because %1</source>
-        <translation>rien n’a été enregistré car %1</translation>
-    </message>
-    <message>
-        <source>the disk cannot be written (%1)</source>
-        <translation>le disque ne peut pas être écrit (%1)</translation>
-    </message>
-    <message>
-        <source>ended at %1 s because the disk was full; what was felt after is not in it</source>
-        <translation>fini à %1&#xa0;s car le disque était plein&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
-    </message>
-    <message>
-        <source>ended at %1 s because the disk could not be written; what was felt after is not in it</source>
-        <translation>fini à %1&#xa0;s car le disque ne pouvait pas être écrit&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
-    </message>
-    <message>
-        <source>ended at %1 s without being closed (a crash, or a full disk); what was felt after is not in it</source>
-        <translation>fini à %1&#xa0;s sans être fermé (un arrêt brutal ou un disque plein)&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
-    </message>
-    <message>
-        <source>%1 ticks were lost</source>
-        <translation>%1 instants ont été perdus</translation>
-    </message>
-    <message>
-        <source>cannot be recorded: the servo loop is not running</source>
-        <translation>impossible d’enregistrer&#x202f;: la boucle d’asservissement ne tourne pas</translation>
-    </message>
-    <message>
-        <source>cannot be recorded: the servo loop does not answer</source>
-        <translation>impossible d’enregistrer&#x202f;: la boucle d’asservissement ne répond pas</translation>
-    </message>
-    <message>
         <source>found none of the surfaces that it was made on</source>
         <translation>aucune des surfaces sur lesquelles il a été fait n’a été trouvée</translation>
     </message>
@@ -2772,104 +3987,8 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>l’enregistrement ne dit pas sur quelle scène il a été fait</translation>
     </message>
     <message>
-        <source>rate and CPU cannot be changed while a recording runs; stop it first</source>
-        <translation>fréquence et CPU ne changent pas pendant un enregistrement&#x202f;; l’arrêter d’abord</translation>
-    </message>
-    <message>
-        <source>the device cannot be changed while a recording runs; stop it first</source>
-        <translation>l’appareil ne change pas pendant un enregistrement&#x202f;; l’arrêter d’abord</translation>
-    </message>
-    <message>
-        <source>the SpaceMouse is the hand now; choose another device for it first</source>
-        <translation>la SpaceMouse est la main&#x202f;; choisir d’abord un autre appareil pour celle-ci</translation>
-    </message>
-    <message>
-        <source>no device is called %1</source>
-        <translation>aucun appareil ne s’appelle %1</translation>
-    </message>
-    <message>
-        <source>the simulated hand palpates what is in the middle of the view: found nothing palpable there</source>
-        <translation>la main simulée palpe ce qui est au milieu de la vue&#x202f;: rien de palpable trouvé là</translation>
-    </message>
-    <message>
-        <source>no recording is open whose motion could be felt anew</source>
-        <translation>aucun enregistrement ouvert dont le mouvement puisse être ressenti à nouveau</translation>
-    </message>
-    <message>
-        <source>the motion to play has no rows</source>
-        <translation>le mouvement à rejouer n’a pas de lignes</translation>
-    </message>
-    <message>
-        <source>the device could not be started: %1</source>
-        <translation>l’appareil n’a pas pu démarrer&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>its driver failed</source>
-        <translation>son pilote a échoué</translation>
-    </message>
-    <message>
-        <source>skipped, it hung when it was started</source>
-        <translation>ignoré, il s’est bloqué au démarrage</translation>
-    </message>
-    <message>
-        <source>skipped, it ended the process when it was started</source>
-        <translation>ignoré, il a arrêté le processus au démarrage</translation>
-    </message>
-    <message>
-        <source>skipped, it failed when it was started</source>
-        <translation>ignoré, il a échoué au démarrage</translation>
-    </message>
-    <message>
-        <source>skipped, %1 comes first</source>
-        <translation>ignoré, %1 passe avant</translation>
-    </message>
-    <message>
-        <source>CPU %1: this machine has no such CPU</source>
-        <translation>CPU %1&#x202f;: cette machine n’a pas ce CPU</translation>
-    </message>
-    <message>
-        <source>The device gave a position that is not a number. Check its driver, then re-arm.</source>
-        <translation>L’appareil a donné une position qui n’est pas un nombre. Vérifier son pilote, puis réarmer.</translation>
-    </message>
-    <message>
-        <source>The device gave positions outside its workspace. Calibrate it, then re-arm.</source>
-        <translation>L’appareil a donné des positions hors de son espace de travail. Le calibrer, puis réarmer.</translation>
-    </message>
-    <message>
-        <source>The device&apos;s position jumped farther than a hand can move. Check its cable and calibration, then re-arm.</source>
-        <translation>La position de l’appareil a sauté plus loin qu’une main ne peut aller. Vérifier câble et calibrage, puis réarmer.</translation>
-    </message>
-    <message>
-        <source>The device stopped giving new positions. Check its connection, then re-arm.</source>
-        <translation>L’appareil ne donne plus de nouvelles positions. Vérifier sa connexion, puis réarmer.</translation>
-    </message>
-    <message>
-        <source>The device no longer answers. Plug it in again, then re-arm.</source>
-        <translation>L’appareil ne répond plus. Le rebrancher, puis réarmer.</translation>
-    </message>
-    <message>
-        <source>The model gave a force that is not a number. Leave the surface, then re-arm.</source>
-        <translation>Le modèle a donné une force qui n’est pas un nombre. Quitter la surface, puis réarmer.</translation>
-    </message>
-    <message>
-        <source>The computer could not keep the servo rate. Close other programs or lower the rate, then re-arm.</source>
-        <translation>L’ordinateur n’a pas pu tenir la fréquence. Fermer d’autres programmes ou baisser la fréquence, puis réarmer.</translation>
-    </message>
-    <message>
-        <source>The servo thread ended by an error. Start the device again.</source>
-        <translation>La boucle d’asservissement a fini par une erreur. Redémarrer l’appareil.</translation>
-    </message>
-    <message>
         <source>lumps felt through their organ: %1</source>
         <translation>nodules sentis à travers leur organe&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>it has %1 points; expected 2 to %2</source>
-        <translation>il a %1 points&#x202f;; attendu 2 à %2</translation>
-    </message>
-    <message>
-        <source>it has more points; expected 2 to %1</source>
-        <translation>il a plus de points&#x202f;; attendu 2 à %1</translation>
     </message>
     <message>
         <source>left out, its surface is open: it has no volume to be felt</source>
@@ -2935,10 +4054,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <source>%1 (in English)</source>
         <extracomment>around a line that has no translation</extracomment>
         <translation>%1 (en anglais)</translation>
-    </message>
-    <message>
-        <source>the SpaceMouse moves the view or presses; switch that off first</source>
-        <translation>la SpaceMouse déplace la vue ou appuie&#x202f;; désactivez d’abord cela</translation>
     </message>
     <message>
         <source>its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %1 % from what is shown; a finer mesh mends it</source>
@@ -3177,30 +4292,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>n’est pas un fichier</translation>
     </message>
     <message>
-        <source>there is a file of this name; choose another name</source>
-        <translation>un fichier de ce nom existe&#x202f;; choisissez un autre nom</translation>
-    </message>
-    <message>
-        <source>another program is recording into it; choose another name</source>
-        <translation>un autre programme y enregistre&#x202f;; choisissez un autre nom</translation>
-    </message>
-    <message>
-        <source>the file %1 would be taken for a part of it; move that away or choose another name</source>
-        <translation>le fichier %1 serait pris pour une partie de celui-ci&#x202f;; déplacez-le ou choisissez un autre nom</translation>
-    </message>
-    <message>
-        <source>it as input and output</source>
-        <translation>le même comme entrée et sortie</translation>
-    </message>
-    <message>
-        <source>it as output and a file of %1</source>
-        <translation>le même comme sortie et fichier de %1</translation>
-    </message>
-    <message>
-        <source>another name for the output</source>
-        <translation>un autre nom pour la sortie</translation>
-    </message>
-    <message>
         <source>the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
         <translation>la surface touchée va là&#x202f;; un autre fichier s’y trouve, aucun ou un export antérieur était attendu. Choisissez un autre nom</translation>
     </message>
@@ -3233,22 +4324,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>%1 et %2 s’approchent à %3 mm en (%4, %5, %6) sans se toucher&#x202f;: un point tombe dans l’interstice, un bout de doigt de 0,5 mm ou plus passe dessus</translation>
     </message>
     <message>
-        <source>found the journal of several databases, which names another file to be deleted; Palpate writes none, so this was not made by Palpate; nothing was opened. Move it away to read the recording as it is</source>
-        <translation>le journal de plusieurs bases, qui nomme un autre fichier à supprimer&#x202f;; Palpate n’en écrit pas, il ne vient donc pas de Palpate&#x202f;; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
-    </message>
-    <message>
-        <source>found something else than a file, expected the journal of a recording; nothing was opened. Move it away to read the recording as it is</source>
-        <translation>autre chose qu’un fichier, le journal d’un enregistrement était attendu&#x202f;; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
-    </message>
-    <message>
-        <source>found a database with a write-ahead log, expected one with a rollback journal, as Palpate writes it: another program changed it</source>
-        <translation>une base à journal anticipé (WAL), une base à journal de retour était attendue, comme Palpate l’écrit&#x202f;: un autre programme l’a modifiée</translation>
-    </message>
-    <message>
-        <source>found %1, expected %2: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
-        <translation>trouvé&#x202f;: %1, attendu&#x202f;: %2&#x202f;: pas créé par Palpate, ou endommagé (palpate session recover rassemble ce qui est intact)</translation>
-    </message>
-    <message>
         <source>how many times as stiff as %1 it is, is not known, so no verdict is given; expected a ratio, as --ratio &quot;%2=R&quot; or `young_ratio` in a scene file. Published: %3</source>
         <translation>combien de fois il est plus rigide que %1 est inconnu, donc aucun verdict&#x202f;; un rapport est attendu, par --ratio &quot;%2=R&quot; ou `young_ratio` dans un fichier de scène. Publié&#x202f;: %3</translation>
     </message>
@@ -3268,14 +4343,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>%1&#xa0;ms</translation>
     </message>
     <message>
-        <source>half below %1, 99 % below %2</source>
-        <translation>la moitié sous %1, 99&#x202f;% sous %2</translation>
-    </message>
-    <message>
-        <source>%1, %2 refused, lost %3 times</source>
-        <translation>%1, %2 refusés, perdu %3 fois</translation>
-    </message>
-    <message>
         <source>Click for the details (View › Engineering).</source>
         <translation>Cliquer pour les détails (Affichage › Technique).</translation>
     </message>
@@ -3284,122 +4351,56 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses. Il utilise Qt (LGPL
         <translation>ordinateur surchargé</translation>
     </message>
     <message>
-        <source>Touch is computed %1 times a second instead of %2: forces may stutter. Close other programs.</source>
-        <translation>Le toucher est calculé %1 fois par seconde au lieu de %2&#x202f;: la force peut saccader. Fermez d’autres programmes.</translation>
-    </message>
-    <message>
         <source>force may stutter</source>
         <translation>la force peut saccader</translation>
-    </message>
-    <message>
-        <source>The system does not give touch its time first: other programs may make the force stutter. The list of messages (F4) says how to permit it.</source>
-        <translation>Le système ne sert pas le toucher en premier&#x202f;: d’autres programmes peuvent faire saccader la force. La liste des messages (F4) dit comment le permettre.</translation>
     </message>
     <message>
         <source>running well</source>
         <translation>marche bien</translation>
     </message>
     <message>
-        <source>Touch is computed %1 times a second, as it should be.</source>
-        <translation>Le toucher est calculé %1 fois par seconde, comme il se doit.</translation>
-    </message>
-    <message>
-        <source>Energy observer: what the hand has put into the touched tissue and not got back [mJ].
-Below zero the program would give more than it took; damping then takes it away.</source>
-        <translation>Bilan d’énergie&#x202f;: ce que la main a mis dans le tissu touché sans le récupérer [mJ].
-Sous zéro, le programme donnerait plus qu’il n’a pris&#x202f;; l’amortissement le retire alors.</translation>
-    </message>
-    <message>
-        <source>What the servo thread was granted</source>
-        <translation>Ce qui a été accordé au fil servo</translation>
-    </message>
-    <message>
         <source>Constraints</source>
         <translation>Contraintes</translation>
-    </message>
-    <message>
-        <source>Active constraints: planes of the surface that hold the hand back, at most 3</source>
-        <translation>Contraintes actives&#x202f;: plans de la surface qui retiennent la main, 3 au plus</translation>
     </message>
     <message>
         <source>Solver</source>
         <translation>Solveur</translation>
     </message>
     <message>
-        <source>Time of one tick in the solver, of ticks with a hand</source>
-        <translation>Durée d’un pas dans le solveur, des pas avec une main</translation>
-    </message>
-    <message>
         <source>Measured rate</source>
         <translation>Cadence mesurée</translation>
-    </message>
-    <message>
-        <source>Ticks of the servo thread a second, over the last half second [kHz]</source>
-        <translation>Pas du fil servo par seconde, sur la dernière demi-seconde [kHz]</translation>
     </message>
     <message>
         <source>Jitter</source>
         <translation>Gigue</translation>
     </message>
     <message>
-        <source>How far the time from tick to tick is from the period; 99.9 % of the ticks stay below</source>
-        <translation>Écart du temps entre deux pas à la période&#x202f;; 99,9&#x202f;% des pas restent en dessous</translation>
-    </message>
-    <message>
         <source>Late ticks</source>
         <translation>Pas en retard</translation>
-    </message>
-    <message>
-        <source>Ticks that ended after their time, of all since the loop began; periods left out for it</source>
-        <translation>Pas finis après leur temps, sur tous depuis le début de la boucle&#x202f;; périodes sautées pour cela</translation>
     </message>
     <message>
         <source>Dropped ticks</source>
         <translation>Pas perdus</translation>
     </message>
     <message>
-        <source>Ticks that were felt but are not in this recording, because the disk was slow</source>
-        <translation>Pas sentis mais absents de cet enregistrement, le disque étant lent</translation>
-    </message>
-    <message>
         <source>Energy</source>
         <translation>Énergie</translation>
-    </message>
-    <message>
-        <source>Energy observer: what the hand has put into the touched tissue and not got back [mJ]</source>
-        <translation>Observateur d’énergie&#x202f;: ce que la main a mis dans le tissu touché sans le récupérer [mJ]</translation>
     </message>
     <message>
         <source>Damping added</source>
         <translation>Amortissement ajouté</translation>
     </message>
     <message>
-        <source>Force that the passivity controller adds against the movement [N]</source>
-        <translation>Force que le contrôleur de passivité ajoute contre le mouvement [N]</translation>
-    </message>
-    <message>
         <source>Device round trip</source>
         <translation>Aller-retour de l’appareil</translation>
-    </message>
-    <message>
-        <source>From a report of the device received to the force that answers it written</source>
-        <translation>De la réception d’un rapport de l’appareil à l’écriture de la force qui y répond</translation>
     </message>
     <message>
         <source>Delay</source>
         <translation>Retard</translation>
     </message>
     <message>
-        <source>After which the force is taken to act: it bounds the stiffness that is stable</source>
-        <translation>Après lequel la force est censée agir&#x202f;: il borne la raideur stable</translation>
-    </message>
-    <message>
         <source>Device reports</source>
         <translation>Rapports de l’appareil</translation>
-    </message>
-    <message>
-        <source>Received, of those not to be believed, and how often the device was lost</source>
-        <translation>Reçus, dont non crédibles, et combien de fois l’appareil a été perdu</translation>
     </message>
     <message>
         <source>%1 kHz</source>
@@ -3410,10 +4411,6 @@ Sous zéro, le programme donnerait plus qu’il n’a pris&#x202f;; l’amortiss
         <translation>Cadence de la boucle</translation>
     </message>
     <message>
-        <source>Ticks a second. A faster loop holds stiffer tissue where the device keeps up; see the jitter.</source>
-        <translation>Pas par seconde. Une boucle plus rapide tient un tissu plus raide si l’appareil suit&#x202f;; voir la gigue.</translation>
-    </message>
-    <message>
         <source>Servo rate</source>
         <translation>Cadence servo</translation>
     </message>
@@ -3422,18 +4419,8 @@ Sous zéro, le programme donnerait plus qu’il n’a pris&#x202f;; l’amortiss
         <translation>Libre</translation>
     </message>
     <message>
-        <source>CPU %1 alone</source>
-        <translation>CPU %1 seul</translation>
-    </message>
-    <message>
         <source>CPU of the servo loop</source>
         <translation>CPU de la boucle</translation>
-    </message>
-    <message>
-        <source>Where the servo loop runs. One CPU alone helps where it is kept free of everything else; elsewhere &quot;Any&quot; lets
-the loop go where there is room.</source>
-        <translation>Où tourne la boucle d’asservissement. Un CPU seul aide s’il est gardé libre de tout le reste&#x202f;; sinon «&#x202f;Libre&#x202f;»
-laisse la boucle aller où il y a de la place.</translation>
     </message>
     <message>
         <source>Servo CPU</source>
@@ -3444,16 +4431,104 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>99,9&#x202f;% sous %1</translation>
     </message>
     <message>
-        <source>%1 of %2, %3 left out</source>
-        <translation>%1 sur %2, sautés&#x202f;: %3</translation>
-    </message>
-    <message>
         <source>%1 mJ</source>
         <translation>%1&#xa0;mJ</translation>
     </message>
     <message>
         <source>%1 N</source>
         <translation>%1&#xa0;N</translation>
+    </message>
+    <message>
+        <source>median %1, 99 % below %2</source>
+        <translation>médiane %1, 99 % sous %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 rejected, %3 dropouts</source>
+        <translation>%1, %2 rejetés, %3 pertes</translation>
+    </message>
+    <message>
+        <source>Touch runs at %1 updates per second instead of %2, so forces may stutter. Close other programs.</source>
+        <translation>Le toucher est calculé %1 fois par seconde au lieu de %2 ; la force peut saccader. Fermez d’autres programmes.</translation>
+    </message>
+    <message>
+        <source>Touch has no real-time priority, so other programs may make the force stutter. The list of messages (F4) explains how to allow real-time priority.</source>
+        <translation>Le toucher n’a pas de priorité temps réel ; d’autres programmes peuvent faire saccader la force. La liste des messages (F4) explique comment l’autoriser.</translation>
+    </message>
+    <message>
+        <source>Touch runs at the full rate of %1 updates per second.</source>
+        <translation>Le toucher tourne à pleine cadence, %1 fois par seconde.</translation>
+    </message>
+    <message>
+        <source>Energy observer: energy that the hand has put into the touched tissue and not recovered [mJ].
+A negative value means that the simulation adds energy; damping then removes the surplus.</source>
+        <translation>Bilan d’énergie : énergie que la main a fournie au tissu touché sans la récupérer [mJ].
+Une valeur négative signifie que la simulation ajoute de l’énergie ; l’amortissement retire alors l’excédent.</translation>
+    </message>
+    <message>
+        <source>Real-time settings of the servo thread</source>
+        <translation>Réglages temps réel du fil servo</translation>
+    </message>
+    <message>
+        <source>Active constraints: surface planes that hold the hand back (at most 3)</source>
+        <translation>Contraintes actives : plans de la surface qui retiennent la main (3 au plus)</translation>
+    </message>
+    <message>
+        <source>Solver time per tick, for ticks with a hand</source>
+        <translation>Durée d’un pas dans le solveur, pour les pas avec une main</translation>
+    </message>
+    <message>
+        <source>Servo ticks per second, over the last half second [kHz]</source>
+        <translation>Pas servo par seconde, sur la dernière demi-seconde [kHz]</translation>
+    </message>
+    <message>
+        <source>Deviation of the tick interval from the period; 99.9 % of the ticks stay below this value</source>
+        <translation>Écart de l’intervalle entre deux pas à la période ; 99,9 % des pas restent sous cette valeur</translation>
+    </message>
+    <message>
+        <source>Ticks that finished late, out of all ticks since the loop started, and the periods skipped as a result</source>
+        <translation>Pas finis en retard, sur tous les pas depuis le début de la boucle, et périodes sautées de ce fait</translation>
+    </message>
+    <message>
+        <source>Ticks missing from this recording because the disk was too slow</source>
+        <translation>Pas absents de cet enregistrement car le disque était trop lent</translation>
+    </message>
+    <message>
+        <source>Energy observer: energy that the hand has put into the touched tissue and not recovered [mJ]</source>
+        <translation>Bilan d’énergie : énergie que la main a fournie au tissu touché sans la récupérer [mJ]</translation>
+    </message>
+    <message>
+        <source>Force that the passivity controller adds against the motion [N]</source>
+        <translation>Force que le contrôleur de passivité ajoute contre le mouvement [N]</translation>
+    </message>
+    <message>
+        <source>Time from receiving a device report to writing the resulting force</source>
+        <translation>Temps entre la réception d’un rapport de l’appareil et l’écriture de la force résultante</translation>
+    </message>
+    <message>
+        <source>Assumed delay until the force acts; limits the stable stiffness</source>
+        <translation>Retard supposé avant que la force agisse ; limite la raideur stable</translation>
+    </message>
+    <message>
+        <source>Reports received, reports rejected as implausible, and connection losses</source>
+        <translation>Rapports reçus, rapports rejetés comme non plausibles et pertes de connexion</translation>
+    </message>
+    <message>
+        <source>Ticks per second. A faster loop keeps stiffer tissue stable if the device keeps up; check the jitter.</source>
+        <translation>Pas par seconde. Une boucle plus rapide garde stable un tissu plus raide si l’appareil suit ; surveiller la gigue.</translation>
+    </message>
+    <message>
+        <source>CPU %1 only</source>
+        <translation>CPU %1 seul</translation>
+    </message>
+    <message>
+        <source>CPU for the servo loop. A single CPU helps only if no other program uses that CPU;
+otherwise choose &quot;Any&quot;.</source>
+        <translation>CPU de la boucle d’asservissement. Un seul CPU n’aide que si aucun autre programme ne l’utilise ;
+sinon choisir « Libre ».</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 skipped</source>
+        <translation>%1 sur %2, sautés : %3</translation>
     </message>
 </context>
 <context>
@@ -3467,12 +4542,6 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>touché légèrement</translation>
     </message>
     <message>
-        <source>Felt when %1
-(estimate)</source>
-        <translation>Palpable, %1
-(estimation)</translation>
-    </message>
-    <message>
         <source>not judged</source>
         <translation>non jugé</translation>
     </message>
@@ -3481,20 +4550,26 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>0&#x202f;%&#x202f;: aucun nodule</translation>
     </message>
     <message>
-        <source>7 %: half of that</source>
-        <translation>7&#x202f;%&#x202f;: la moitié de cela</translation>
-    </message>
-    <message>
-        <source>14 %: a trained hand tells</source>
-        <translation>14&#x202f;%&#x202f;: une main exercée le sent</translation>
-    </message>
-    <message>
         <source>28 %: plainly felt</source>
         <translation>28&#x202f;%&#x202f;: nettement senti</translation>
     </message>
     <message>
-        <source>%1 %: most here</source>
-        <translation>%1&#x202f;%&#x202f;: le plus ici</translation>
+        <source>Palpability, %1
+(estimate)</source>
+        <translation>Palpabilité, %1
+(estimation)</translation>
+    </message>
+    <message>
+        <source>7 %: not noticed</source>
+        <translation>7 % : non remarqué</translation>
+    </message>
+    <message>
+        <source>14 %: by a trained hand</source>
+        <translation>14 % : par une main exercée</translation>
+    </message>
+    <message>
+        <source>%1 %: maximum here</source>
+        <translation>%1 % : maximum ici</translation>
     </message>
 </context>
 <context>
@@ -3508,48 +4583,12 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>Nodule</translation>
     </message>
     <message>
-        <source>Times as stiff</source>
-        <translation>Rapport de raideur</translation>
-    </message>
-    <message>
-        <source>Least cover</source>
-        <translation>Moindre épaisseur</translation>
-    </message>
-    <message>
         <source>Pressed %1 mm</source>
         <translation>Appuyé de %1&#xa0;mm</translation>
     </message>
     <message>
         <source>Touched lightly</source>
         <translation>Touché légèrement</translation>
-    </message>
-    <message>
-        <source>Lumps and whether a hand finds them</source>
-        <translation>Les nodules, et si une main les trouve</translation>
-    </message>
-    <message>
-        <source>How deep the finger is pressed in</source>
-        <translation>De combien le doigt est enfoncé</translation>
-    </message>
-    <message>
-        <source>Coloured as pressed %1 mm</source>
-        <translation>Coloré pour un appui de %1&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>Coloured as touched lightly</source>
-        <translation>Coloré pour un toucher léger</translation>
-    </message>
-    <message>
-        <source>Show me the best place</source>
-        <translation>Montrer le meilleur endroit</translation>
-    </message>
-    <message>
-        <source>How many times as stiff as its organ the lump is</source>
-        <translation>Combien de fois le nodule est plus raide que son organe</translation>
-    </message>
-    <message>
-        <source>Where the lump&apos;s stiffness comes from</source>
-        <translation>D’où vient la raideur du nodule</translation>
     </message>
     <message>
         <source>As typed</source>
@@ -3572,20 +4611,8 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>&#xa0;kPa</translation>
     </message>
     <message>
-        <source>by</source>
-        <translation>par</translation>
-    </message>
-    <message>
-        <source>Being computed…</source>
-        <translation>Calcul en cours…</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>lies open</source>
-        <translation>à découvert</translation>
     </message>
     <message>
         <source>in %1</source>
@@ -3596,32 +4623,80 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>entre %1 et %2</translation>
     </message>
     <message>
-        <source>Times as stiff as its organ:</source>
-        <translation>Combien de fois plus raide que son organe&#x202f;:</translation>
-    </message>
-    <message>
-        <source>%1, times as stiff as %2:</source>
-        <translation>%1, combien de fois plus raide que %2&#x202f;:</translation>
-    </message>
-    <message>
         <source>Stiffness of %1</source>
         <translation>Raideur de %1</translation>
     </message>
     <message>
-        <source>No place over this lump can be judged.</source>
-        <translation>Aucun endroit au-dessus de ce nodule ne peut être jugé.</translation>
+        <source>Stiffness ratio</source>
+        <translation>Rapport de raideur</translation>
     </message>
     <message>
-        <source>By tissues or names</source>
+        <source>Tissue above</source>
+        <translation>Tissu au-dessus</translation>
+    </message>
+    <message>
+        <source>Lumps and their palpability</source>
+        <translation>Nodules et leur palpabilité</translation>
+    </message>
+    <message>
+        <source>Press depth of the finger</source>
+        <translation>Profondeur d’appui du doigt</translation>
+    </message>
+    <message>
+        <source>Colours: pressed %1 mm</source>
+        <translation>Couleurs : appui de %1 mm</translation>
+    </message>
+    <message>
+        <source>Colours: touched lightly</source>
+        <translation>Couleurs : toucher léger</translation>
+    </message>
+    <message>
+        <source>Show the best place</source>
+        <translation>Montrer le meilleur endroit</translation>
+    </message>
+    <message>
+        <source>Stiffness of the lump relative to the organ</source>
+        <translation>Raideur du nodule par rapport à l’organe</translation>
+    </message>
+    <message>
+        <source>Source of the stiffness ratio</source>
+        <translation>Source du rapport de raideur</translation>
+    </message>
+    <message>
+        <source>From tissues or names</source>
         <translation>D’après tissus ou noms</translation>
     </message>
     <message>
-        <source>As published: %1, %2</source>
-        <translation>Publié&#x202f;: %1, %2</translation>
+        <source>Published: %1, %2</source>
+        <translation>Publié : %1, %2</translation>
     </message>
     <message>
-        <source>type it, or choose one that is published</source>
-        <translation>saisir, ou choisir une valeur publiée</translation>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Calcul en cours…</translation>
+    </message>
+    <message>
+        <source>exposed</source>
+        <translation>à découvert</translation>
+    </message>
+    <message>
+        <source>enter a ratio or choose a published one</source>
+        <translation>saisir ou choisir une valeur publiée</translation>
+    </message>
+    <message>
+        <source>Stiffness ratio to the organ:</source>
+        <translation>Rapport de raideur à l’organe :</translation>
+    </message>
+    <message>
+        <source>%1, stiffness ratio to %2:</source>
+        <translation>%1, rapport de raideur à %2 :</translation>
+    </message>
+    <message>
+        <source>No place above this lump can be judged.</source>
+        <translation>Aucun endroit au-dessus de ce nodule ne peut être jugé.</translation>
     </message>
 </context>
 <context>
@@ -3659,26 +4734,6 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>nettement senti</translation>
     </message>
     <message>
-        <source>a trained hand tells it</source>
-        <translation>une main exercée le sent</translation>
-    </message>
-    <message>
-        <source>below what a trained hand tells</source>
-        <translation>moins que ne sent une main exercée</translation>
-    </message>
-    <message>
-        <source>the surface bends too much</source>
-        <translation>la surface est trop courbée</translation>
-    </message>
-    <message>
-        <source>the organ is too thin</source>
-        <translation>l’organe est trop mince</translation>
-    </message>
-    <message>
-        <source>lumps reach into each other</source>
-        <translation>des nodules se recoupent</translation>
-    </message>
-    <message>
         <source>not judged here: %1</source>
         <translation>non jugé ici&#x202f;: %1</translation>
     </message>
@@ -3687,10 +4742,6 @@ laisse la boucle aller où il y a de la place.</translation>
 %1 when pressed %2 mm</source>
         <translation>&#x202f;;
 %1 en appuyant de %2&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>no lump is felt here</source>
-        <translation>aucun nodule n’est senti ici</translation>
     </message>
     <message>
         <source>%1: %2 mm below, %3 (%4 … %5 %): %6</source>
@@ -3777,12 +4828,36 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>%1 (à %2&#x202f;: %3&#x202f;; à %4&#x202f;: %5)</translation>
     </message>
     <message>
-        <source>not known</source>
+        <source>surface too curved</source>
+        <translation>surface trop courbée</translation>
+    </message>
+    <message>
+        <source>organ too thin</source>
+        <translation>organe trop mince</translation>
+    </message>
+    <message>
+        <source>lumps overlap</source>
+        <translation>nodules superposés</translation>
+    </message>
+    <message>
+        <source>felt by a trained hand</source>
+        <translation>senti par une main exercée</translation>
+    </message>
+    <message>
+        <source>too little for a trained hand</source>
+        <translation>trop peu pour une main exercée</translation>
+    </message>
+    <message>
+        <source>unknown</source>
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>%1 (at %2 times as stiff)</source>
-        <translation>%1 (%2 fois plus rigide)</translation>
+        <source>no palpable lump here</source>
+        <translation>aucun nodule palpable ici</translation>
+    </message>
+    <message>
+        <source>%1 (stiffness ratio %2)</source>
+        <translation>%1 (rapport de raideur %2)</translation>
     </message>
 </context>
 <context>
@@ -3790,10 +4865,6 @@ laisse la boucle aller où il y a de la place.</translation>
     <message>
         <source>%1: %2 N, %3 mm deep</source>
         <translation>%1&#x202f;: %2&#xa0;N, prof. %3&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>felt %1 N/mm</source>
-        <translation>senti %1&#xa0;N/mm</translation>
     </message>
     <message>
         <source>Delete %1</source>
@@ -3806,10 +4877,6 @@ laisse la boucle aller où il y a de la place.</translation>
     <message>
         <source>note</source>
         <translation>note</translation>
-    </message>
-    <message>
-        <source>Number, as in the view</source>
-        <translation>Numéro, comme dans la vue</translation>
     </message>
     <message>
         <source>№</source>
@@ -3828,20 +4895,8 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>Où</translation>
     </message>
     <message>
-        <source>Size across, as you judge it [mm]</source>
-        <translation>Diamètre, selon votre jugement [mm]</translation>
-    </message>
-    <message>
         <source>Size</source>
         <translation>Taille</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>N</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
     </message>
     <message>
         <source>Note</source>
@@ -3856,10 +4911,6 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>Renommer %1</translation>
     </message>
     <message>
-        <source>Size: found “%1”, expected millimetres as %2.</source>
-        <translation>Taille&#x202f;: «&#x202f;%1&#x202f;» trouvé, millimètres attendus comme %2.</translation>
-    </message>
-    <message>
         <source>Size of %1</source>
         <translation>Taille de %1</translation>
     </message>
@@ -3872,16 +4923,40 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>%1 dans %2</translation>
     </message>
     <message>
-        <source>The structure that was felt, and the organ that it lies in</source>
-        <translation>La structure sentie et son organe</translation>
+        <source>stiffness %1 N/mm</source>
+        <translation>raideur %1 N/mm</translation>
     </message>
     <message>
-        <source>Force of this structure when it was marked [N]</source>
+        <source>Number in the view</source>
+        <translation>Numéro dans la vue</translation>
+    </message>
+    <message>
+        <source>Palpated structure and surrounding organ</source>
+        <translation>Structure palpée et organe environnant</translation>
+    </message>
+    <message>
+        <source>Estimated diameter [mm]</source>
+        <translation>Diamètre estimé [mm]</translation>
+    </message>
+    <message>
+        <source>Force of this structure at the time of marking [N]</source>
         <translation>Force de cette structure au marquage [N]</translation>
     </message>
     <message>
-        <source>Depth in this structure when it was marked [mm]</source>
+        <source>Force [N]</source>
+        <translation>Force [N]</translation>
+    </message>
+    <message>
+        <source>Depth in this structure at the time of marking [mm]</source>
         <translation>Profondeur dans cette structure au marquage [mm]</translation>
+    </message>
+    <message>
+        <source>Depth [mm]</source>
+        <translation>Profondeur [mm]</translation>
+    </message>
+    <message>
+        <source>Size: found “%1”, expected millimetres such as %2.</source>
+        <translation>Taille : « %1 » trouvé, millimètres attendus comme %2.</translation>
     </message>
 </context>
 <context>
@@ -3891,24 +4966,20 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>Points repérés et notes</translation>
     </message>
     <message>
-        <source>No finding yet. Press on a place and mark it with M; N writes a note without a place.</source>
-        <translation>Aucun point repéré. Appuyer à un endroit et le marquer par M&#x202f;; N écrit une note sans endroit.</translation>
-    </message>
-    <message>
-        <source>Write a note (N), Enter keeps it</source>
-        <translation>Écrire une note (N), Entrée la garde</translation>
-    </message>
-    <message>
         <source>New note without a place</source>
         <translation>Nouvelle note sans endroit</translation>
+    </message>
+    <message>
+        <source>No findings yet. Press on a place and mark a finding with M; N adds a note without a place.</source>
+        <translation>Aucun point repéré. Appuyer à un endroit et marquer un point par M ; N ajoute une note sans endroit.</translation>
+    </message>
+    <message>
+        <source>Write a note (N), Enter saves</source>
+        <translation>Écrire une note (N), Entrée enregistre</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::ForceBar</name>
-    <message>
-        <source>Force in newton</source>
-        <translation>Force en newtons</translation>
-    </message>
     <message>
         <source>%1 N of %2 N</source>
         <translation>%1&#xa0;N sur %2&#xa0;N</translation>
@@ -3921,17 +4992,13 @@ laisse la boucle aller où il y a de la place.</translation>
         <source>limit %1 N</source>
         <translation>limite %1&#xa0;N</translation>
     </message>
+    <message>
+        <source>Force in newtons</source>
+        <translation>Force en newtons</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::ForceTimeline</name>
-    <message>
-        <source>Timeline of the recording&apos;s force</source>
-        <translation>Chronologie de la force</translation>
-    </message>
-    <message>
-        <source>Force [N] over the recording. Click or drag to go there; ← and → step 0.1 s, Home and End.</source>
-        <translation>Force [N] au fil de l’enregistrement. Cliquer ou glisser pour y aller&#x202f;; ← et →&#x202f;: 0,1&#xa0;s, Début et Fin.</translation>
-    </message>
     <message>
         <source>no recording</source>
         <translation>aucun enregistrement</translation>
@@ -3960,79 +5027,59 @@ laisse la boucle aller où il y a de la place.</translation>
         <source>%1 N</source>
         <translation>%1&#xa0;N</translation>
     </message>
+    <message>
+        <source>Force timeline of the recording</source>
+        <translation>Chronologie de la force de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Force [N] during the recording. Click or drag to seek; ← and → step by 0.1 s, Home and End jump to the ends.</source>
+        <translation>Force [N] pendant l’enregistrement. Cliquer ou glisser pour s’y placer ; ← et → avancent de 0,1 s, Début et Fin vont aux extrémités.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::HandControl</name>
-    <message>
-        <source>%1; any is used</source>
-        <translation>%1&#x202f;; CPU libre</translation>
-    </message>
-    <message>
-        <source>Touch the place, point at it or mark it as a finding (M) first.</source>
-        <translation>Touchez d’abord l’endroit, pointez-le ou marquez-le comme point repéré (M).</translation>
-    </message>
-    <message>
-        <source>Nothing is shown that the hand&apos;s space could be zoomed to.</source>
-        <translation>Rien n’est affiché sur quoi zoomer l’espace de la main.</translation>
-    </message>
-    <message>
-        <source>%1 fills the hand&apos;s space. The hand stays where it touches; Centre brings it to the middle.</source>
-        <translation>L’espace de la main est rempli par&#x202f;: %1. La main reste où elle touche&#x202f;; Centrer la ramène au milieu.</translation>
-    </message>
-    <message>
-        <source>%1 fills the hand&apos;s space.</source>
-        <translation>L’espace de la main est rempli par&#x202f;: %1.</translation>
-    </message>
     <message>
         <source>The whole scene</source>
         <translation>Toute la scène</translation>
     </message>
     <message>
-        <source>10 mm where the hand touches</source>
-        <translation>10&#xa0;mm où touche la main</translation>
+        <source>%1; using any CPU</source>
+        <translation>%1 ; CPU libre</translation>
     </message>
     <message>
-        <source>10 mm under the pointer</source>
-        <translation>10&#xa0;mm sous le pointeur</translation>
+        <source>First touch a place, point at one or mark a finding (M).</source>
+        <translation>D’abord toucher un endroit, le pointer ou marquer un point (M).</translation>
     </message>
     <message>
-        <source>10 mm about finding %1</source>
-        <translation>10&#xa0;mm autour du point %1</translation>
+        <source>No visible structure to fit the workspace to.</source>
+        <translation>Aucune structure visible à laquelle ajuster l’espace de travail.</translation>
+    </message>
+    <message>
+        <source>%1 fills the workspace. The hand stays in contact; Centre moves the hand to the middle.</source>
+        <translation>L’espace de travail est rempli par : %1. La main reste en contact ; Centrer la ramène au milieu.</translation>
+    </message>
+    <message>
+        <source>%1 fills the workspace.</source>
+        <translation>L’espace de travail est rempli par : %1.</translation>
+    </message>
+    <message>
+        <source>10 mm around the contact</source>
+        <translation>10 mm autour du contact</translation>
+    </message>
+    <message>
+        <source>10 mm around the pointer</source>
+        <translation>10 mm autour du pointeur</translation>
+    </message>
+    <message>
+        <source>10 mm around finding %1</source>
+        <translation>10 mm autour du point %1</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::HandPanel</name>
     <message>
-        <source>No motors: the force is shown, not felt, and tissue may be as stiff as you like.</source>
-        <translation>Pas de moteurs&#x202f;: la force est affichée, non sentie, et le tissu peut être aussi raide que voulu.</translation>
-    </message>
-    <message>
-        <source>This device can show tissue up to %1 N/mm.</source>
-        <translation>Cet appareil peut rendre un tissu jusqu’à %1&#xa0;N/mm.</translation>
-    </message>
-    <message>
-        <source>At the edge of the hand&apos;s space: bring the device back to its middle. The hand in the scene stays until then.</source>
-        <translation>Au bord de l’espace de la main&#x202f;: ramenez l’appareil au milieu. La main dans la scène attend jusque-là.</translation>
-    </message>
-    <message>
-        <source>Lifted: the device moves, the hand in the scene stays.</source>
-        <translation>Levée&#x202f;: l’appareil bouge, la main dans la scène reste.</translation>
-    </message>
-    <message>
-        <source>Inside %1, which is felt from outside: bring the hand out towards you first.</source>
-        <translation>Dans %1, senti de l’extérieur&#x202f;: ramenez d’abord la main vers vous.</translation>
-    </message>
-    <message>
-        <source>As it lies: the device&apos;s millimetres are the scene&apos;s.</source>
-        <translation>Tel quel&#x202f;: les millimètres de l’appareil sont ceux de la scène.</translation>
-    </message>
-    <message>
         <source>1 mm of the device is %1 mm of the scene.</source>
         <translation>1&#xa0;mm de l’appareil vaut %1&#xa0;mm de la scène.</translation>
-    </message>
-    <message>
-        <source>%1 fills the hand&apos;s space: 1 mm of the device is %2 mm of the scene.</source>
-        <translation>L’espace de la main est rempli par&#x202f;: %1. 1&#xa0;mm de l’appareil vaut %2&#xa0;mm de la scène.</translation>
     </message>
     <message>
         <source>Nothing yet</source>
@@ -4043,40 +5090,16 @@ laisse la boucle aller où il y a de la place.</translation>
         <translation>Force sur la main</translation>
     </message>
     <message>
-        <source>Stiffest tissue that can be shown</source>
-        <translation>Tissu le plus raide qui puisse être rendu</translation>
-    </message>
-    <message>
         <source>Everything</source>
         <translation>Tout</translation>
-    </message>
-    <message>
-        <source>The device&apos;s whole way then goes through all that is shown (W)</source>
-        <translation>Toute la course de l’appareil parcourt alors tout ce qui est affiché (W)</translation>
     </message>
     <message>
         <source>Organ</source>
         <translation>Organe</translation>
     </message>
     <message>
-        <source>The device&apos;s whole way then goes through the organ that is touched; else the one under the pointer or selected (O)</source>
-        <translation>Toute la course de l’appareil parcourt alors l’organe touché&#x202f;; sinon celui sous le pointeur ou choisi (O)</translation>
-    </message>
-    <message>
         <source>Lump</source>
         <translation>Nodule</translation>
-    </message>
-    <message>
-        <source>The device&apos;s whole way is then 10 mm: where the hand touches, else under the pointer, else about the newest finding (L)</source>
-        <translation>Toute la course de l’appareil vaut alors 10&#xa0;mm&#x202f;: où touche la main, sinon sous le pointeur, sinon autour du dernier point repéré (L)</translation>
-    </message>
-    <message>
-        <source>Zoom the hand&apos;s space to</source>
-        <translation>Zoomer l’espace de la main sur</translation>
-    </message>
-    <message>
-        <source>What fills the hand&apos;s space</source>
-        <translation>Ce qui remplit l’espace de la main</translation>
     </message>
     <message>
         <source> mm per mm</source>
@@ -4085,38 +5108,6 @@ laisse la boucle aller où il y a de la place.</translation>
     <message>
         <source>Scale</source>
         <translation>Échelle</translation>
-    </message>
-    <message>
-        <source>Millimetres of the scene for a millimetre of the device</source>
-        <translation>Millimètres de la scène pour un millimètre de l’appareil</translation>
-    </message>
-    <message>
-        <source>The picture</source>
-        <translation>L’image</translation>
-    </message>
-    <message>
-        <source>The patient</source>
-        <translation>Le patient</translation>
-    </message>
-    <message>
-        <source>Nothing: as it lies</source>
-        <translation>Rien&#x202f;: tel quel</translation>
-    </message>
-    <message>
-        <source>What the device turns with</source>
-        <translation>Avec quoi l’appareil tourne</translation>
-    </message>
-    <message>
-        <source>The picture: right is right in the view, however it is turned.
-The patient: right is to the patient&apos;s left, up is to the head.
-Nothing: the device&apos;s coordinates are the scene&apos;s, without scale, and the hand cannot be lifted.</source>
-        <translation>L’image&#x202f;: la droite est à droite dans la vue, quelle que soit son orientation.
-Le patient&#x202f;: la droite va vers la gauche du patient, le haut vers la tête.
-Rien&#x202f;: les coordonnées de l’appareil sont celles de la scène, sans échelle, et la main ne peut être levée.</translation>
-    </message>
-    <message>
-        <source>Turns with</source>
-        <translation>Tourne avec</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -4131,10 +5122,6 @@ Rien&#x202f;: les coordonnées de l’appareil sont celles de la scène, sans é
         <translation>Centrer</translation>
     </message>
     <message>
-        <source>Use of button %1</source>
-        <translation>Usage du bouton %1</translation>
-    </message>
-    <message>
         <source>Button %1</source>
         <translation>Bouton %1</translation>
     </message>
@@ -4143,74 +5130,158 @@ Rien&#x202f;: les coordonnées de l’appareil sont celles de la scène, sans é
         <translation>Main gauche</translation>
     </message>
     <message>
-        <source>The first two buttons change places</source>
-        <translation>Les deux premiers boutons sont échangés</translation>
-    </message>
-    <message>
-        <source>While held the device moves and the hand in the scene stays; the key C switches it</source>
-        <translation>Tant qu’il est tenu, l’appareil bouge et la main dans la scène reste&#x202f;; la touche C bascule</translation>
-    </message>
-    <message>
-        <source>Puts the middle of the device&apos;s way in the middle of what the hand&apos;s space is zoomed to</source>
-        <translation>Met le milieu de la course de l’appareil au milieu de ce sur quoi l’espace de la main est zoomé</translation>
-    </message>
-    <message>
         <source>Depth (wheel)</source>
         <translation>Profondeur (molette)</translation>
-    </message>
-    <message>
-        <source>Effort (hold)</source>
-        <translation>Effort (tenir)</translation>
-    </message>
-    <message>
-        <source>What a press sets</source>
-        <translation>Ce que règle un appui</translation>
-    </message>
-    <message>
-        <source>Depth: the same depth everywhere, and a stiff place pushes back harder.
-Effort: the same force everywhere, and a stiff place gives way less. The force rises by 1 N a second while the button is held; a pen gives it by its pressure. (E)</source>
-        <translation>Profondeur&#x202f;: la même partout, et un endroit raide repousse plus fort.
-Effort&#x202f;: la même force partout, et un endroit raide cède moins. La force croît de 1&#xa0;N par seconde tant que le bouton est tenu&#x202f;; un stylet la donne par sa pression. (E)</translation>
-    </message>
-    <message>
-        <source>A press sets</source>
-        <translation>Un appui règle</translation>
     </message>
     <message>
         <source> N</source>
         <translation>&#xa0;N</translation>
     </message>
     <message>
-        <source>Greatest effort</source>
-        <translation>Effort maximal</translation>
-    </message>
-    <message>
-        <source>The press gets no harder than this, and a pen&apos;s full pressure is this; the wheel changes it by 0.5 N</source>
-        <translation>L’appui ne dépasse pas cette force, que donne aussi la pleine pression d’un stylet&#x202f;; la molette la change de 0,5&#xa0;N</translation>
-    </message>
-    <message>
-        <source>At most</source>
-        <translation>Au plus</translation>
-    </message>
-    <message>
         <source>Force on the hand %1 N of %2 N</source>
         <translation>Force sur la main %1&#xa0;N sur %2&#xa0;N</translation>
+    </message>
+    <message>
+        <source>No motors: forces are displayed, not felt. Any stiffness is possible.</source>
+        <translation>Pas de moteurs : les forces sont affichées, non senties. Toute raideur est possible.</translation>
+    </message>
+    <message>
+        <source>This device can render tissue up to %1 N/mm.</source>
+        <translation>Cet appareil peut rendre un tissu jusqu’à %1 N/mm.</translation>
+    </message>
+    <message>
+        <source>Edge of the workspace: move the device back to the middle. Until then, the hand in the scene does not move.</source>
+        <translation>Bord de l’espace de travail : ramenez l’appareil au milieu. D’ici là, la main ne bouge pas dans la scène.</translation>
+    </message>
+    <message>
+        <source>Lifted: the device moves, the hand in the scene does not.</source>
+        <translation>Levée : l’appareil bouge, la main dans la scène non.</translation>
+    </message>
+    <message>
+        <source>The hand is inside %1, which is only felt from outside. Move the hand out towards you first.</source>
+        <translation>La main est dans %1, palpable seulement de l’extérieur. Ramenez d’abord la main vers vous.</translation>
+    </message>
+    <message>
+        <source>Unscaled: 1 mm of the device is 1 mm of the scene.</source>
+        <translation>Sans échelle : 1 mm de l’appareil vaut 1 mm de la scène.</translation>
+    </message>
+    <message>
+        <source>%1 fills the workspace: 1 mm of the device is %2 mm of the scene.</source>
+        <translation>L’espace de travail est rempli par : %1. 1 mm de l’appareil vaut %2 mm de la scène.</translation>
+    </message>
+    <message>
+        <source>Maximum tissue stiffness</source>
+        <translation>Raideur maximale du tissu</translation>
+    </message>
+    <message>
+        <source>Map the full device range to all visible structures (W)</source>
+        <translation>Étendre toute la course de l’appareil à toutes les structures visibles (W)</translation>
+    </message>
+    <message>
+        <source>Map the full device range to the touched organ, or else to the organ under the pointer or the selected one (O)</source>
+        <translation>Étendre toute la course de l’appareil à l’organe touché, sinon à celui sous le pointeur ou à l’organe choisi (O)</translation>
+    </message>
+    <message>
+        <source>Map the full device range to 10 mm around the contact, or else around the pointer or the newest finding (L)</source>
+        <translation>Étendre toute la course de l’appareil à 10 mm autour du contact, sinon autour du pointeur ou du dernier point repéré (L)</translation>
+    </message>
+    <message>
+        <source>Fit workspace to</source>
+        <translation>Ajuster l’espace de travail à</translation>
+    </message>
+    <message>
+        <source>Current workspace</source>
+        <translation>Espace de travail actuel</translation>
+    </message>
+    <message>
+        <source>Scene millimetres per device millimetre</source>
+        <translation>Millimètres de la scène par millimètre de l’appareil</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Scene axes</source>
+        <translation>Axes de la scène</translation>
+    </message>
+    <message>
+        <source>Device orientation</source>
+        <translation>Orientation de l’appareil</translation>
+    </message>
+    <message>
+        <source>View: right is right on screen, however the view is rotated.
+Patient: right is the patient&apos;s left, up is towards the head.
+Scene axes: device coordinates equal scene coordinates, without scaling; the hand cannot be lifted.</source>
+        <translation>Vue : la droite est à droite à l’écran, quelle que soit l’orientation de la vue.
+Patient : la droite est la gauche du patient, le haut va vers la tête.
+Axes de la scène : les coordonnées de l’appareil sont celles de la scène, sans échelle ; la main ne peut être levée.</translation>
+    </message>
+    <message>
+        <source>Aligned with</source>
+        <translation>Aligné sur</translation>
+    </message>
+    <message>
+        <source>Function of button %1</source>
+        <translation>Fonction du bouton %1</translation>
+    </message>
+    <message>
+        <source>Swaps the first two buttons</source>
+        <translation>Échange les deux premiers boutons</translation>
+    </message>
+    <message>
+        <source>While held, the device moves and the hand in the scene does not; C switches lifting on and off</source>
+        <translation>Tant qu’il est tenu, l’appareil bouge et la main dans la scène non ; C active ou désactive</translation>
+    </message>
+    <message>
+        <source>Centres the device range on the fitted region</source>
+        <translation>Centre la course de l’appareil sur la région ajustée</translation>
+    </message>
+    <message>
+        <source>Force (hold)</source>
+        <translation>Force (tenir)</translation>
+    </message>
+    <message>
+        <source>Press mode</source>
+        <translation>Mode d’appui</translation>
+    </message>
+    <message>
+        <source>Depth: the same depth everywhere; a stiff place pushes back harder.
+Force: the same force everywhere; a stiff place yields less. The force rises by 1 N per second while the button is held; with a pen, the pen pressure sets the force. (E)</source>
+        <translation>Profondeur : la même partout ; un endroit raide repousse plus fort.
+Force : la même partout ; un endroit raide cède moins. La force croît de 1 N par seconde tant que le bouton est tenu ; avec un stylet, sa pression fixe la force. (E)</translation>
+    </message>
+    <message>
+        <source>Maximum force</source>
+        <translation>Force maximale</translation>
+    </message>
+    <message>
+        <source>Force limit of a press and force at full pen pressure; the wheel changes the value by 0.5 N</source>
+        <translation>Limite de force d’un appui et force à pleine pression du stylet ; la molette change la valeur de 0,5 N</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::HintLine</name>
     <message>
-        <source>The newest message; F4 shows all</source>
-        <translation>Le dernier message&#x202f;; F4 les affiche tous</translation>
+        <source>Latest message; F4 shows all</source>
+        <translation>Dernier message ; F4 les affiche tous</translation>
     </message>
     <message>
         <source>%1
-Press here or F4 for all messages</source>
+Click here or press F4 for all messages</source>
         <translation>%1
-Appuyer ici ou F4 pour tous les messages</translation>
+Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
-        <source>No new message</source>
+        <source>No new messages</source>
         <translation>Aucun nouveau message</translation>
     </message>
 </context>
@@ -4256,18 +5327,6 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>Points mesurés</translation>
     </message>
     <message>
-        <source>Law</source>
-        <translation>Loi</translation>
-    </message>
-    <message>
-        <source>By what law the force rises with the depth</source>
-        <translation>Selon quelle loi la force croît avec la profondeur</translation>
-    </message>
-    <message>
-        <source>Take the points of a measured curve from a CSV file with depth_mm and force_N</source>
-        <translation>Prendre les points d’une courbe mesurée dans un fichier CSV avec depth_mm et force_N</translation>
-    </message>
-    <message>
         <source>%1 in %2</source>
         <translation>%1 en %2</translation>
     </message>
@@ -4279,21 +5338,21 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <source>Tables (*.csv);;All files (*)</source>
         <translation>Tableaux (*.csv);;Tous les fichiers (*)</translation>
     </message>
+    <message>
+        <source>Force law</source>
+        <translation>Loi de force</translation>
+    </message>
+    <message>
+        <source>How the force rises with depth</source>
+        <translation>Comment la force croît avec la profondeur</translation>
+    </message>
+    <message>
+        <source>Load a measured curve from a CSV file with columns depth_mm and force_N</source>
+        <translation>Charger une courbe mesurée depuis un fichier CSV avec les colonnes depth_mm et force_N</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::LawPlot</name>
-    <message>
-        <source>Force in newton by depth in millimetres</source>
-        <translation>Force en newtons selon la profondeur en millimètres</translation>
-    </message>
-    <message>
-        <source>Force [N] by depth [mm]. Drag a point; or choose one with ← → and move it with ↑ ↓</source>
-        <translation>Force [N] selon la profondeur [mm]. Glisser un point&#x202f;; ou en choisir un par ← → et le déplacer par ↑ ↓</translation>
-    </message>
-    <message>
-        <source>Force [N] by depth [mm]</source>
-        <translation>Force [N] selon la profondeur [mm]</translation>
-    </message>
     <message>
         <source>%1 mm deep</source>
         <translation>prof. %1&#xa0;mm</translation>
@@ -4314,48 +5373,52 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <source>now %1 mm, here × %2</source>
         <translation>maintenant %1&#xa0;mm, ici × %2</translation>
     </message>
+    <message>
+        <source>Force in newtons over depth in millimetres</source>
+        <translation>Force en newtons selon la profondeur en millimètres</translation>
+    </message>
+    <message>
+        <source>Force [N] over depth [mm]. Drag a point, or select one with ← → and move with ↑ ↓</source>
+        <translation>Force [N] selon la profondeur [mm]. Glisser un point, ou en choisir un par ← → et le déplacer par ↑ ↓</translation>
+    </message>
+    <message>
+        <source>Force [N] over depth [mm]</source>
+        <translation>Force [N] selon la profondeur [mm]</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::LiveTouch</name>
     <message>
-        <source>%1 can show tissue up to %2 N/mm.</source>
-        <translation>%1 peut rendre un tissu jusqu’à %2&#xa0;N/mm.</translation>
+        <source>%1 can render tissue up to %2 N/mm.</source>
+        <translation>%1 peut rendre un tissu jusqu’à %2 N/mm.</translation>
     </message>
     <message>
-        <source>%1 can show tissue up to %2 N/mm here.</source>
-        <translation>%1 peut rendre ici un tissu jusqu’à %2&#xa0;N/mm.</translation>
+        <source>%1 can render tissue up to %2 N/mm here.</source>
+        <translation>%1 peut rendre ici un tissu jusqu’à %2 N/mm.</translation>
     </message>
     <message>
-        <source> Its makers state no more.</source>
-        <translation> Ses fabricants n’annoncent pas plus.</translation>
+        <source> This is the rating of the manufacturer.</source>
+        <translation> C’est la valeur annoncée par le fabricant.</translation>
     </message>
     <message>
-        <source> Its force comes %1 ms late: anything stiffer could make it tremble.</source>
-        <translation> Sa force vient %1&#xa0;ms en retard&#x202f;: plus raide, elle pourrait trembler.</translation>
+        <source> The force is delayed by %1 ms; stiffer tissue could make the device vibrate.</source>
+        <translation> La force est retardée de %1 ms ; un tissu plus raide pourrait faire vibrer l’appareil.</translation>
     </message>
     <message>
-        <source> A millimetre of the device is %1 mm of the scene: with a smaller scale (panel Device) it can show more.</source>
-        <translation> Un millimètre de l’appareil vaut %1&#xa0;mm de la scène&#x202f;: à plus petite échelle (panneau Appareil) il peut rendre plus.</translation>
+        <source> 1 mm of the device is %1 mm of the scene; a smaller scale (Device panel) allows stiffer tissue.</source>
+        <translation> 1 mm de l’appareil vaut %1 mm de la scène ; une échelle plus petite (panneau Appareil) permet un tissu plus raide.</translation>
     </message>
     <message>
-        <source>%1 asks for %2 N/mm; %3 N/mm is felt, the most that %4 can show here%5.</source>
-        <translation>%1 demande %2&#xa0;N/mm&#x202f;; on sent %3&#xa0;N/mm, le plus que %4 puisse rendre ici%5.</translation>
+        <source>%1 is set to %2 N/mm but feels like %3 N/mm, the maximum that %4 can render here%5.</source>
+        <translation>%1 est réglé à %2 N/mm mais se sent comme %3 N/mm, le maximum que %4 peut rendre ici%5.</translation>
     </message>
     <message>
-        <source> beside the layers around it</source>
-        <translation> à côté des couches qui l’entourent</translation>
+        <source> in addition to the surrounding layers</source>
+        <translation> en plus des couches environnantes</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::Looks</name>
-    <message>
-        <source>As the system</source>
-        <translation>Comme le système</translation>
-    </message>
-    <message>
-        <source>Light or dark, as the system is</source>
-        <translation>Clair ou sombre, comme le système</translation>
-    </message>
     <message>
         <source>Light</source>
         <translation>Clair</translation>
@@ -4377,55 +5440,63 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>Contraste élevé, sur noir</translation>
     </message>
     <message>
-        <source>White text on black, with edges that are seen</source>
-        <translation>Texte blanc sur noir, avec des bords visibles</translation>
-    </message>
-    <message>
         <source>High contrast, on white</source>
         <translation>Contraste élevé, sur blanc</translation>
-    </message>
-    <message>
-        <source>Black text on white, with edges that are seen</source>
-        <translation>Texte noir sur blanc, avec des bords visibles</translation>
     </message>
     <message>
         <source>%1 %</source>
         <translation>%1&#x202f;%</translation>
     </message>
     <message>
-        <source>Texts as large as the system&apos;s</source>
-        <translation>Textes aussi grands que ceux du système</translation>
+        <source>Same as system</source>
+        <translation>Comme le système</translation>
     </message>
     <message>
-        <source>Texts in panels and in the view</source>
-        <translation>Textes dans les panneaux et dans la vue</translation>
+        <source>Light or dark, following the system</source>
+        <translation>Clair ou sombre, selon le système</translation>
+    </message>
+    <message>
+        <source>White text on black, with visible edges</source>
+        <translation>Texte blanc sur noir, avec des bords visibles</translation>
+    </message>
+    <message>
+        <source>Black text on white, with visible edges</source>
+        <translation>Texte noir sur blanc, avec des bords visibles</translation>
+    </message>
+    <message>
+        <source>Text size of the system</source>
+        <translation>Taille de texte du système</translation>
+    </message>
+    <message>
+        <source>Text size in panels and in the view</source>
+        <translation>Taille du texte dans les panneaux et dans la vue</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::LumpMaps</name>
     <message>
-        <source>No lump lies inside an organ here: nothing to be felt through one.</source>
-        <translation>Aucun nodule n’est dans un organe ici&#x202f;: rien à sentir à travers un organe.</translation>
+        <source>No lump was found inside a closed organ.</source>
+        <translation>Aucun nodule trouvé dans un organe fermé.</translation>
     </message>
     <message>
-        <source>Making what is felt through %1; until then a lump in it is felt as a layer</source>
-        <translation>Calcul de ce qui se sent à travers %1&#x202f;; d’ici là un nodule y est une couche</translation>
+        <source>Computing how lumps in %1 feel; simulated as layers until then</source>
+        <translation>Calcul des nodules dans %1 ; simulés comme couches d’ici là</translation>
     </message>
     <message>
-        <source>What can be felt of %1</source>
-        <translation>Ce qui se sent de %1</translation>
+        <source>Palpability of %1</source>
+        <translation>Palpabilité de %1</translation>
     </message>
     <message>
-        <source>What is felt through an organ was cancelled: lumps are felt as layers until the scene changes.</source>
-        <translation>Le calcul de ce qui se sent à travers un organe a été annulé&#x202f;: les nodules sont des couches jusqu’au prochain changement de la scène.</translation>
+        <source>The stiffness ratio of %2 to %1 is unknown, so palpability is not judged. Enter a ratio under What can be felt (B) or choose a published one.</source>
+        <translation>Le rapport de raideur de %2 à %1 est inconnu, la palpabilité n’est donc pas jugée. Saisir une valeur sous « Ce qui se sent » (B) ou en choisir une publiée.</translation>
     </message>
     <message>
-        <source>What can be felt here was cancelled.</source>
-        <translation>Le calcul de ce qui se sent ici a été annulé.</translation>
+        <source>The computation of buried lumps was cancelled. Lumps are simulated as layers until the scene changes.</source>
+        <translation>Le calcul des nodules enfouis a été annulé. Les nodules sont simulés comme couches jusqu’au prochain changement de la scène.</translation>
     </message>
     <message>
-        <source>How many times as stiff as %1 is %2? It is not known, so no verdict is given: type it in What can be felt (B), or choose one that is published.</source>
-        <translation>Combien de fois %2 est-il plus rigide que %1&#x202f;? Inconnu, donc aucun verdict&#x202f;: à saisir dans «&#x202f;Ce qui se sent&#x202f;» (B), ou choisir une valeur publiée.</translation>
+        <source>The computation of palpability was cancelled.</source>
+        <translation>Le calcul de la palpabilité a été annulé.</translation>
     </message>
 </context>
 <context>
@@ -4439,32 +5510,32 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>module de cisaillement, kPa</translation>
     </message>
     <message>
-        <source>resists fast movement, N·s/mm</source>
-        <translation>freine les gestes vifs, N·s/mm</translation>
-    </message>
-    <message>
-        <source>friction, times the tissue&apos;s own</source>
-        <translation>frottement, multiple de celui du tissu</translation>
-    </message>
-    <message>
-        <source>stiffness felt, N/mm</source>
-        <translation>raideur sentie, N/mm</translation>
-    </message>
-    <message>
-        <source>stiffness felt, times the law</source>
-        <translation>raideur sentie, multiple de la loi</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
-        <source>%1: nothing said</source>
-        <translation>%1&#x202f;: rien d’indiqué</translation>
+        <source>damping, N·s/mm</source>
+        <translation>amortissement, N·s/mm</translation>
     </message>
     <message>
-        <source>nothing said</source>
-        <translation>rien d’indiqué</translation>
+        <source>friction, relative to the tissue</source>
+        <translation>frottement, relatif au tissu</translation>
+    </message>
+    <message>
+        <source>felt stiffness, N/mm</source>
+        <translation>raideur sentie, N/mm</translation>
+    </message>
+    <message>
+        <source>felt stiffness, relative to the law</source>
+        <translation>raideur sentie, relative à la loi</translation>
+    </message>
+    <message>
+        <source>%1: no data</source>
+        <translation>%1 : pas de données</translation>
+    </message>
+    <message>
+        <source>no data</source>
+        <translation>pas de données</translation>
     </message>
 </context>
 <context>
@@ -4472,10 +5543,6 @@ Appuyer ici ou F4 pour tous les messages</translation>
     <message>
         <source>Map</source>
         <translation>Carte</translation>
-    </message>
-    <message>
-        <source>How the tissue varies over the surface</source>
-        <translation>Comment le tissu varie sur la surface</translation>
     </message>
     <message>
         <source>By name</source>
@@ -4486,60 +5553,12 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>Aucune</translation>
     </message>
     <message>
-        <source>By hand</source>
-        <translation>À la main</translation>
-    </message>
-    <message>
-        <source>The arrays of the mesh whose names say what they are, such as StiffnessScale</source>
-        <translation>Les tableaux du maillage dont le nom dit ce qu’ils sont, comme StiffnessScale</translation>
-    </message>
-    <message>
-        <source>Varies</source>
-        <translation>Varie</translation>
-    </message>
-    <message>
-        <source>What of the tissue varies</source>
-        <translation>Ce qui varie dans le tissu</translation>
-    </message>
-    <message>
         <source>Stiffness</source>
         <translation>Raideur</translation>
     </message>
     <message>
-        <source>Resists fast movement</source>
-        <translation>Freine les gestes vifs</translation>
-    </message>
-    <message>
         <source>Friction</source>
         <translation>Frottement</translation>
-    </message>
-    <message>
-        <source>By</source>
-        <translation>Selon</translation>
-    </message>
-    <message>
-        <source>Which array of the mesh, or which volume, says it</source>
-        <translation>Quel tableau du maillage, ou quel volume, le dit</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>En</translation>
-    </message>
-    <message>
-        <source>What the numbers are. Shear and Young&apos;s modulus differ by a factor of three: see what the scanner&apos;s manual says</source>
-        <translation>Ce que sont les nombres. Module de cisaillement et module d’Young diffèrent d’un facteur trois&#x202f;: voir le manuel de l’imageur</translation>
-    </message>
-    <message>
-        <source>say which…</source>
-        <translation>à préciser…</translation>
-    </message>
-    <message>
-        <source>Times the tissue&apos;s own</source>
-        <translation>Multiple de la valeur du tissu</translation>
-    </message>
-    <message>
-        <source>N/mm, as felt</source>
-        <translation>N/mm, tels que sentis</translation>
     </message>
     <message>
         <source>Shear modulus, kPa</source>
@@ -4558,44 +5577,16 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>&#xa0;mm</translation>
     </message>
     <message>
-        <source>Of the finger that feels a modulus: the stiffness is 8 times radius times shear modulus</source>
-        <translation>Du doigt qui sent un module&#x202f;: la raideur vaut 8 fois le rayon fois le module de cisaillement</translation>
-    </message>
-    <message>
         <source>Contact radius</source>
         <translation>Rayon de contact</translation>
-    </message>
-    <message>
-        <source>Keep numbers within</source>
-        <translation>Borner les nombres</translation>
-    </message>
-    <message>
-        <source>Numbers beyond are taken as the nearest one within</source>
-        <translation>Les nombres hors bornes sont ramenés à la borne la plus proche</translation>
-    </message>
-    <message>
-        <source>At least</source>
-        <translation>Au moins</translation>
-    </message>
-    <message>
-        <source>At most</source>
-        <translation>Au plus</translation>
     </message>
     <message>
         <source>to</source>
         <translation>à</translation>
     </message>
     <message>
-        <source>What the map says</source>
-        <translation>Ce que dit la carte</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Afficher</translation>
-    </message>
-    <message>
-        <source>Colours the structure by numbers, with a legend</source>
-        <translation>Colore la structure selon les nombres, avec une légende</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -4618,16 +5609,96 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>Couleur propre</translation>
     </message>
     <message>
-        <source>Say what the numbers of %1 are: shear and Young&apos;s modulus differ by a factor of three.</source>
-        <translation>Précisez ce que sont les nombres de %1&#x202f;: module de cisaillement et module d’Young diffèrent d’un facteur trois.</translation>
-    </message>
-    <message>
         <source>%1 varies by %2.</source>
         <translation>%1 varie selon %2.</translation>
     </message>
     <message>
-        <source>%1: %2 of %3 places say nothing. The tissue&apos;s own is felt there.</source>
-        <translation>%1&#x202f;: %2 endroits sur %3 n’indiquent rien. La valeur du tissu y est sentie.</translation>
+        <source>Variation of the tissue over the surface</source>
+        <translation>Variation du tissu sur la surface</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manuelle</translation>
+    </message>
+    <message>
+        <source>Mesh arrays with a known name, such as StiffnessScale</source>
+        <translation>Tableaux du maillage au nom connu, comme StiffnessScale</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>Propriété</translation>
+    </message>
+    <message>
+        <source>Tissue property that varies</source>
+        <translation>Propriété du tissu qui varie</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Amortissement</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Mesh array or volume with the values</source>
+        <translation>Tableau du maillage ou volume contenant les valeurs</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Meaning of the numbers. Shear modulus and Young&apos;s modulus differ by a factor of three; check the scanner manual</source>
+        <translation>Signification des nombres. Module de cisaillement et module d’Young diffèrent d’un facteur trois ; voir le manuel de l’imageur</translation>
+    </message>
+    <message>
+        <source>choose…</source>
+        <translation>choisir…</translation>
+    </message>
+    <message>
+        <source>Relative to the tissue</source>
+        <translation>Relatif au tissu</translation>
+    </message>
+    <message>
+        <source>Stiffness, N/mm</source>
+        <translation>Raideur, N/mm</translation>
+    </message>
+    <message>
+        <source>Radius of the finger contact; stiffness = 8 × radius × shear modulus</source>
+        <translation>Rayon du contact du doigt ; raideur = 8 × rayon × module de cisaillement</translation>
+    </message>
+    <message>
+        <source>Limit the values</source>
+        <translation>Borner les valeurs</translation>
+    </message>
+    <message>
+        <source>Values outside the range are set to the nearest limit</source>
+        <translation>Les valeurs hors bornes sont ramenées à la borne la plus proche</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Map status</source>
+        <translation>État de la carte</translation>
+    </message>
+    <message>
+        <source>Colours the structure by value, with a legend</source>
+        <translation>Colore la structure selon les valeurs, avec une légende</translation>
+    </message>
+    <message>
+        <source>Choose the unit of %1: shear modulus and Young&apos;s modulus differ by a factor of three.</source>
+        <translation>Choisissez l’unité de %1 : module de cisaillement et module d’Young diffèrent d’un facteur trois.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 places have no value. The tissue value is used there.</source>
+        <translation>%1 : %2 endroits sur %3 n’ont pas de valeur. La valeur du tissu y est utilisée.</translation>
     </message>
 </context>
 <context>
@@ -4637,24 +5708,24 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>(%1&#x202f;; %2&#x202f;; %3) mm</translation>
     </message>
     <message>
-        <source>%1: what the lumps below make of it changes too sharply for the %2 at %3.</source>
-        <translation>%1&#x202f;: ce que les nodules dessous en font change trop brusquement pour «&#x202f;%2&#x202f;» en %3.</translation>
+        <source>%1: the effect of the lumps below changes too abruptly for the %2 at %3.</source>
+        <translation>%1 : l’effet des nodules dessous change trop brusquement pour « %2 » en %3.</translation>
     </message>
     <message>
-        <source>%1: its map of stiffness bends too sharply for the %2 at %3.</source>
-        <translation>%1&#x202f;: sa carte de rigidité se plie trop brusquement pour «&#x202f;%2&#x202f;» en %3.</translation>
+        <source>%1: the stiffness map changes too abruptly for the %2 at %3.</source>
+        <translation>%1 : la carte de raideur change trop brusquement pour « %2 » en %3.</translation>
     </message>
     <message>
-        <source>The push aside jumps by %1 N there and can keep the hand swinging by %2 mm.</source>
+        <source>The sideways force jumps by %1 N there and can make the hand oscillate by %2 mm.</source>
         <translation>La force latérale y saute de %1 N et peut faire osciller la main de %2 mm.</translation>
     </message>
     <message>
-        <source>Give the tissue friction, or open a mesh with shorter edges there.</source>
-        <translation>Donner du frottement au tissu, ou ouvrir un maillage aux arêtes plus courtes à cet endroit.</translation>
+        <source>Add friction to the tissue, or use a mesh with shorter edges there.</source>
+        <translation>Ajouter du frottement au tissu, ou utiliser un maillage aux arêtes plus courtes à cet endroit.</translation>
     </message>
     <message>
-        <source>Spread the step over more millimetres, round its ends, or give the tissue friction.</source>
-        <translation>Étaler la marche sur plus de millimètres, arrondir ses bouts, ou donner du frottement au tissu.</translation>
+        <source>Spread the step over a longer distance, smooth both ends, or add friction to the tissue.</source>
+        <translation>Étaler la marche sur une plus grande distance, arrondir ses bouts, ou ajouter du frottement au tissu.</translation>
     </message>
 </context>
 <context>
@@ -4668,12 +5739,12 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>Afficher la liste des messages (F4)</translation>
     </message>
     <message>
-        <source>1 older message waits (F4 shows all)</source>
-        <translation>1 message antérieur attend (F4 affiche tout)</translation>
+        <source>1 older message (F4 shows all)</source>
+        <translation>1 message antérieur (F4 affiche tout)</translation>
     </message>
     <message>
-        <source>%1 older messages wait (F4 shows all)</source>
-        <translation>%1 messages antérieurs attendent (F4 affiche tout)</translation>
+        <source>%1 older messages (F4 shows all)</source>
+        <translation>%1 messages antérieurs (F4 affiche tout)</translation>
     </message>
 </context>
 <context>
@@ -4690,12 +5761,12 @@ Appuyer ici ou F4 pour tous les messages</translation>
 <context>
     <name>palpate::ui::MessageRow</name>
     <message>
-        <source>Close this message; the list of messages keeps it (F4)</source>
-        <translation>Fermer ce message&#x202f;; la liste des messages le garde (F4)</translation>
-    </message>
-    <message>
         <source>Close this message</source>
         <translation>Fermer ce message</translation>
+    </message>
+    <message>
+        <source>Close this message; still listed under Messages (F4)</source>
+        <translation>Fermer ce message ; il reste dans la liste des messages (F4)</translation>
     </message>
 </context>
 <context>
@@ -4703,10 +5774,6 @@ Appuyer ici ou F4 pour tous les messages</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1&#x202f;: %2</translation>
-    </message>
-    <message>
-        <source>Told</source>
-        <translation>Info</translation>
     </message>
     <message>
         <source>Warning</source>
@@ -4720,21 +5787,13 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <source>Offer</source>
         <translation>Proposition</translation>
     </message>
+    <message>
+        <source>Information</source>
+        <translation>Information</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::PalpationController</name>
-    <message>
-        <source>%1 mm is the deepest press: the scene is no larger.</source>
-        <translation>%1&#xa0;mm est l’appui le plus profond&#x202f;: la scène n’est pas plus grande.</translation>
-    </message>
-    <message>
-        <source>%1 N is the hardest press.</source>
-        <translation>%1&#xa0;N est l’appui le plus fort.</translation>
-    </message>
-    <message>
-        <source>Nothing that can be felt is in view.</source>
-        <translation>Rien de palpable n’est dans la vue.</translation>
-    </message>
     <message>
         <source>camera</source>
         <translation>caméra</translation>
@@ -4760,8 +5819,20 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>appui %1 sur %2&#xa0;mm</translation>
     </message>
     <message>
-        <source>aims at %1 of %2 N, reaches %3 N, %4 mm</source>
-        <translation>vise %1 sur %2 N, atteint %3 N, %4 mm</translation>
+        <source>%1 mm is the maximum depth, limited by the size of the scene.</source>
+        <translation>%1 mm est la profondeur maximale, limitée par la taille de la scène.</translation>
+    </message>
+    <message>
+        <source>%1 N is the maximum press force.</source>
+        <translation>%1 N est la force d’appui maximale.</translation>
+    </message>
+    <message>
+        <source>No palpable structure is in view.</source>
+        <translation>Aucune structure palpable dans la vue.</translation>
+    </message>
+    <message>
+        <source>target %1 of %2 N, actual %3 N, %4 mm</source>
+        <translation>cible %1 sur %2 N, réel %3 N, %4 mm</translation>
     </message>
 </context>
 <context>
@@ -4774,26 +5845,26 @@ Appuyer ici ou F4 pour tous les messages</translation>
 <context>
     <name>palpate::ui::RecordedTouch</name>
     <message>
-        <source>%1 ended at %2 s because the disk was full; what was felt after is not in it.</source>
-        <translation>%1 s’est arrêté à %2&#xa0;s car le disque était plein&#x202f;; ce qui a été senti ensuite n’y figure pas.</translation>
+        <source>%1 ends at %2 s because the disk was full. Later palpation was not recorded.</source>
+        <translation>%1 s’arrête à %2 s car le disque était plein. La palpation ultérieure n’a pas été enregistrée.</translation>
     </message>
     <message>
-        <source>%1 ended at %2 s because the disk could not be written; what was felt after is not in it.</source>
-        <translation>%1 s’est arrêté à %2&#xa0;s car l’écriture sur le disque a échoué&#x202f;; ce qui a été senti ensuite n’y figure pas.</translation>
+        <source>%1 ends at %2 s because of a disk write error. Later palpation was not recorded.</source>
+        <translation>%1 s’arrête à %2 s à cause d’une erreur d’écriture sur le disque. La palpation ultérieure n’a pas été enregistrée.</translation>
     </message>
     <message>
-        <source>%1 was not closed (a crash, or a full disk): it ends at %2 s, and what was felt after is not in it.</source>
-        <translation>%1 n’a pas été fermé (plantage ou disque plein)&#x202f;: il s’arrête à %2&#xa0;s, et ce qui a été senti ensuite n’y figure pas.</translation>
+        <source>%1 was not closed (crash or full disk) and ends at %2 s. Later palpation was not recorded.</source>
+        <translation>%1 n’a pas été fermé (plantage ou disque plein) et s’arrête à %2 s. La palpation ultérieure n’a pas été enregistrée.</translation>
     </message>
     <message>
-        <source>%1: %2 moments were lost while it was recorded, because the disk was too slow.</source>
-        <translation>%1&#x202f;: %2 instants ont été perdus à l’enregistrement, le disque étant trop lent.</translation>
+        <source>%1: %2 samples were lost during recording because the disk was too slow.</source>
+        <translation>%1 : %2 échantillons ont été perdus à l’enregistrement car le disque était trop lent.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 is damaged, or was changed after it was recorded: %n place(s) do not match their checksums. What was felt there is left out; &quot;palpate session verify&quot; names the first place.</source>
+        <source>%1 is damaged or was changed after recording: %n part(s) do not match their checksums and are left out. &quot;palpate session verify&quot; names the first part.</source>
         <translation>
-            <numerusform>%1 est endommagé, ou a été modifié après l’enregistrement&#x202f;: %n endroit ne correspond pas à sa somme de contrôle. Ce qui y fut senti est omis&#x202f;; «&#x202f;palpate session verify&#x202f;» nomme le premier endroit.</numerusform>
-            <numerusform>%1 est endommagé, ou a été modifié après l’enregistrement&#x202f;: %n endroits ne correspondent pas à leurs sommes de contrôle. Ce qui y fut senti est omis&#x202f;; «&#x202f;palpate session verify&#x202f;» nomme le premier endroit.</numerusform>
+            <numerusform>%1 est endommagé ou a été modifié après l’enregistrement : %n partie ne correspond pas à sa somme de contrôle et est omise. « palpate session verify » nomme la première partie.</numerusform>
+            <numerusform>%1 est endommagé ou a été modifié après l’enregistrement : %n parties ne correspondent pas à leurs sommes de contrôle et sont omises. « palpate session verify » nomme la première partie.</numerusform>
         </translation>
     </message>
 </context>
@@ -4808,24 +5879,24 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>Lecture de %1</translation>
     </message>
     <message>
-        <source>its view</source>
-        <translation>sa vue</translation>
-    </message>
-    <message>
-        <source>the fields of it that this version does not know</source>
-        <translation>ses champs que cette version ne connaît pas</translation>
-    </message>
-    <message>
-        <source>%1: opened together with another scene; not taken: %2</source>
-        <translation>%1&#x202f;: ouvert avec une autre scène&#x202f;; non repris&#x202f;: %2</translation>
-    </message>
-    <message>
         <source>, </source>
         <translation>, </translation>
     </message>
     <message>
         <source>Preparing for touch</source>
         <translation>Préparation du toucher</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>vue</translation>
+    </message>
+    <message>
+        <source>unknown fields</source>
+        <translation>champs inconnus</translation>
+    </message>
+    <message>
+        <source>%1: opened together with another scene; not imported: %2</source>
+        <translation>%1 : ouvert avec une autre scène ; non repris : %2</translation>
     </message>
 </context>
 <context>
@@ -4843,10 +5914,6 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>%1&#xa0;×</translation>
     </message>
     <message>
-        <source>Speed of playing; 1 × is as it was recorded</source>
-        <translation>Vitesse de lecture&#x202f;; 1&#xa0;× est celle de l’enregistrement</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Vitesse</translation>
     </message>
@@ -4862,6 +5929,10 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <source>%1 late, %2 lost</source>
         <translation>%1 en retard, %2 perdus</translation>
     </message>
+    <message>
+        <source>Playback speed; 1 × is real time</source>
+        <translation>Vitesse de lecture ; 1 × est le temps réel</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureList</name>
@@ -4876,10 +5947,6 @@ Appuyer ici ou F4 pour tous les messages</translation>
     <message>
         <source>Filter the structures by name</source>
         <translation>Filtrer les structures par nom</translation>
-    </message>
-    <message>
-        <source>List only what has these words in its name (Ctrl+F); Esc lists all</source>
-        <translation>Ne lister que ce dont le nom contient ces mots (Ctrl+F)&#x202f;; Échap liste tout</translation>
     </message>
     <message>
         <source>Order and groups of the list</source>
@@ -4918,12 +5985,16 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>Par fichier ou dossier</translation>
     </message>
     <message>
-        <source>By layer, as felt</source>
-        <translation>Par couche sentie</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>List only structures with these words in the name (Ctrl+F); Esc lists all</source>
+        <translation>Ne lister que les structures dont le nom contient ces mots (Ctrl+F) ; Échap liste tout</translation>
+    </message>
+    <message>
+        <source>By layer</source>
+        <translation>Par couche</translation>
     </message>
 </context>
 <context>
@@ -4949,10 +6020,6 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>sous %1</translation>
     </message>
     <message>
-        <source>%1 below</source>
-        <translation>%1 en dessous</translation>
-    </message>
-    <message>
         <source>The mesh is open: feels like a sheet</source>
         <translation>Le maillage est ouvert&#x202f;: senti comme une feuille</translation>
     </message>
@@ -4961,72 +6028,12 @@ Appuyer ici ou F4 pour tous les messages</translation>
         <translation>Une partie du maillage est ouverte&#x202f;: sentie là comme une feuille</translation>
     </message>
     <message>
-        <source>The mesh is inside out: felt from within only</source>
-        <translation>Le maillage est retourné&#x202f;: senti seulement de l’intérieur</translation>
-    </message>
-    <message>
-        <source>The mesh had faults, which were mended</source>
-        <translation>Le maillage avait des défauts, qui ont été corrigés</translation>
-    </message>
-    <message>
-        <source>The mesh branches along some edges</source>
-        <translation>Le maillage se ramifie le long de certaines arêtes</translation>
-    </message>
-    <message>
-        <source>%1 is shown. Click to hide it; what is hidden is not felt.</source>
-        <translation>%1 est visible. Cliquer pour masquer&#x202f;; ce qui est masqué n’est pas senti.</translation>
-    </message>
-    <message>
-        <source>%1 is hidden. Click to show it.</source>
-        <translation>%1 est invisible. Cliquer pour afficher.</translation>
-    </message>
-    <message>
-        <source>%1, felt %2</source>
-        <translation>%1, se sent %2</translation>
-    </message>
-    <message>
-        <source>%1
-%2 triangles
-Felt: %3</source>
-        <translation>%1
-%2 triangles
-Senti&#x202f;: %3</translation>
-    </message>
-    <message>
-        <source>About the mesh of %1:
-• %2
-The list of messages (F4) has the details.</source>
-        <translation>Sur le maillage de %1&#x202f;:
-• %2
-La liste des messages (F4) donne les détails.</translation>
-    </message>
-    <message>
-        <source>%1 can be felt. Click to let the hand pass through it.</source>
-        <translation>%1 est palpable. Cliquer pour que la main passe à travers.</translation>
-    </message>
-    <message>
-        <source>The hand passes through %1. Click to feel it.</source>
-        <translation>La main passe à travers %1. Cliquer pour rendre palpable.</translation>
-    </message>
-    <message>
         <source>Structure</source>
         <translation>Structure</translation>
     </message>
     <message>
-        <source>Shown</source>
-        <translation>Visible</translation>
-    </message>
-    <message>
         <source>Name and colour</source>
         <translation>Nom et couleur</translation>
-    </message>
-    <message>
-        <source>What was found in the mesh</source>
-        <translation>Remarques sur le maillage</translation>
-    </message>
-    <message>
-        <source>Can be felt</source>
-        <translation>Palpable</translation>
     </message>
     <message>
         <source>Rename %1</source>
@@ -5061,8 +6068,72 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>La surface est lissée&#x202f;: déplacée de %1 mm au plus, volume %2 %</translation>
     </message>
     <message>
-        <source>The surface is a staircase of %1 × %2 × %3 mm voxels: the hand feels its steps</source>
-        <translation>La surface est un escalier de voxels de %1 × %2 × %3 mm&#x202f;: la main sent ses marches</translation>
+        <source>%1 below surface</source>
+        <translation>%1 sous la surface</translation>
+    </message>
+    <message>
+        <source>The surface has steps of %1 × %2 × %3 mm voxels, which can be felt</source>
+        <translation>La surface a des marches de voxels de %1 × %2 × %3 mm, sensibles au toucher</translation>
+    </message>
+    <message>
+        <source>The mesh is inside out: palpable only from inside</source>
+        <translation>Le maillage est retourné : palpable seulement de l’intérieur</translation>
+    </message>
+    <message>
+        <source>Mesh defects were repaired</source>
+        <translation>Des défauts du maillage ont été corrigés</translation>
+    </message>
+    <message>
+        <source>Some edges are shared by more than two triangles</source>
+        <translation>Certaines arêtes appartiennent à plus de deux triangles</translation>
+    </message>
+    <message>
+        <source>%1 is visible. Click to hide; hidden structures cannot be felt.</source>
+        <translation>%1 est visible. Cliquer pour masquer ; les structures masquées ne sont pas palpables.</translation>
+    </message>
+    <message>
+        <source>%1 is hidden. Click to show.</source>
+        <translation>%1 est invisible. Cliquer pour afficher.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1
+%2 triangles
+Depth order: %3</source>
+        <translation>%1
+%2 triangles
+Ordre en profondeur : %3</translation>
+    </message>
+    <message>
+        <source>Mesh of %1:
+• %2
+See the list of messages (F4) for details.</source>
+        <translation>Maillage de %1 :
+• %2
+Voir les détails dans la liste des messages (F4).</translation>
+    </message>
+    <message>
+        <source>%1 is palpable. Click to let the hand pass through.</source>
+        <translation>%1 est palpable. Cliquer pour que la main passe à travers.</translation>
+    </message>
+    <message>
+        <source>The hand passes through %1. Click to make palpable.</source>
+        <translation>La main passe à travers %1. Cliquer pour rendre palpable.</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Visible</translation>
+    </message>
+    <message>
+        <source>Notes on the mesh</source>
+        <translation>Remarques sur le maillage</translation>
+    </message>
+    <message>
+        <source>Palpable</source>
+        <translation>Palpable</translation>
     </message>
 </context>
 <context>
@@ -5080,16 +6151,8 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>Opacité en pour cent</translation>
     </message>
     <message>
-        <source>Opacity [%]: what lies behind shows through</source>
-        <translation>Opacité [%]&#x202f;: ce qui est derrière transparaît</translation>
-    </message>
-    <message>
         <source>Opacity</source>
         <translation>Opacité</translation>
-    </message>
-    <message>
-        <source>%1 as felt [%2]: %3</source>
-        <translation>%1, comme senti [%2]&#x202f;: %3</translation>
     </message>
     <message>
         <source>%1 in %2</source>
@@ -5104,36 +6167,8 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>Tissu</translation>
     </message>
     <message>
-        <source>How the structure feels, by name</source>
-        <translation>Comment la structure se sent, par nom</translation>
-    </message>
-    <message>
         <source>Friction</source>
         <translation>Frottement</translation>
-    </message>
-    <message>
-        <source>How much the surface holds the fingertip, by name</source>
-        <translation>Combien la surface retient le bout du doigt, par nom</translation>
-    </message>
-    <message>
-        <source>What is felt of it</source>
-        <translation>Ce qui en est senti</translation>
-    </message>
-    <message>
-        <source>Why the value was refused</source>
-        <translation>Pourquoi la valeur a été refusée</translation>
-    </message>
-    <message>
-        <source>Felt, in order from outside</source>
-        <translation>Senti, de dehors en dedans</translation>
-    </message>
-    <message>
-        <source>What a hand meets first as it presses in, and what it meets through that (Ctrl+Down, Ctrl+Up in the list)</source>
-        <translation>Ce que la main rencontre d’abord en appuyant, et ce qu’elle rencontre à travers (Ctrl+Bas, Ctrl+Haut dans la liste)</translation>
-    </message>
-    <message>
-        <source>Felt</source>
-        <translation>Senti</translation>
     </message>
     <message>
         <source>Change %1 structures</source>
@@ -5148,10 +6183,6 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>%1 structures</translation>
     </message>
     <message>
-        <source>The list of messages (F4) has the details</source>
-        <translation>La liste des messages (F4) donne les détails</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1&#x202f;%</translation>
     </message>
@@ -5164,56 +6195,12 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>Source&#x202f;: %1</translation>
     </message>
     <message>
-        <source>%1 takes %2</source>
-        <translation>%1 prend %2</translation>
-    </message>
-    <message>
-        <source>felt as at most %1 N/mm: the device can show %2 N/mm in all%3</source>
-        <translation>senti comme %1&#xa0;N/mm au plus&#x202f;: l’appareil peut rendre %2&#xa0;N/mm en tout%3</translation>
-    </message>
-    <message>
-        <source>felt as %1 N/mm: the device can show %2 N/mm in all%3</source>
-        <translation>senti comme %1&#xa0;N/mm&#x202f;: l’appareil peut rendre %2&#xa0;N/mm en tout%3</translation>
-    </message>
-    <message>
-        <source>This law is refused: %1.</source>
-        <translation>Cette loi est refusée&#x202f;: %1.</translation>
-    </message>
-    <message>
-        <source>%1 N·s/mm is refused: the device can resist movement with %2 N·s/mm at most. Enter that or less.</source>
-        <translation>%1&#xa0;N·s/mm est refusé&#x202f;: l’appareil peut freiner le mouvement de %2&#xa0;N·s/mm au plus. Saisissez cela ou moins.</translation>
-    </message>
-    <message>
-        <source>%1 Of that %2.</source>
-        <translation>%1 De cela, %2.</translation>
-    </message>
-    <message>
-        <source>%1 N/mm is refused. %2 Enter %3 N/mm or less.</source>
-        <translation>%1&#xa0;N/mm&#x202f;: refusé. %2 Entrez %3&#xa0;N/mm ou moins.</translation>
-    </message>
-    <message>
-        <source>A law that rises by %1 N/mm where it is steepest is refused. %2 Enter numbers by which it rises by %3 N/mm or less.</source>
-        <translation>Une loi qui croît de %1&#xa0;N/mm au plus raide est refusée. %2 Entrez des nombres avec lesquels elle croît de %3&#xa0;N/mm ou moins.</translation>
-    </message>
-    <message>
         <source>Colour of %1</source>
         <translation>Couleur de %1</translation>
     </message>
     <message>
-        <source>Show only what is selected</source>
-        <translation>N’afficher que la sélection</translation>
-    </message>
-    <message>
-        <source>Feel only what is selected</source>
-        <translation>Ne sentir que la sélection</translation>
-    </message>
-    <message>
         <source>Show all</source>
         <translation>Tout afficher</translation>
-    </message>
-    <message>
-        <source>Feel all</source>
-        <translation>Tout sentir</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -5222,14 +6209,6 @@ La liste des messages (F4) donne les détails.</translation>
     <message>
         <source>Remove from the scene</source>
         <translation>Retirer de la scène</translation>
-    </message>
-    <message>
-        <source>numbers chosen</source>
-        <translation>nombres choisis</translation>
-    </message>
-    <message>
-        <source>shear modulus by MR elastography (PMC2894569), as a fingertip of 5 mm radius feels it</source>
-        <translation>module de cisaillement par élastographie IRM (PMC2894569), senti par un bout de doigt de 5&#xa0;mm de rayon</translation>
     </message>
     <message>
         <source>Very soft organ</source>
@@ -5272,44 +6251,12 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>Foie, plus raide en profondeur</translation>
     </message>
     <message>
-        <source>shape after Carter et al. 2001 (exponential), numbers chosen</source>
-        <translation>forme d’après Carter et al. 2001 (exponentielle), nombres choisis</translation>
-    </message>
-    <message>
-        <source>Soft ground under a ball</source>
-        <translation>Fond mou sous une boule</translation>
-    </message>
-    <message>
-        <source>shape after Hertz 1882, numbers chosen</source>
-        <translation>forme d’après Hertz 1882, nombres choisis</translation>
-    </message>
-    <message>
-        <source>Button that clicks</source>
-        <translation>Bouton à déclic</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Aucun</translation>
     </message>
     <message>
-        <source>Wet (0.05, chosen)</source>
-        <translation>Mouillé (0,05, choisi)</translation>
-    </message>
-    <message>
-        <source>Moist (0.15, chosen)</source>
-        <translation>Humide (0,15, choisi)</translation>
-    </message>
-    <message>
-        <source>Dry (0.40, chosen)</source>
-        <translation>Sec (0,40, choisi)</translation>
-    </message>
-    <message>
         <source>Change %1</source>
         <translation>Modifier %1</translation>
-    </message>
-    <message>
-        <source>on its own surface, outermost</source>
-        <translation>sur sa propre surface, en premier</translation>
     </message>
     <message>
         <source>as a layer, %1</source>
@@ -5324,10 +6271,6 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>à travers %1 (senti d’en haut)</translation>
     </message>
     <message>
-        <source>What its map can do to the device</source>
-        <translation>Ce que sa carte peut faire à l’appareil</translation>
-    </message>
-    <message>
         <source>As in the file</source>
         <translation>Comme dans le fichier</translation>
     </message>
@@ -5340,16 +6283,8 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>Surface</translation>
     </message>
     <message>
-        <source>Smoothing takes away the steps of voxels, by at most half a voxel, for the eye and for the hand. The file is not changed.</source>
-        <translation>Le lissage enlève les marches des voxels, d’un demi-voxel au plus, pour l’œil et la main. Le fichier n’est pas modifié.</translation>
-    </message>
-    <message>
         <source>Turn around</source>
         <translation>Retourner</translation>
-    </message>
-    <message>
-        <source>Young&apos;s modulus by shear-wave ultrasound (Arda et al. 2011, AJR 197:532), as a fingertip of 5 mm radius feels it</source>
-        <translation>Module de Young par ultrasons à ondes de cisaillement (Arda et al. 2011, AJR 197:532), tel qu’un bout de doigt de 5 mm de rayon le sent</translation>
     </message>
     <message>
         <source>Kidney (5.0 kPa)</source>
@@ -5384,36 +6319,164 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>Prostate (17,0 kPa)</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus by indentation (Urology 2010), as a fingertip of 5 mm radius feels it</source>
-        <translation>Module de Young par indentation (Urology 2010), tel qu’un bout de doigt de 5 mm de rayon le sent</translation>
-    </message>
-    <message>
         <source>Breast (3.2 kPa)</source>
         <translation>Sein (3,2 kPa)</translation>
-    </message>
-    <message>
-        <source>Young&apos;s modulus by indentation (Teixeira et al. 2023), as a fingertip of 5 mm radius feels it</source>
-        <translation>Module de Young par indentation (Teixeira et al. 2023), tel qu’un bout de doigt de 5 mm de rayon le sent</translation>
     </message>
     <message>
         <source>Lymph node</source>
         <translation>Ganglion</translation>
     </message>
     <message>
-        <source>number chosen below 22 kPa, above which lymph nodes count as malignant (2.71 m/s by shear-wave ultrasound)</source>
-        <translation>valeur choisie sous 22 kPa, seuil de malignité des ganglions (2,71 m/s par ultrasons à ondes de cisaillement)</translation>
+        <source>Opacity [%]; at lower values, structures behind show through</source>
+        <translation>Opacité [%] ; aux valeurs basses, les structures derrière transparaissent</translation>
+    </message>
+    <message>
+        <source>%1 [%2]: %3</source>
+        <translation>%1 [%2] : %3</translation>
+    </message>
+    <message>
+        <source>Tissue preset</source>
+        <translation>Tissu prédéfini</translation>
+    </message>
+    <message>
+        <source>Stability warning for the map</source>
+        <translation>Alerte de stabilité de la carte</translation>
+    </message>
+    <message>
+        <source>Friction preset</source>
+        <translation>Frottement prédéfini</translation>
+    </message>
+    <message>
+        <source>Effective stiffness</source>
+        <translation>Raideur effective</translation>
+    </message>
+    <message>
+        <source>Reason for rejecting the value</source>
+        <translation>Motif du refus de la valeur</translation>
+    </message>
+    <message>
+        <source>Depth order, from outside</source>
+        <translation>Ordre en profondeur, de dehors en dedans</translation>
+    </message>
+    <message>
+        <source>Order in which a pressing hand meets the structures (Ctrl+Down, Ctrl+Up in the list)</source>
+        <translation>Ordre dans lequel la main qui appuie rencontre les structures (Ctrl+Bas, Ctrl+Haut dans la liste)</translation>
+    </message>
+    <message>
+        <source>Depth order</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Smoothing removes voxel steps for display and touch, moving the surface by at most half a voxel. The file is not changed.</source>
+        <translation>Le lissage enlève les marches des voxels à l’affichage et au toucher et déplace la surface d’un demi-voxel au plus. Le fichier n’est pas modifié.</translation>
+    </message>
+    <message>
+        <source>See the list of messages (F4) for details</source>
+        <translation>Voir les détails dans la liste des messages (F4)</translation>
+    </message>
+    <message>
+        <source>own surface, outermost</source>
+        <translation>propre surface, en premier</translation>
+    </message>
+    <message>
+        <source>%1 uses %2</source>
+        <translation>%1 utilise %2</translation>
+    </message>
+    <message>
+        <source>limited to at most %1 N/mm: the device can render %2 N/mm in total%3</source>
+        <translation>limité à %1 N/mm au plus : l’appareil peut rendre %2 N/mm au total%3</translation>
+    </message>
+    <message>
+        <source>limited to %1 N/mm: the device can render %2 N/mm in total%3</source>
+        <translation>limité à %1 N/mm : l’appareil peut rendre %2 N/mm au total%3</translation>
+    </message>
+    <message>
+        <source>Invalid force law: %1.</source>
+        <translation>Loi de force non valide : %1.</translation>
+    </message>
+    <message>
+        <source>%1 N·s/mm is too much: the device can render at most %2 N·s/mm. Enter %2 N·s/mm or less.</source>
+        <translation>%1 N·s/mm est trop : l’appareil peut rendre au plus %2 N·s/mm. Saisissez %2 N·s/mm ou moins.</translation>
+    </message>
+    <message>
+        <source>%1 Of this, %2.</source>
+        <translation>%1 De cela, %2.</translation>
+    </message>
+    <message>
+        <source>%1 N/mm is too stiff. %2 Enter %3 N/mm or less.</source>
+        <translation>%1 N/mm est trop raide. %2 Saisissez %3 N/mm ou moins.</translation>
+    </message>
+    <message>
+        <source>The force law is too steep: up to %1 N/mm. %2 Enter values with a slope of at most %3 N/mm.</source>
+        <translation>La loi de force est trop raide : jusqu’à %1 N/mm. %2 Saisissez des valeurs dont la pente est d’au plus %3 N/mm.</translation>
+    </message>
+    <message>
+        <source>Show only the selection</source>
+        <translation>N’afficher que la sélection</translation>
+    </message>
+    <message>
+        <source>Make only the selection palpable</source>
+        <translation>Ne rendre palpable que la sélection</translation>
+    </message>
+    <message>
+        <source>Make all palpable</source>
+        <translation>Tout rendre palpable</translation>
+    </message>
+    <message>
+        <source>none, assumed values</source>
+        <translation>aucune, valeurs supposées</translation>
+    </message>
+    <message>
+        <source>shear modulus from MR elastography (PMC2894569), for a fingertip of 5 mm radius</source>
+        <translation>module de cisaillement par élastographie IRM (PMC2894569), pour un bout de doigt de 5 mm de rayon</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus from shear-wave ultrasound (Arda et al. 2011, AJR 197:532), for a fingertip of 5 mm radius</source>
+        <translation>module d’Young par ultrasons à ondes de cisaillement (Arda et al. 2011, AJR 197:532), pour un bout de doigt de 5 mm de rayon</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus from indentation (Urology 2010), for a fingertip of 5 mm radius</source>
+        <translation>module d’Young par indentation (Urology 2010), pour un bout de doigt de 5 mm de rayon</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus from indentation (Teixeira et al. 2023), for a fingertip of 5 mm radius</source>
+        <translation>module d’Young par indentation (Teixeira et al. 2023), pour un bout de doigt de 5 mm de rayon</translation>
+    </message>
+    <message>
+        <source>assumed value below 22 kPa, the malignancy threshold of lymph nodes (2.71 m/s by shear-wave ultrasound)</source>
+        <translation>valeur supposée sous 22 kPa, seuil de malignité des ganglions (2,71 m/s par ultrasons à ondes de cisaillement)</translation>
+    </message>
+    <message>
+        <source>shape after Carter et al. 2001 (exponential), assumed values</source>
+        <translation>forme d’après Carter et al. 2001 (exponentielle), valeurs supposées</translation>
+    </message>
+    <message>
+        <source>Demo: ball on soft ground</source>
+        <translation>Démo : boule sur fond mou</translation>
+    </message>
+    <message>
+        <source>shape after Hertz 1882, assumed values</source>
+        <translation>forme d’après Hertz 1882, valeurs supposées</translation>
+    </message>
+    <message>
+        <source>Demo: clicking button</source>
+        <translation>Démo : bouton à déclic</translation>
+    </message>
+    <message>
+        <source>Wet (0.05, assumed)</source>
+        <translation>Mouillé (0,05, supposé)</translation>
+    </message>
+    <message>
+        <source>Moist (0.15, assumed)</source>
+        <translation>Humide (0,15, supposé)</translation>
+    </message>
+    <message>
+        <source>Dry (0.40, assumed)</source>
+        <translation>Sec (0,40, supposé)</translation>
     </message>
 </context>
 <context>
     <name>palpate::ui::StructureTree</name>
-    <message>
-        <source>Felt outermost</source>
-        <translation>Senti en premier</translation>
-    </message>
-    <message>
-        <source>Felt %1 below</source>
-        <translation>Senti %1 en dessous</translation>
-    </message>
     <message>
         <source>Other</source>
         <translation>Autre</translation>
@@ -5435,107 +6498,16 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>Laisser passer la main à travers tout&#x202f;: %1</translation>
     </message>
     <message>
-        <source>Feel all of %1</source>
-        <translation>Tout sentir&#x202f;: %1</translation>
-    </message>
-</context>
-<context>
-    <name>palpate::ui::Terms</name>
-    <message>
-        <source>Stiffness</source>
-        <translation>Raideur</translation>
+        <source>Outermost</source>
+        <translation>En premier</translation>
     </message>
     <message>
-        <source>force for each mm pressed in</source>
-        <translation>force par mm enfoncé</translation>
+        <source>%1 below surface</source>
+        <translation>%1 sous la surface</translation>
     </message>
     <message>
-        <source>newton per millimetre</source>
-        <translation>newtons par millimètre</translation>
-    </message>
-    <message>
-        <source>Resists fast movement</source>
-        <translation>Freine les gestes vifs</translation>
-    </message>
-    <message>
-        <source>force against each mm/s of movement</source>
-        <translation>force contre chaque mm/s de mouvement</translation>
-    </message>
-    <message>
-        <source>newton seconds per millimetre</source>
-        <translation>newtons-secondes par millimètre</translation>
-    </message>
-    <message>
-        <source>Friction at rest</source>
-        <translation>Frottement au repos</translation>
-    </message>
-    <message>
-        <source>share of the normal force that holds</source>
-        <translation>part de la force normale qui retient</translation>
-    </message>
-    <message>
-        <source>Friction sliding</source>
-        <translation>Frottement glissant</translation>
-    </message>
-    <message>
-        <source>share of the normal force that drags while it slides</source>
-        <translation>part de la force normale qui freine le glissement</translation>
-    </message>
-    <message>
-        <source>Drag</source>
-        <translation>Freinage</translation>
-    </message>
-    <message>
-        <source>force against each mm/s of sliding</source>
-        <translation>force contre chaque mm/s de glissement</translation>
-    </message>
-    <message>
-        <source>Stiffness at first touch</source>
-        <translation>Raideur au premier contact</translation>
-    </message>
-    <message>
-        <source>Growth with depth</source>
-        <translation>Hausse en profondeur</translation>
-    </message>
-    <message>
-        <source>Greatest stiffness</source>
-        <translation>Raideur maximale</translation>
-    </message>
-    <message>
-        <source>Young&apos;s modulus</source>
-        <translation>Module d’Young</translation>
-    </message>
-    <message>
-        <source>Radius of the ball</source>
-        <translation>Rayon de la boule</translation>
-    </message>
-    <message>
-        <source>Thickness of the layer</source>
-        <translation>Épaisseur de la couche</translation>
-    </message>
-    <message>
-        <source>Bonded to what is below</source>
-        <translation>Lié à ce qui est dessous</translation>
-    </message>
-    <message>
-        <source>Stiffness before the click</source>
-        <translation>Raideur avant le déclic</translation>
-    </message>
-    <message>
-        <source>Force at which it gives way</source>
-        <translation>Force à laquelle il cède</translation>
-    </message>
-    <message>
-        <source>Force that it falls to</source>
-        <translation>Force à laquelle il retombe</translation>
-    </message>
-    <message>
-        <source>Depth over which it falls</source>
-        <translation>Profondeur de la retombée</translation>
-    </message>
-    <message>
-        <source>Stiffness after the click</source>
-        <translation>Raideur après le déclic</translation>
+        <source>Make all of %1 palpable</source>
+        <translation>Tout rendre palpable : %1</translation>
     </message>
 </context>
 <context>
@@ -5547,14 +6519,6 @@ La liste des messages (F4) donne les détails.</translation>
     <message>
         <source>Force [N] and depth [mm] over the last 10 s</source>
         <translation>Force [N] et profondeur [mm] sur les 10 dernières&#xa0;s</translation>
-    </message>
-    <message>
-        <source>nothing was felt yet</source>
-        <translation>rien senti encore</translation>
-    </message>
-    <message>
-        <source>now %1 N, %2 mm deep; at most %3 N, %4 mm</source>
-        <translation>à présent %1&#xa0;N, prof. %2&#xa0;mm&#x202f;; au plus %3&#xa0;N, %4&#xa0;mm</translation>
     </message>
     <message>
         <source>−10 s</source>
@@ -5580,6 +6544,14 @@ La liste des messages (F4) donne les détails.</translation>
         <source>along the surface</source>
         <translation>le long de la surface</translation>
     </message>
+    <message>
+        <source>no contact yet</source>
+        <translation>pas encore de contact</translation>
+    </message>
+    <message>
+        <source>now %1 N, %2 mm deep; maximum %3 N, %4 mm</source>
+        <translation>à présent %1 N, prof. %2 mm ; maximum %3 N, %4 mm</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::TouchPanel</name>
@@ -5600,10 +6572,6 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>N</translation>
     </message>
     <message>
-        <source>Force in newton</source>
-        <translation>Force en newtons</translation>
-    </message>
-    <message>
         <source>Force on the hand [N]</source>
         <translation>Force sur la main [N]</translation>
     </message>
@@ -5612,20 +6580,8 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>Structure touchée</translation>
     </message>
     <message>
-        <source>Touched structures, the outermost first, with their forces and depths</source>
-        <translation>Structures touchées, la plus externe d’abord, avec forces et profondeurs</translation>
-    </message>
-    <message>
         <source>Depth and stiffness</source>
         <translation>Profondeur et raideur</translation>
-    </message>
-    <message>
-        <source>Depth: from the outermost surface to the hand [mm]; stiffness as felt, of all layers that are touched [N/mm]</source>
-        <translation>Profondeur&#x202f;: de la surface la plus externe à la main [mm]&#x202f;; raideur sentie, de toutes les couches touchées [N/mm]</translation>
-    </message>
-    <message>
-        <source>More triangles of the mesh lie in this place than there is time to feel at once</source>
-        <translation>Trop de triangles du maillage sont à cet endroit pour être tous sentis à temps</translation>
     </message>
     <message>
         <source>Not touching</source>
@@ -5640,22 +6596,12 @@ La liste des messages (F4) donne les détails.</translation>
         <translation>la main est libre</translation>
     </message>
     <message>
-        <source>very fine mesh here: the force follows late</source>
-        <translation>maillage très fin ici&#x202f;: la force suit avec retard</translation>
-    </message>
-    <message>
         <source>press on a structure to feel it</source>
         <translation>appuyer sur une structure pour la sentir</translation>
     </message>
     <message>
         <source>%1 in %2</source>
         <translation>%1 dans %2</translation>
-    </message>
-    <message>
-        <source>Each layer that is touched, the outermost first: its part along the force [N], which add
-up to it, and how deep the hand is in it [mm]</source>
-        <translation>Chaque couche touchée, la plus externe d’abord&#x202f;: sa part le long de la force [N], dont
-la somme la donne, et la profondeur de la main [mm]</translation>
     </message>
     <message>
         <source>over %1: %2, %3</source>
@@ -5665,20 +6611,46 @@ la somme la donne, et la profondeur de la main [mm]</translation>
         <source>over %1: %2</source>
         <translation>sur %1&#x202f;: %2</translation>
     </message>
+    <message>
+        <source>Force in newtons</source>
+        <translation>Force en newtons</translation>
+    </message>
+    <message>
+        <source>Touched structures from outside in, with forces and depths</source>
+        <translation>Structures touchées de dehors en dedans, avec forces et profondeurs</translation>
+    </message>
+    <message>
+        <source>Touched layers from outside in: share of the total force [N], measured along
+the total force, and depth of the hand in each layer [mm]</source>
+        <translation>Couches touchées de dehors en dedans : part de la force totale [N], mesurée le long
+de celle-ci, et profondeur de la main dans chaque couche [mm]</translation>
+    </message>
+    <message>
+        <source>Depth of the hand below the outermost surface [mm]; stiffness of all touched layers together [N/mm]</source>
+        <translation>Profondeur de la main sous la surface la plus externe [mm] ; raideur de toutes les couches touchées ensemble [N/mm]</translation>
+    </message>
+    <message>
+        <source>The mesh has more triangles here than can be evaluated in time</source>
+        <translation>Le maillage a ici plus de triangles qu’il n’est possible d’en évaluer à temps</translation>
+    </message>
+    <message>
+        <source>very fine mesh here: force delayed</source>
+        <translation>maillage très fin ici : force retardée</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::TouchSound</name>
     <message>
-        <source>no loudspeaker is there</source>
-        <translation>aucun haut-parleur</translation>
-    </message>
-    <message>
-        <source>%1 can&apos;t play it</source>
-        <translation>%1 ne peut pas le jouer</translation>
-    </message>
-    <message>
         <source>built without Qt Multimedia</source>
         <translation>compilé sans Qt Multimedia</translation>
+    </message>
+    <message>
+        <source>no loudspeaker found</source>
+        <translation>aucun haut-parleur trouvé</translation>
+    </message>
+    <message>
+        <source>%1 cannot play the tone</source>
+        <translation>%1 ne peut pas jouer le son</translation>
     </message>
 </context>
 <context>
@@ -5711,10 +6683,6 @@ la somme la donne, et la profondeur de la main [mm]</translation>
         <translation>← → ↑ ↓</translation>
     </message>
     <message>
-        <source>turn the camera by 15°; with Shift: move it</source>
-        <translation>tourner la caméra de 15°&#x202f;; avec Maj&#x202f;: la déplacer</translation>
-    </message>
-    <message>
         <source>+  −</source>
         <translation>+  −</translation>
     </message>
@@ -5727,24 +6695,28 @@ la somme la donne, et la profondeur de la main [mm]</translation>
         <translation>Ctrl+← → ↑ ↓</translation>
     </message>
     <message>
-        <source>move the place to press by 2 mm along the screen</source>
-        <translation>déplacer le point d’appui de 2&#xa0;mm dans le plan de l’écran</translation>
-    </message>
-    <message>
         <source>Enter</source>
         <translation>Entrée</translation>
-    </message>
-    <message>
-        <source>press there, let go</source>
-        <translation>y appuyer, lâcher</translation>
     </message>
     <message>
         <source>Page down  up</source>
         <translation>Page bas  haut</translation>
     </message>
     <message>
-        <source>press deeper, less deep by 0.5 mm</source>
-        <translation>appuyer plus, moins profond de 0,5&#xa0;mm</translation>
+        <source>rotate the camera by 15°; with Shift: pan</source>
+        <translation>tourner la caméra de 15° ; avec Maj : la déplacer</translation>
+    </message>
+    <message>
+        <source>move the press point by 2 mm on screen</source>
+        <translation>déplacer le point d’appui de 2 mm à l’écran</translation>
+    </message>
+    <message>
+        <source>press, release</source>
+        <translation>appuyer, relâcher</translation>
+    </message>
+    <message>
+        <source>press 0.5 mm deeper, less deep</source>
+        <translation>appuyer 0,5 mm plus, moins profond</translation>
     </message>
 </context>
 <context>
@@ -5785,16 +6757,16 @@ la somme la donne, et la profondeur de la main [mm]</translation>
         <translation>Ouvrir maillages ou scène (Ctrl+O)</translation>
     </message>
     <message>
-        <source>Open the phantom that comes with Palpate: a liver with two lumps, and a recorded palpation</source>
-        <translation>Ouvrir le fantôme fourni avec Palpate&#x202f;: un foie avec deux nodules, et une palpation enregistrée</translation>
-    </message>
-    <message>
         <source>Then press P, drag to press, and set the depth with the wheel. Press ? for all keys.</source>
         <translation>Puis taper P, glisser pour appuyer, et régler la profondeur à la molette.&#x202f;? affiche les raccourcis.</translation>
     </message>
     <message>
         <source>or</source>
         <translation>ou</translation>
+    </message>
+    <message>
+        <source>Open the bundled phantom: a liver with two lumps and a recorded palpation</source>
+        <translation>Ouvrir le fantôme fourni : un foie avec deux nodules et une palpation enregistrée</translation>
     </message>
 </context>
 </TS>
