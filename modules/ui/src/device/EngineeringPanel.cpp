@@ -4,6 +4,7 @@
 #include "touch/EnergyBar.h"
 
 #include "palpate/ui/LiveTouch.h"
+#include "palpate/ui/Translated.h"
 
 #include <QComboBox>
 #include <QFormLayout>

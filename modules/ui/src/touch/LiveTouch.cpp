@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/LiveTouch.h"
 
-#include "palpate/ui/EngineTexts.h"
+#include "palpate/ui/Translated.h"
 
 #include <algorithm>
 
