@@ -75,8 +75,8 @@ class FeltSurface : public QObject
             const auto coarse = buried::feltSurface("organ", *made(mesh), lumps);
             QVERIFY(coarse.isOk());
             const buried::FeltSurface& felt = coarse.value();
-            const bool isSaid = std::any_of(felt.notes.begin(), felt.notes.end(), [](const std::string& note) {
-                return note.find("organ: its triangles are wider") == 0;
+            const bool isSaid = std::any_of(felt.notes.begin(), felt.notes.end(), [](const core::Message& note) {
+                return note.english().find("organ: its triangles are wider") == 0;
             });
             QVERIFY2(n == 32 ? felt.interpolationError == 0.0 : felt.interpolationError > 1.5 * before,
                      qPrintable(QString::number(felt.interpolationError)));
@@ -289,9 +289,9 @@ class FeltSurface : public QObject
         QVERIFY(some.isOk());
         QCOMPARE(some.value().lumps.size(), std::size_t{1});
         QCOMPARE(some.value().notes.size(), std::size_t{3});
-        QVERIFY(some.value().notes[0].find("open: left out, its surface is open") == 0);
-        QVERIFY(some.value().notes[1].find("inward: left out, its surface is inside out") == 0);
-        QVERIFY(some.value().notes[2].find("outside: left out, it lies outside organ") == 0);
+        QVERIFY(some.value().notes[0].english().find("open: left out, its surface is open") == 0);
+        QVERIFY(some.value().notes[1].english().find("inward: left out, its surface is inside out") == 0);
+        QVERIFY(some.value().notes[2].english().find("outside: left out, it lies outside organ") == 0);
         QVERIFY(felt({{"open", made(open), 2.0}}).status().code() == core::StatusCode::Empty);
         for (const double ratio : {0.0, -1.0, 1.1e4, std::numeric_limits<double>::quiet_NaN()}) {
             BuriedLump bad = good;

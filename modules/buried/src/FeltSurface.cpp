@@ -77,18 +77,18 @@ bool isAnyInside(const SurfaceIndex& around, const RepairedMesh& lump)
 Status checked(const FeltOptions& options)
 {
     if (!(options.radius_mm > 0.0 && options.radius_mm <= kMostRadius_mm)) {
-        return {StatusCode::OutOfRange, "contact radius: found " + core::shortNumber(options.radius_mm) +
-                                            " mm, expected more than 0 and at most 30 mm"};
+        return {StatusCode::OutOfRange,
+                PALPATE_TEXT("contact radius: found %1 mm, expected more than 0 and at most 30 mm"), options.radius_mm};
     }
     if (options.press_mm.empty() || options.press_mm.size() > kMaxPresses) {
-        return {StatusCode::OutOfRange, "press depths: found " + std::to_string(options.press_mm.size()) +
-                                            ", expected 1 to " + std::to_string(kMaxPresses)};
+        return {StatusCode::OutOfRange, PALPATE_TEXT("press depths: found %1, expected 1 to %2"),
+                options.press_mm.size(), kMaxPresses};
     }
     for (std::size_t i = 0; i < options.press_mm.size(); ++i) {
         const double press = options.press_mm[i], before = i == 0 ? -1.0 : options.press_mm[i - 1];
         if (!(press >= 0.0 && press <= kMaxPress_mm && press > before)) {
-            return {StatusCode::OutOfRange,
-                    "press depths: found " + core::shortNumber(press) + " mm, expected 0 to 30 mm, ascending"};
+            return {StatusCode::OutOfRange, PALPATE_TEXT("press depths: found %1 mm, expected 0 to 30 mm, ascending"),
+                    press};
         }
     }
     return {};
@@ -104,8 +104,8 @@ Status checkedFor(const RepairedMesh& organ, const std::string& name, double rad
         return {};
     }
     return {StatusCode::OutOfRange,
-            name + ": contact radius: found " + core::shortNumber(radius_mm) + " mm, expected at least " +
-                core::shortNumber(std::ceil(100.0 * least_mm) / 100.0) + " mm on a surface this large"};
+            PALPATE_TEXT("%1: contact radius: found %2 mm, expected at least %3 mm on a surface this large"), name,
+            radius_mm, std::ceil(100.0 * least_mm) / 100.0};
 }
 
 bool isPossible(const RatioRange& ratio)
@@ -117,23 +117,24 @@ bool isPossible(const RatioRange& ratio)
 /// Prepares the usable lumps; the reasons for skipped lumps are added to the notes.
 Result<std::vector<std::unique_ptr<Prepared>>> prepared(const std::string& organName, const SurfaceIndex& organ,
                                                         const std::vector<BuriedLump>& lumps,
-                                                        std::vector<std::string>& notes)
+                                                        std::vector<core::Message>& notes)
 {
     std::vector<std::unique_ptr<Prepared>> made;
     for (std::size_t i = 0; i < lumps.size(); ++i) {
         const BuriedLump& lump = lumps[i];
         if (lump.ratio && !isPossible(*lump.ratio)) {
-            return Status(StatusCode::OutOfRange, lump.name + ": ratio: found " +
-                                                      core::shortNumber(lump.ratio->typical) +
-                                                      ", expected more than 0 and at most 10000");
+            return Status(StatusCode::OutOfRange,
+                          PALPATE_TEXT("%1: ratio: found %2, expected more than 0 and at most 10000"), lump.name,
+                          lump.ratio->typical);
         }
         const geometry::MeshReport& report = lump.surface->report;
         if (!report.isClosed()) {
-            notes.push_back(lump.name + ": left out, its surface is open: it has no volume to be felt");
+            notes.push_back(core::Message(
+                PALPATE_TEXT("%1: left out, its surface is open: it has no volume to be felt"), lump.name));
         } else if (!hasInside(report)) {
-            notes.push_back(lump.name + ": left out, its surface is inside out");
+            notes.push_back(core::Message(PALPATE_TEXT("%1: left out, its surface is inside out"), lump.name));
         } else if (!isAnyInside(organ, *lump.surface)) {
-            notes.push_back(lump.name + ": left out, it lies outside " + organName);
+            notes.push_back(core::Message(PALPATE_TEXT("%1: left out, it lies outside %2"), lump.name, organName));
         } else {
             made.push_back(std::make_unique<Prepared>(i, *lump.surface));
         }
@@ -144,8 +145,9 @@ Result<std::vector<std::unique_ptr<Prepared>>> prepared(const std::string& organ
             if (a.report.bounds.intersects(b.report.bounds) &&
                 (isAnyInside(made[i]->index, b) || isAnyInside(made[j]->index, a))) {
                 made[i]->overlaps = made[j]->overlaps = true;
-                notes.push_back(lumps[made[i]->number].name + " and " + lumps[made[j]->number].name +
-                                " reach into each other: where both are felt is not judged");
+                notes.push_back(
+                    core::Message(PALPATE_TEXT("%1 and %2 reach into each other: where both are felt is not judged"),
+                                  lumps[made[i]->number].name, lumps[made[j]->number].name));
             }
         }
     }
@@ -371,7 +373,7 @@ Status computeVerdicts(FeltSurface& felt, const RepairedMesh& fine, const Surfac
     }
     const Ground ground(fine, organ, options.radius_mm);
     Run run(felt, ground, lumps, options);
-    return run.go() ? Status() : Status(StatusCode::Cancelled, "what can be felt was cancelled");
+    return run.go() ? Status() : Status(StatusCode::Cancelled, PALPATE_TEXT("what can be felt was cancelled"));
 }
 
 double leastCover(const Prepared& lump, const RepairedMesh& surface, const SurfaceIndex& organ,
@@ -452,8 +454,9 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
     }
     if (!hasInside(organ.report)) {
         return Status(StatusCode::Unsupported,
-                      name + ": its surface is open or inside out; expected a closed one, or it can't be told what "
-                             "lies in it");
+                      PALPATE_TEXT("%1: its surface is open or inside out; expected a closed one, or it can't be told "
+                                   "what lies in it"),
+                      name);
     }
     const bool isAnyKnown =
         std::any_of(lumps.begin(), lumps.end(), [](const auto& one) { return one.ratio.has_value(); });
@@ -467,11 +470,9 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
         return ready.status();
     }
     if (ready.value().empty()) {
-        std::string why = name + ": found no lump in it that can be judged";
-        for (const std::string& note : felt.notes) {
-            why += "; " + note;
-        }
-        return Status(StatusCode::Empty, why);
+        std::vector<core::Message> why{core::Message(PALPATE_TEXT("%1: found no lump in it that can be judged"), name)};
+        why.insert(why.end(), felt.notes.begin(), felt.notes.end());
+        return Status(StatusCode::Empty, core::joined(why));
     }
     const RepairedMesh fine = isAnyKnown ? refinedForContact(organ, kFinest * options.radius_mm) : organ;
     felt.surface = fine.mesh;
@@ -490,7 +491,7 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
         felt.lumps.push_back({given.name, lump->number, given.ratio, 0.0, {}});
     }
     if (Status status = computeVerdicts(felt, fine, index, ready.value(), options); !status.isOk()) {
-        return Status(status.code(), name + ": " + status.message());
+        return status.at(name);
     }
     for (std::size_t i = 0; i < felt.lumps.size(); ++i) {
         felt.lumps[i].minCover_mm =
@@ -499,11 +500,10 @@ Result<FeltSurface> feltSurface(const std::string& name, const RepairedMesh& org
     if (vertices > felt.organVertices) {
         felt.interpolationError = interpolationErrorOf(organ.mesh, felt);
         if (100.0 * felt.interpolationError > kDetectableChange_percent[0]) {
-            felt.notes.push_back(name +
-                                 ": its triangles are wider than a finger's contact: what the hand feels of its "
-                                 "lumps differs by up to " +
-                                 core::shortNumber(std::round(100.0 * felt.interpolationError)) +
-                                 " % from what is shown; a finer mesh mends it");
+            felt.notes.push_back(core::Message(
+                PALPATE_TEXT("%1: its triangles are wider than a finger's contact: what the hand feels of its lumps "
+                             "differs by up to %2 % from what is shown; a finer mesh mends it"),
+                name, std::round(100.0 * felt.interpolationError)));
         }
     }
     return felt;

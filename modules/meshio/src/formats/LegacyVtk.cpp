@@ -225,7 +225,7 @@ Status LegacyScan::reportProgress()
 {
     if (m_steps++ % 65536 == 0 && m_context.progress &&
         !m_context.progress(double(m_body.at()) / double(m_image.bytes().size()))) {
-        return {StatusCode::Cancelled, m_context.file + ": reading was cancelled"};
+        return {StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), m_context.file};
     }
     return {};
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/MeshFormat.h"
 
-#include "text/Fault.h"
 #include "formats/PolygonCutter.h"
+#include "text/Fault.h"
 #include "text/TextScan.h"
 
 #include <palpate/core/Numbers.h>
@@ -185,7 +185,7 @@ Status ObjScan::run()
     while (m_lines.next()) {
         if (++step % 65536 == 0 && m_context.progress &&
             !m_context.progress(double(m_lines.begin()) / double(m_text.size()))) {
-            return {StatusCode::Cancelled, m_context.file + ": reading was cancelled"};
+            return {StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), m_context.file};
         }
         std::string_view rest = wholeLine();
         if (rest.find('\0') != std::string_view::npos) {

@@ -259,7 +259,7 @@ Status PlyScan::readElement(const PlyElement& element, PreScan& scan)
         }
         if (i % 65536 == 0 && m_context.progress &&
             !m_context.progress(double(m_body.offset()) / double(m_bytes.size()))) {
-            return {StatusCode::Cancelled, m_context.file + ": reading was cancelled"};
+            return {StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), m_context.file};
         }
     }
     return {};

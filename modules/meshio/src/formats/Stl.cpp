@@ -30,7 +30,7 @@ constexpr std::size_t kProgressStep = std::size_t{1} << 16;
 
 Status cancelled(const ScanContext& context)
 {
-    return {StatusCode::Cancelled, context.file + ": reading was cancelled"};
+    return {StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), context.file};
 }
 
 /// Truncates the image to `size` bytes and appends `end`.

@@ -417,7 +417,7 @@ Status VtpScan::run()
         }
         done += 1.0 / static_cast<double>(m_header.pieces.size());
         if (m_context.progress && !m_context.progress(done)) {
-            return {StatusCode::Cancelled, m_context.file + ": reading was cancelled"};
+            return {StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), m_context.file};
         }
     }
     if (m_scan.cells == 0) {

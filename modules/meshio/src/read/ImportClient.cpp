@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text/Fault.h"
 #include "read/ImportServer.h"
 #include "read/MeshWire.h"
+#include "text/Fault.h"
 
 #include <palpate/core/Numbers.h>
 
@@ -199,7 +199,7 @@ Status startImportServer(const ImportLimits& limits, ReaderHook hook)
 {
     std::array<int, 2> ends = {-1, -1};
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-        return {StatusCode::Internal, std::string("no socket for the import server: ") + std::strerror(errno)};
+        return {StatusCode::Internal, PALPATE_TEXT("no socket for the import server: %1"), core::systemError(errno)};
     }
     Descriptor here(ends[0]);
     const Descriptor there(ends[1]);
@@ -208,7 +208,7 @@ Status startImportServer(const ImportLimits& limits, ReaderHook hook)
         serveImports(there.value(), hook);
     }
     if (child < 0) {
-        return {StatusCode::Internal, std::string("no process for the import server: ") + std::strerror(errno)};
+        return {StatusCode::Internal, PALPATE_TEXT("no process for the import server: %1"), core::systemError(errno)};
     }
     server().socket = std::move(here);
     server().limits = limits;
@@ -263,7 +263,7 @@ Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_
     case End::Died:
         return death(exitStatus(control.value()), name, budget, noun);
     case End::Cancelled:
-        return Status(StatusCode::Cancelled, name + ": reading was cancelled");
+        return Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), name);
     case End::TooLate:
         return fault(StatusCode::OutOfRange, name, "", "reading it took more than " + inSeconds(budget.wall_s),
                      "a " + noun + " that can be read sooner");
@@ -276,7 +276,7 @@ template<class T>
 Result<T> unlessCancelled(Result<T> outcome, const std::filesystem::path& path, const std::function<bool(double)>& told)
 {
     if (outcome.isOk() && told && !told(1.0)) {
-        return Status(StatusCode::Cancelled, path.filename().string() + ": reading was cancelled");
+        return Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), path.filename());
     }
     return outcome;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/ReadMesh.h"
 
-#include "text/Fault.h"
-#include "read/ImportServer.h"
-#include "text/JsonFields.h"
-#include "text/NumericLocale.h"
 #include "guard/PreScan.h"
+#include "read/ImportServer.h"
 #include "read/TriangleSoup.h"
 #include "read/VtkRead.h"
+#include "text/Fault.h"
+#include "text/JsonFields.h"
+#include "text/NumericLocale.h"
 
 #include <cmath>
 #include <exception>
@@ -74,7 +74,7 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
         return structures.status();
     }
     if (options.progress && !options.progress(1.0)) {
-        return Status(StatusCode::Cancelled, context.file + ": reading was cancelled");
+        return Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), context.file);
     }
     MeshFile file;
     file.path = path;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/VolumeFile.h"
 
-#include "text/Fault.h"
-#include "read/ImportServer.h"
-#include "text/NumericLocale.h"
 #include "guard/OpenFile.h"
 #include "guard/VolumeHeader.h"
 #include "guard/VtkMessages.h"
 #include "guard/VtkProgress.h"
+#include "read/ImportServer.h"
+#include "text/Fault.h"
+#include "text/NumericLocale.h"
 
 #include <QByteArray>
 
@@ -168,7 +168,7 @@ Status readWithVtk(const std::filesystem::path& path, const std::optional<TextHe
         reader.Update();
         volume.image = reader.GetOutput();
         if (observer->isCancelled) {
-            status = Status(StatusCode::Cancelled, file + ": reading was cancelled");
+            status = Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), file);
         }
     };
     const auto runImage = [&](vtkImageReader2& reader) {

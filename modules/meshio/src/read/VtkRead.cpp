@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/VtkRead.h"
 
-#include "text/Fault.h"
-#include "text/NumericLocale.h"
 #include "guard/VtkMessages.h"
 #include "guard/VtkProgress.h"
+#include "text/Fault.h"
+#include "text/NumericLocale.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
@@ -49,7 +49,7 @@ Result<vtkSmartPointer<vtkPolyData>> readWithVtk(const MeshFormat& format, const
                      "a readable " + scan.format + " file");
     }
     if (observer->isCancelled) {
-        return Status(StatusCode::Cancelled, context.file + ": reading was cancelled");
+        return Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), context.file);
     }
     if (!messages.firstError().empty() || mesh == nullptr) {
         return fault(StatusCode::BadFormat, context.file, "", "VTK could not read it: " + messages.firstError(),

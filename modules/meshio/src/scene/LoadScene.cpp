@@ -173,7 +173,8 @@ void Loader::readSources()
             return !m_isCancelled.load();
         };
         if (m_isCancelled) {
-            source.file = Status(StatusCode::Cancelled, source.path.filename().string() + ": reading was cancelled");
+            source.file =
+                Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), source.path.filename());
         } else {
             source.file = readMesh(source.path, options);
         }
@@ -422,7 +423,7 @@ Result<LoadedScene> Loader::load(SceneFile scene, const std::string& name)
 Result<LoadedScene> Loader::open(const std::string& name)
 {
     readSources();
-    const Status cancelled(StatusCode::Cancelled, name + ": opening was cancelled");
+    const Status cancelled(StatusCode::Cancelled, PALPATE_TEXT("%1: opening was cancelled"), name);
     if (m_isCancelled) {
         return cancelled;
     }

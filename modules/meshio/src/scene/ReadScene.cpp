@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/SceneFile.h"
 
-#include "text/Fault.h"
 #include "guard/FileImage.h"
+#include "scene/SceneLaw.h"
+#include "text/Fault.h"
 #include "text/JsonFields.h"
 #include "text/RepeatedField.h"
-#include "scene/SceneLaw.h"
 #include "text/TextScan.h"
 
 #include <palpate/core/Text.h>
@@ -301,13 +301,16 @@ core::Finding readFinding(JsonFields& entry, const std::filesystem::path& folder
 Status anotherPrograms(const QJsonObject& document, const std::string& file)
 {
     if (document.contains(QLatin1String("markups"))) {
-        return {StatusCode::Unsupported, file +
-                                             ": is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, "
-                                             "then take the marks in with File > Import findings"};
+        return {StatusCode::Unsupported,
+                PALPATE_TEXT("%1: is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the "
+                             "marks in with File > Import findings"),
+                file};
     }
     if (!document.contains(QLatin1String("version")) && !document.contains(QLatin1String("structures"))) {
-        return {StatusCode::Unsupported, file + ": is not a Palpate scene: found neither `version` nor `structures`; "
-                                                "expected a file that Palpate saved (.palpate.json)"};
+        return {StatusCode::Unsupported,
+                PALPATE_TEXT("%1: is not a Palpate scene: found neither `version` nor `structures`; expected a file "
+                             "that Palpate saved (.palpate.json)"),
+                file};
     }
     return {};
 }
@@ -410,7 +413,8 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
         return other;
     }
     if (const auto field = internal::repeatedField(bytes)) {
-        return Status(StatusCode::BadFormat, file + ": " + core::visible(*field) + ": found twice, expected it once");
+        return Status(StatusCode::BadFormat, PALPATE_TEXT("%1: %2: found twice, expected it once"), file,
+                      core::visible(*field));
     }
     Status status;
     SceneFile scene;
@@ -421,9 +425,9 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     double version = SceneFile::kVersion;
     fields.read("version", version, 1.0, 1e9);
     if (status.isOk() && version > SceneFile::kVersion) {
-        return Status(StatusCode::Mismatch, file + ": version: found " + std::to_string(static_cast<int>(version)) +
-                                                ", expected at most " + std::to_string(SceneFile::kVersion) +
-                                                ": it was made by a newer Palpate");
+        return Status(StatusCode::Mismatch,
+                      PALPATE_TEXT("%1: version: found %2, expected at most %3: it was made by a newer Palpate"), file,
+                      static_cast<int>(version), SceneFile::kVersion);
     }
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     std::size_t i = 0;

@@ -102,8 +102,8 @@ Result<std::vector<float>> sampleVolume(const core::TissueMapping& mapping, cons
 {
     const auto isStopped = [&keepGoing] { return keepGoing && !keepGoing(); };
     const auto cancelled = [&mapping] {
-        return Status(StatusCode::Cancelled,
-                      std::filesystem::path(mapping.file).filename().string() + ": reading was cancelled");
+        return Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"),
+                      std::filesystem::path(mapping.file).filename());
     };
     if (isStopped()) {
         return cancelled();

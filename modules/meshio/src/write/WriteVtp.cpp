@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text/NumericLocale.h"
 #include "guard/VtkMessages.h"
 #include "palpate/meshio/VtpFile.h"
+#include "text/NumericLocale.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -123,7 +123,8 @@ core::Result<std::string> vtpBytes(const VtpFile& content)
     writer->EncodeAppendedDataOff();
     writer->WriteToOutputStringOn();
     if (writer->Write() == 0 || !messages.firstError().empty()) {
-        return core::Status(core::StatusCode::Internal, "VTK could not write it: " + messages.firstError());
+        return core::Status(core::StatusCode::Internal, PALPATE_TEXT("VTK could not write it: %1"),
+                            messages.firstError());
     }
     return writer->GetOutputString();
 }

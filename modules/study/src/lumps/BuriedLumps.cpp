@@ -51,13 +51,14 @@ LumpRule ruleOf(const meshio::LoadedScene& scene, const Layering& layers, const 
 }
 
 /// Returns a clause for each structure that would be a lump if the surrounding organ were closed.
-std::string lumpsInOpenOrgans(const meshio::LoadedScene& scene, const Layering& layers)
+std::vector<core::Message> lumpsInOpenOrgans(const meshio::LoadedScene& scene, const Layering& layers)
 {
-    std::string clauses;
+    std::vector<core::Message> clauses;
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
         if (const auto in = layers.structures[i].unreliableParent) {
-            clauses += "; " + scene.structures[i].description.name + " seems to lie in " +
-                       scene.structures[*in].description.name + ", whose surface is open or inside out";
+            clauses.push_back(core::Message(PALPATE_TEXT("%1 seems to lie in %2, whose surface is open or inside out"),
+                                            scene.structures[i].description.name,
+                                            scene.structures[*in].description.name));
         }
     }
     return clauses;
@@ -116,16 +117,20 @@ Status statusOf(const std::vector<OrganWithLumps>& organs, const meshio::LoadedS
     }
     for (const auto& [name, ratio] : ratios) {
         if (lumps.count(name) == 0) {
-            return Status(StatusCode::NotFound, "ratio of \"" + name +
-                                                    "\": found no such lump, expected a structure that lies in another "
-                                                    "one" +
-                                                    lumpsInOpenOrgans(scene, layers));
+            std::vector<core::Message> why = lumpsInOpenOrgans(scene, layers);
+            why.insert(why.begin(),
+                       core::Message(PALPATE_TEXT("ratio of \"%1\": found no such lump, expected a structure "
+                                                  "that lies in another one"),
+                                     name));
+            return Status(StatusCode::NotFound, core::joined(why));
         }
     }
     if (organs.empty()) {
-        return Status(StatusCode::Empty, "found no lump, expected a palpable structure inside another one's closed "
-                                         "surface, or one whose `inside` names its organ" +
-                                             lumpsInOpenOrgans(scene, layers));
+        std::vector<core::Message> why = lumpsInOpenOrgans(scene, layers);
+        why.insert(why.begin(),
+                   core::Message(PALPATE_TEXT("found no lump, expected a palpable structure inside another "
+                                              "one's closed surface, or one whose `inside` names its organ")));
+        return Status(StatusCode::Empty, core::joined(why));
     }
     return {};
 }
@@ -197,7 +202,9 @@ Result<std::vector<OrganPalpability>> computePalpability(const meshio::LoadedSce
             }
             out.push_back({organ, std::move(felt).value()});
         }
-        told.insert(told.end(), out.back().felt.notes.begin(), out.back().felt.notes.end());
+        for (const core::Message& note : out.back().felt.notes) {
+            told.push_back(note.english());
+        }
     }
     return out;
 }
@@ -235,8 +242,8 @@ Status applyBuriedLumps(meshio::LoadedScene& scene, const std::function<bool(dou
             scene.warnings.push_back(felt.status().message());
             continue;
         }
-        for (const std::string& note : felt.value().notes) {
-            scene.warnings.push_back(note);
+        for (const core::Message& note : felt.value().notes) {
+            scene.warnings.push_back(note.english());
         }
         meshio::LoadedStructure& through = scene.structures[organ.organ];
         through.feltBelow.clear();

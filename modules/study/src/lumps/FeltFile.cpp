@@ -133,8 +133,8 @@ std::string feltJson(const meshio::LoadedScene& scene, std::span<const OrganPalp
 {
     QJsonArray notes;
     for (const OrganPalpability& one : organs) {
-        for (const std::string& note : one.felt.notes) {
-            notes.append(text(note));
+        for (const core::Message& note : one.felt.notes) {
+            notes.append(text(note.english()));
         }
     }
     for (const std::string& question : ratioQuestions(scene, organs)) {

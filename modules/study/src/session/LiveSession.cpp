@@ -62,7 +62,7 @@ core::Result<servo::RecordingStart> LiveSession::takeTicks()
 {
     const auto start = session::beginRecording(m_loop);
     return start ? core::Result<servo::RecordingStart>(*start)
-                 : Status(StatusCode::Internal, "the servo thread does not answer");
+                 : Status(StatusCode::Internal, PALPATE_TEXT("the servo thread does not answer"));
 }
 
 } // namespace palpate::study

@@ -235,24 +235,28 @@ Result<Markups> readMarkups(const std::filesystem::path& path)
     const std::string name = path.filename().string();
     QFile file(QString::fromStdU16String(path.u16string()));
     if (!file.open(QIODevice::ReadOnly)) {
-        return Status(StatusCode::Unreadable, name + ": cannot be opened: " + file.errorString().toStdString());
+        return Status(StatusCode::Unreadable, PALPATE_TEXT("%1: cannot be opened: %2"), name,
+                      file.errorString().toStdString());
     }
     const QByteArray bytes = file.read(kMostBytes + 1);
     if (bytes.size() > kMostBytes) {
-        return Status(StatusCode::BadFormat, name + ": found more than 64 MiB, expected a list of points");
+        return Status(StatusCode::BadFormat, PALPATE_TEXT("%1: found more than 64 MiB, expected a list of points"),
+                      name);
     }
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(withoutWords(bytes), &error);
     if (!document.isObject()) {
         return Status(
-            StatusCode::BadFormat,
-            name + ": byte " + std::to_string(error.offset) + ": found " +
-                (error.error == QJsonParseError::NoError ? "no JSON object" : error.errorString().toStdString()) +
-                ", expected markups of 3D Slicer (.mrk.json)");
+            StatusCode::BadFormat, PALPATE_TEXT("%1: byte %2: found %3, expected markups of 3D Slicer (.mrk.json)"),
+            name, error.offset,
+            error.error == QJsonParseError::NoError ? core::Message(PALPATE_TEXT("no JSON object"))
+                                                    : core::Message::untranslated(error.errorString().toStdString()));
     }
     if (!document["markups"].isArray()) {
         return Status(StatusCode::BadFormat,
-                      name + ": markups: found nothing, expected lists of points: is this a .mrk.json of 3D Slicer?");
+                      PALPATE_TEXT("%1: markups: found nothing, expected lists of points: is this a .mrk.json of 3D "
+                                   "Slicer?"),
+                      name);
     }
     MarkupsReader reader(name);
     reader.checkSchema(document["@schema"]);

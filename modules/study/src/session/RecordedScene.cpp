@@ -405,13 +405,13 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const fs::p
         }
     }
     if (files.empty()) {
-        return Status(StatusCode::NotFound, "the recording does not say what scene it was made on");
+        return Status(StatusCode::NotFound, PALPATE_TEXT("the recording does not say what scene it was made on"));
     }
     for (const fs::path& file : files) {
         const meshio::ReadOptions options = readAs(reader, file);
         std::error_code error;
         if (!fs::exists(file, error)) {
-            return Status(StatusCode::NotFound, file.string() + ": no such file");
+            return Status(StatusCode::NotFound, PALPATE_TEXT("%1: no such file"), file);
         }
         const auto loaded = openScene(file, options);
         if (!loaded.isOk()) {

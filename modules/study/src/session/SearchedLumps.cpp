@@ -212,7 +212,7 @@ Result<std::vector<LumpSearch>> searchedLumps(const session::RecordingReader& re
         return read;
     }
     if (isCancelled) {
-        return Status(StatusCode::Cancelled, "measuring was cancelled");
+        return Status(StatusCode::Cancelled, PALPATE_TEXT("measuring was cancelled"));
     }
     std::vector<LumpSearch> out;
     for (const Searched& one : all) {

@@ -44,7 +44,7 @@ class Steps
     [[nodiscard]] bool isCancelled() const noexcept { return m_isCancelled; }
     [[nodiscard]] Status status(const std::filesystem::path& path) const
     {
-        return {StatusCode::Cancelled, path.string() + ": not written: cancelled"};
+        return {StatusCode::Cancelled, PALPATE_TEXT("%1: not written: cancelled"), path};
     }
 
   private:
@@ -56,8 +56,7 @@ class Steps
 Status write(const std::filesystem::path& path, const meshio::VtpFile& file)
 {
     const auto bytes = meshio::vtpBytes(file);
-    return bytes.isOk() ? core::writeAtomically(path, bytes.value())
-                        : Status(bytes.status().code(), path.string() + ": " + bytes.status().message());
+    return bytes.isOk() ? core::writeAtomically(path, bytes.value()) : bytes.status().at(path);
 }
 
 } // namespace
@@ -127,7 +126,8 @@ Status exportPath(const session::RecordingReader& reader, const std::filesystem:
         return status.isOk() ? steps.status(path) : status;
     }
     if (file.points.empty()) {
-        return {StatusCode::Empty, path.string() + ": not written: found no tick with a hand, expected at least one"};
+        return {StatusCode::Empty, PALPATE_TEXT("%1: not written: found no tick with a hand, expected at least one"),
+                path};
     }
     file.lineEnds.push_back(file.points.size());
     file.pointArrays = {{"force_N", std::move(forces_N)}, {"depth_mm", std::move(depths_mm)},
@@ -160,7 +160,7 @@ Status exportSurface(const session::SessionMeasures& measures, const std::filesy
         file.structureNames.push_back(one.structure);
     }
     if (file.structureNames.empty()) {
-        return {StatusCode::Empty, path.string() + ": not written: no surface that is there was touched"};
+        return {StatusCode::Empty, PALPATE_TEXT("%1: not written: no surface that is there was touched"), path};
     }
     file.pointArrays = {
         {"dwell_s", std::move(dwell_s)}, {"peak_force_N", std::move(peak_N)}, {"coverage", std::move(coverage)}};
@@ -187,9 +187,11 @@ Status checkSurfaceFile(const std::filesystem::path& surface)
     }
     return head.find("Name=\"dwell_s\"") != std::string::npos
                ? Status()
-               : Status(StatusCode::BadCommandLine,
-                        surface.string() + ": the touched surface goes there; found another file, expected "
-                                           "none or an older export. Choose another name");
+               : Status(
+                     StatusCode::BadCommandLine,
+                     PALPATE_TEXT("%1: the touched surface goes there; found another file, expected none or an older "
+                                  "export. Choose another name"),
+                     surface);
 }
 
 } // namespace palpate::study

@@ -2,6 +2,7 @@
 #include "palpate/ui/LumpMaps.h"
 
 #include "palpate/ui/EngineTexts.h"
+#include "palpate/ui/Translated.h"
 
 #include <palpate/view/SurfaceMesh.h>
 
@@ -156,8 +157,8 @@ class LumpMaps::Making
             m_found.notes << engineText(felt.status());
             return;
         }
-        for (const std::string& note : felt.value().notes) {
-            m_found.notes << engineText(note);
+        for (const core::Message& note : felt.value().notes) {
+            m_found.notes << translated(note);
         }
         for (const buried::FeltSurface::Lump& lump : felt.value().lumps) {
             if (!lump.ratio) {

@@ -110,7 +110,7 @@ struct FeltSurface
     std::vector<float> cover_mm;    ///< depth of the lump with the largest effect; NaN without one
     std::vector<std::uint8_t> lump; ///< index + 1 of the lump with the largest effect at the deepest press; 0: no lump
     std::vector<std::uint8_t> notJudged; ///< bit flags of NotJudged
-    std::vector<std::string> notes;      ///< omitted items with the reason, one sentence each
+    std::vector<core::Message> notes;    ///< omitted items with the reason, one sentence each
 };
 
 /// Formats the verdict with its basis: "by a trained hand", or, if the ends of the ratio's range lead to different
