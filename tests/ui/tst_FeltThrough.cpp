@@ -41,8 +41,7 @@ void nest(Rows& rows)
     }
     const study::Layering layers = study::layering(surfaces);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto in = layers.structures[i].in;
-        rows[i].in = in ? std::optional(static_cast<int>(*in)) : std::nullopt;
+        rows[i].in = layers.structures[i].in;
     }
 }
 

@@ -20,9 +20,9 @@ using core::Vec3;
 
 namespace {
 
-core::Box boxOf(const ui::StructureRow& row)
+core::Box boxOf(vtkPolyData& picture)
 {
-    const double* b = row.picture->GetBounds();
+    const double* b = picture.GetBounds();
     return {Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5])};
 }
 
@@ -66,7 +66,7 @@ class FittedHand : public QObject
             break;
         case 1:
             hand.settings.fill = ui::MapFill::Organ;
-            hand.place.filled = boxOf(m_model.rows().front());
+            hand.place.filled = boxOf(*m_model.picture(0));
             break;
         case 2:
             hand.settings.fill = ui::MapFill::Lump;
@@ -92,7 +92,7 @@ class FittedHand : public QObject
                 row.touch =
                     std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*row.loaded.surface));
             }
-            m_all.extend(boxOf(row));
+            m_all.extend(boxOf(*row.picture));
             rows.push_back(std::move(row));
         }
         QCOMPARE(rows.front().loaded.description.name, std::string("liver"));

@@ -250,7 +250,8 @@ class MapEditor : public QObject
             loader.buildMaps(row, p.model.rows()[static_cast<std::size_t>(row)].loaded);
         });
         connect(&loader, &ui::SceneLoader::mapsBuilt, &p.model,
-                [&](int row, const std::shared_ptr<meshio::LoadedStructure>& found, const QStringList& problems) {
+                [&](int row, const std::shared_ptr<meshio::LoadedStructure>& found,
+                    const std::vector<core::Message>& problems) {
                     p.model.setMaps(row, found->description.maps, found->maps, problems);
                 });
         auto* editor = p.panel.findChild<ui::MapEditor*>();

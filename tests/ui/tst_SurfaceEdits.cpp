@@ -22,7 +22,7 @@ class SurfaceEdits : public QObject
     ui::SceneLoader m_loader;
     StructureModel m_model;
 
-    const ui::StructureRow& row() const { return m_model.rows().front(); }
+    const study::OpenStructure& row() const { return m_model.rows().front(); }
 
   private Q_SLOTS:
     void initTestCase()
@@ -54,12 +54,12 @@ class SurfaceEdits : public QObject
         QVERIFY(m_model.defects(0).join(QLatin1Char(' ')).contains(QStringLiteral("steps of 1 × 1 × 3 mm")));
         const auto surface = row().loaded.surface;
         const auto touch = row().touch;
-        const auto picture = row().picture;
+        const auto picture = m_model.picture(0);
         QSignalSpy replaced(&m_model, &StructureModel::surfaceReplaced);
         m_model.smooth(m_model.steppedRows());
         QTRY_COMPARE_WITH_TIMEOUT(replaced.count(), 1, 60000);
         QVERIFY(row().loaded.smoothing.has_value());
-        QVERIFY(row().loaded.surface != surface && row().touch != touch && row().picture != picture);
+        QVERIFY(row().loaded.surface != surface && row().touch != touch && m_model.picture(0) != picture);
         QVERIFY(m_model.steppedRows().empty());
         QVERIFY(m_model.structure(0).surface == meshio::SurfaceKind::Smoothed); // as saved later
         m_model.undoStack().undo();

@@ -83,7 +83,7 @@ class LumpVerdicts : public QObject
         const study::Layering layering = study::layering(surfaces);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (layering.structures[i].in) {
-                rows[i].in = static_cast<int>(*layering.structures[i].in);
+                rows[i].in = layering.structures[i].in;
             }
         }
         ui::StructureModel model;
@@ -98,7 +98,7 @@ class LumpVerdicts : public QObject
             return {};
         }
         meshio::LoadedScene names;
-        for (const ui::StructureRow& row : model.rows()) {
+        for (const study::OpenStructure& row : model.rows()) {
             names.structures.push_back(row.loaded);
         }
         std::vector<study::OrganPalpability> organs;

@@ -64,12 +64,12 @@ CoordinatesChoice::CoordinatesChoice(ui::ActionList& actions, QWidget* parent)
     show({}, false);
 }
 
-void CoordinatesChoice::show(const std::vector<ui::StructureRow>& rows, bool isFixed)
+void CoordinatesChoice::show(const std::vector<study::OpenStructure>& rows, bool isFixed)
 {
     m_taken.clear();
     m_isKnown = true;
     m_isFixed = isFixed || rows.empty();
-    for (const ui::StructureRow& row : rows) {
+    for (const study::OpenStructure& row : rows) {
         const FileFrame said = core::resolvedFrame(row.loaded.description.frame, row.loaded.frame);
         m_isKnown = m_isKnown && said != FileFrame::Untagged;
         const FileFrame taken = said == FileFrame::Untagged ? FileFrame::Lps : said;

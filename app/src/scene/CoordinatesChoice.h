@@ -25,7 +25,7 @@ class CoordinatesChoice : public QObject
     [[nodiscard]] QToolButton& button() const noexcept { return *m_button; }
     /// Shows the axes of the structures.
     /// @param isFixed  true: the surfaces come from a recording, and their axes cannot be changed
-    void show(const std::vector<palpate::ui::StructureRow>& rows, bool isFixed);
+    void show(const std::vector<palpate::study::OpenStructure>& rows, bool isFixed);
     /// True if each mesh file states its axes, or the user has chosen them.
     [[nodiscard]] bool isKnown() const noexcept { return m_isKnown; }
 

@@ -139,14 +139,8 @@ void SceneDocument::addFinding(const core::Finding& finding)
 
 meshio::SceneFile SceneDocument::content() const
 {
-    meshio::SceneFile scene = m_rest;
-    scene.buried = m_model.buried();
+    meshio::SceneFile scene = m_model.scene().sceneFile(m_rest);
     scene.findings = m_findings.findings();
-    for (const ui::StructureRow& row : m_model.rows()) {
-        if (!row.isRemoved) {
-            scene.structures.push_back(row.loaded.description);
-        }
-    }
     scene.structures.insert(scene.structures.end(), m_unopened.begin(), m_unopened.end());
     return scene;
 }
@@ -163,7 +157,7 @@ meshio::SceneFile SceneDocument::inFrame(core::FileFrame frame) const
     scene.camera.reset();
     for (core::Finding& finding : scene.findings) {
         const auto& rows = m_model.rows();
-        const auto named = std::find_if(rows.begin(), rows.end(), [&](const ui::StructureRow& row) {
+        const auto named = std::find_if(rows.begin(), rows.end(), [&](const study::OpenStructure& row) {
             return row.loaded.description.name == finding.structure ||
                    ui::readableName(row.loaded.description.name).toStdString() == finding.structure;
         });

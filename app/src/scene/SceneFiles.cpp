@@ -150,7 +150,7 @@ void SceneFiles::add(const std::vector<std::filesystem::path>& files)
         return;
     }
     std::vector<ui::OpenSurface> there;
-    for (const ui::StructureRow& row : m_core.model.rows()) {
+    for (const study::OpenStructure& row : m_core.model.rows()) {
         there.push_back(row.isRemoved ? ui::OpenSurface() : ui::OpenSurface{row.loaded.surface, row.touch});
     }
     if (!meshes.empty()) {

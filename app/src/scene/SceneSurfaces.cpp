@@ -12,6 +12,8 @@
 #include <QMainWindow>
 
 #include <memory>
+#include <palpate/ui/EngineTexts.h>
+
 #include <optional>
 #include <utility>
 
@@ -23,15 +25,16 @@ using ui::StructureRow;
 namespace {
 
 /// Closed surfaces with outward normals are drawn without their inside.
-bool isSolid(const StructureRow& row)
+bool isSolid(const study::OpenStructure& row)
 {
     const geometry::MeshReport& report = row.loaded.surface->report;
     return report.isClosed() && report.insideOutComponents == 0;
 }
 
-view::ViewStructure pictureOf(const StructureRow& row, const view::Appearance& appearance, bool isSolid)
+view::ViewStructure pictureOf(const study::OpenStructure& row, const vtkSmartPointer<vtkPolyData>& picture,
+                              const view::Appearance& appearance, bool isSolid)
 {
-    return {view::StructureActor(row.picture, appearance, isSolid),
+    return {view::StructureActor(picture, appearance, isSolid),
             row.loaded.description.palpable && !row.isRemoved ? row.touch : nullptr};
 }
 
@@ -64,17 +67,21 @@ void SceneSurfaces::connectLoader()
             });
     connect(&m_loader, &ui::SceneLoader::surfaceBuilt, this,
             [&model](int row, const std::shared_ptr<StructureRow>& built) { model.setSurface(row, *built); });
-    connect(
-        &m_loader, &ui::SceneLoader::mapsBuilt, this,
-        [this, &model](int row, const std::shared_ptr<meshio::LoadedStructure>& found, const QStringList& problems) {
-            if (!m_loader.isBusy() && !m_loader.isBuildingMaps()) {
-                m_progress.hide();
-            }
-            model.setMaps(row, found->description.maps, found->maps, problems);
-            m_core.notices.say(problems.isEmpty()
-                                   ? tr("The map of %1 was applied.").arg(ui::readableName(found->description.name))
-                                   : problems.join(QLatin1Char(' ')));
-        });
+    connect(&m_loader, &ui::SceneLoader::mapsBuilt, this,
+            [this, &model](int row, const std::shared_ptr<meshio::LoadedStructure>& found,
+                           const std::vector<core::Message>& problems) {
+                if (!m_loader.isBusy() && !m_loader.isBuildingMaps()) {
+                    m_progress.hide();
+                }
+                model.setMaps(row, found->description.maps, found->maps, problems);
+                QStringList lines;
+                for (const core::Message& problem : problems) {
+                    lines << ui::engineText(problem);
+                }
+                m_core.notices.say(lines.isEmpty()
+                                       ? tr("The map of %1 was applied.").arg(ui::readableName(found->description.name))
+                                       : lines.join(QLatin1Char(' ')));
+            });
     connect(&m_loader, &ui::SceneLoader::notesFound, &m_core.notices, &Notices::warn);
 }
 
@@ -83,7 +90,8 @@ void SceneSurfaces::draw(const std::vector<StructureRow>& rows)
     std::vector<view::ViewStructure> pictures;
     pictures.reserve(rows.size());
     for (const StructureRow& row : rows) {
-        pictures.push_back(pictureOf(row, StructureModel::appearanceOf(row.loaded.description), isSolid(row)));
+        pictures.push_back(
+            pictureOf(row, row.picture, StructureModel::appearanceOf(row.loaded.description), isSolid(row)));
     }
     m_core.viewport.view().setStructures(std::move(pictures));
 }
@@ -92,7 +100,7 @@ void SceneSurfaces::drawAdded(const std::vector<StructureRow>& rows)
 {
     std::vector<view::ViewStructure> pictures;
     for (const StructureRow& row : rows) {
-        pictures.push_back(pictureOf(row, StructureModel::appearanceOf(row.loaded.description), false));
+        pictures.push_back(pictureOf(row, row.picture, StructureModel::appearanceOf(row.loaded.description), false));
     }
     m_core.viewport.view().addStructures(std::move(pictures));
 }
@@ -108,7 +116,7 @@ void SceneSurfaces::requestMaps(int row)
 void SceneSurfaces::follow(int row, StructureModel::Change change)
 {
     const auto index = static_cast<std::size_t>(row);
-    const StructureRow& one = m_core.model.rows()[index];
+    const study::OpenStructure& one = m_core.model.rows()[index];
     const meshio::SceneStructure& structure = one.loaded.description;
     view::SceneView& view = m_core.viewport.view();
     if (change == StructureModel::Change::Look) {
@@ -134,20 +142,21 @@ void SceneSurfaces::follow(int row, StructureModel::Change change)
 void SceneSurfaces::followSurface(int row)
 {
     StructureModel& model = m_core.model;
-    const StructureRow& changed = model.rows()[static_cast<std::size_t>(row)];
-    m_core.viewport.view().setStructure(static_cast<std::size_t>(row),
-                                        pictureOf(changed, model.appearanceOf(row), isSolid(changed)));
+    const study::OpenStructure& changed = model.rows()[static_cast<std::size_t>(row)];
+    m_core.viewport.view().setStructure(
+        static_cast<std::size_t>(row),
+        pictureOf(changed, model.picture(row), model.appearanceOf(row), isSolid(changed)));
     std::vector<study::LayeredSurface> surfaces;
-    for (const StructureRow& one : model.rows()) {
+    for (const study::OpenStructure& one : model.rows()) {
         surfaces.push_back(one.isRemoved ? study::LayeredSurface{}
                                          : study::LayeredSurface{one.loaded.surface.get(), one.touch.get()});
     }
     const study::Layering found = study::layering(surfaces);
-    std::vector<std::optional<int>> in;
+    std::vector<std::optional<std::size_t>> in;
     bool isNestedAnew = false, isFlat = model.buried() == meshio::BuriedTouch::Layers;
     for (std::size_t i = 0; i < found.structures.size(); ++i) {
         const auto around = found.structures[i].in;
-        in.push_back(around ? std::optional(static_cast<int>(*around)) : std::nullopt);
+        in.push_back(around);
         isNestedAnew = isNestedAnew || (around && model.rows()[i].in != in.back());
         isFlat = isFlat && model.structure(static_cast<int>(i)).layer == 0;
     }

@@ -30,7 +30,7 @@ QString tissueLine(const StructureModel& model, const std::vector<StructureModel
                              .arg(ui::readableName(changed.front().description.name))
                        : TissueTexts::tr("The tissue of %1 structures was chosen by their names.").arg(changed.size());
     int unnamed = 0;
-    for (const ui::StructureRow& row : model.rows()) {
+    for (const study::OpenStructure& row : model.rows()) {
         unnamed += !row.isRemoved && row.loaded.description.tissue == core::Tissue() ? 1 : 0;
     }
     if (unnamed > 0) {

@@ -88,8 +88,8 @@ void LumpLayout::assignLump(int row, int around)
 /// Reason why the lump cannot be palpated through the organ. @return empty if the model of buried lumps applies
 QString LumpLayout::reasonForLayer(int row, int around) const
 {
-    const StructureRow &lump = m_model.rows()[static_cast<std::size_t>(row)],
-                       &organ = m_model.rows()[static_cast<std::size_t>(around)];
+    const study::OpenStructure &lump = m_model.rows()[static_cast<std::size_t>(row)],
+                               &organ = m_model.rows()[static_cast<std::size_t>(around)];
     const QString organName = readableName(organ.loaded.description.name);
     if (!study::hasReliableInterior(lump.loaded.surface->report)) {
         return tr("surface open or inside out");

@@ -56,7 +56,7 @@ void ResultsPart::show()
         return;
     }
     session::MeshesByHash meshes;
-    for (const ui::StructureRow& row : m_core.model.rows()) {
+    for (const study::OpenStructure& row : m_core.model.rows()) {
         if (!row.sha256.empty()) {
             meshes[row.sha256] = row.loaded.surface;
         }

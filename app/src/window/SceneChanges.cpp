@@ -185,9 +185,9 @@ void SceneChanges::addRows(ui::OpenedScene& scene, int first)
     const QString text = scene.rows.size() == 1
                              ? tr("Add %1").arg(ui::readableName(scene.rows.front().loaded.description.name))
                              : tr("Add %1 structures").arg(scene.rows.size());
-    std::vector<std::optional<int>> in;
+    std::vector<std::optional<std::size_t>> in;
     for (const study::Layering::Structure& one : scene.layering.structures) {
-        in.push_back(one.in ? std::optional(static_cast<int>(*one.in)) : std::nullopt);
+        in.push_back(one.in);
     }
     model.undoStack().beginMacro(text);
     model.addRows(std::move(scene.rows), text);

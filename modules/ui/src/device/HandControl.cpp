@@ -184,10 +184,9 @@ std::optional<HandControl::Filled> HandControl::organ()
     if (row < 0 || row >= m_model.rowCount()) {
         return std::nullopt;
     }
-    const StructureRow& one = m_model.rows()[static_cast<std::size_t>(row)];
-    const double* b = one.picture->GetBounds();
+    const double* b = m_model.picture(row)->GetBounds();
     return Filled{{core::Vec3(b[0], b[2], b[4]), core::Vec3(b[1], b[3], b[5])},
-                  readableName(one.loaded.description.name)};
+                  readableName(m_model.structure(row).name)};
 }
 
 std::optional<HandControl::Filled> HandControl::lump()
@@ -261,7 +260,7 @@ QString HandControl::inside() const
     if (m_live.map().isDirect || (tick.flags & servo::kNoHand) != 0 || tick.felt.structure >= 0) {
         return {};
     }
-    for (const StructureRow& one : m_model.rows()) {
+    for (const study::OpenStructure& one : m_model.rows()) {
         if (one.touch != nullptr && !one.isRemoved && study::canBeFelt(one.loaded.description) &&
             one.loaded.surface->report.isClosed() && geometry::isInside(*one.touch, tick.p_WH)) {
             return readableName(one.loaded.description.name);

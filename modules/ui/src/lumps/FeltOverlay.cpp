@@ -153,7 +153,7 @@ void FeltOverlay::undraw()
 {
     for (const int row : m_drawn) {
         const auto i = static_cast<std::size_t>(row);
-        m_viewport.view().setPicture(i, m_model.rows()[i].picture);
+        m_viewport.view().setPicture(i, m_model.picture(static_cast<int>(i)));
     }
     if (!m_drawn.empty()) {
         m_viewport.view().legend().hide();

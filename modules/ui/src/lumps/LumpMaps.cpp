@@ -65,14 +65,14 @@ std::shared_ptr<const DisplayedOrgan> shownOrgan(study::OrganPalpability organ, 
 StructureModel::TransmittedMap transmittedMap(const study::OrganPalpability& from)
 {
     StructureModel::TransmittedMap to;
-    to.organ = static_cast<int>(from.organ.organ);
+    to.organ = from.organ.organ;
     for (const buried::FeltSurface::Press& press : from.felt.press) {
         to.below.emplace_back(press.ratio.begin(),
                               press.ratio.begin() + static_cast<std::ptrdiff_t>(from.felt.organVertices));
     }
     for (const buried::FeltSurface::Lump& lump : from.felt.lumps) {
         if (lump.ratio) {
-            to.lumps.push_back(static_cast<int>(from.organ.lumps[lump.given].structure));
+            to.lumps.push_back(from.organ.lumps[lump.given].structure);
         }
     }
     return to;
@@ -212,7 +212,7 @@ void LumpMaps::setWanted(bool isWanted)
 std::vector<LumpMaps::Cause> LumpMaps::causes() const
 {
     std::vector<Cause> causes;
-    for (const StructureRow& row : m_model.rows()) {
+    for (const study::OpenStructure& row : m_model.rows()) {
         const meshio::SceneStructure& one = row.loaded.description;
         causes.push_back({one.name, one.inside, one.young_ratio, one.young_kPa, one.felt_contact_radius_mm,
                           one.tissue.stiffness_N_per_mm, one.tissue.law.kind, one.palpable,
@@ -233,20 +233,6 @@ std::vector<bool> LumpMaps::transmittedLumps() const
 bool LumpMaps::hasTransmittedLumps() const
 {
     return std::find(m_forHand.begin(), m_forHand.end(), true) != m_forHand.end();
-}
-
-/// Copies the scene for the worker. Removed structures have no surface but keep their place, so that numbers equal
-/// rows.
-meshio::LoadedScene LumpMaps::sceneNow() const
-{
-    meshio::LoadedScene scene;
-    for (const StructureRow& row : m_model.rows()) {
-        meshio::LoadedStructure one;
-        one.description = row.loaded.description;
-        one.surface = row.isRemoved ? nullptr : row.loaded.surface;
-        scene.structures.push_back(std::move(one));
-    }
-    return scene;
 }
 
 /// Starts over for another scene. Maps loaded with the scene are used as they are.
@@ -311,10 +297,10 @@ void LumpMaps::begin()
         return !job->isCancelled;
     };
     std::vector<vtkSmartPointer<vtkPolyData>> pictures;
-    for (const StructureRow& row : m_model.rows()) {
-        pictures.push_back(row.picture);
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        pictures.push_back(m_model.picture(row));
     }
-    auto making = std::make_shared<Making>(sceneNow(), std::move(pictures), m_forHand, m_isWanted,
+    auto making = std::make_shared<Making>(m_model.scene().loadedScene(), std::move(pictures), m_forHand, m_isWanted,
                                            m_isUpToDate ? m_organs : DisplayedOrgans(), progress);
     m_thread.start([this, job = m_job, making] {
         auto found = std::make_shared<Found>(making->run());

@@ -271,7 +271,7 @@ class SceneLoader::Opening
         }
         for (std::size_t i = m_open.size(); i < surfaces.size(); ++i) {
             if (const std::optional<std::size_t> in = m_opened->layering.structures[i].in) {
-                m_opened->rows[i - m_open.size()].in = static_cast<int>(*in);
+                m_opened->rows[i - m_open.size()].in = in;
             }
         }
     }
@@ -360,7 +360,7 @@ void SceneLoader::buildSurface(int row, const meshio::LoadedStructure& structure
         std::vector<std::string> warnings, losses;
         meshio::resolveMaps(one, warnings, losses);
         for (const std::string& line : losses) {
-            built->mapProblems << engineText(line);
+            built->mapProblems.push_back(core::Message::untranslated(line));
         }
         built->picture = view::makeSurface(*one.surface);
         if (one.description.palpable) {
@@ -378,7 +378,7 @@ void SceneLoader::buildSurface(int row, const meshio::LoadedStructure& structure
     });
 }
 
-void SceneLoader::findGaps(const std::vector<StructureRow>& rows)
+void SceneLoader::findGaps(const std::vector<study::OpenStructure>& rows)
 {
     struct Kept // keeps the data alive during the search
     {
@@ -387,7 +387,7 @@ void SceneLoader::findGaps(const std::vector<StructureRow>& rows)
         std::vector<study::NeighbourSurface> neighbours;
     };
     auto kept = std::make_shared<Kept>();
-    for (const StructureRow& row : rows) {
+    for (const study::OpenStructure& row : rows) {
         const bool counts = !row.isRemoved && study::canBeFelt(row.loaded.description) && !row.loaded.isTransmitted;
         kept->surfaces.push_back(row.loaded.surface);
         kept->indices.push_back(counts ? row.touch : nullptr);
@@ -414,31 +414,31 @@ void SceneLoader::findGaps(const std::vector<StructureRow>& rows)
 void SceneLoader::buildMaps(int row, const meshio::LoadedStructure& structure)
 {
     ++m_mapJobs;
-    m_builders.start(
-        [this, row, made = std::make_shared<meshio::LoadedStructure>(structure), scene = m_scene, job = m_maps] {
-            std::vector<std::string> warnings, losses;
-            meshio::resolveMaps(*made, warnings, losses, [&job] { return !job->isCancelled; });
-            QStringList problems;
-            for (const std::string& line : losses) {
-                problems << engineText(line);
-            }
-            QMetaObject::invokeMethod(
-                this,
-                [this, row, made, problems, scene, job]() mutable {
-                    --m_mapJobs;
-                    // Results completed before the cancellation are discarded too.
-                    if (job->isCancelled && problems.isEmpty()) {
-                        for (const meshio::SurfaceMap& map : made->maps) {
-                            problems << QString::fromStdString(map.mapping.file + ": reading was cancelled");
-                        }
-                        made->maps.clear();
+    m_builders.start([this, row, made = std::make_shared<meshio::LoadedStructure>(structure), scene = m_scene,
+                      job = m_maps] {
+        std::vector<std::string> warnings, losses;
+        meshio::resolveMaps(*made, warnings, losses, [&job] { return !job->isCancelled; });
+        std::vector<core::Message> problems;
+        for (const std::string& line : losses) {
+            problems.push_back(core::Message::untranslated(line));
+        }
+        QMetaObject::invokeMethod(
+            this,
+            [this, row, made, problems, scene, job]() mutable {
+                --m_mapJobs;
+                // Results completed before the cancellation are discarded too.
+                if (job->isCancelled && problems.empty()) {
+                    for (const meshio::SurfaceMap& map : made->maps) {
+                        problems.push_back(core::Message(PALPATE_TEXT("%1: reading was cancelled"), map.mapping.file));
                     }
-                    if (scene == m_scene) {
-                        Q_EMIT mapsBuilt(row, made, problems);
-                    }
-                },
-                Qt::QueuedConnection);
-        });
+                    made->maps.clear();
+                }
+                if (scene == m_scene) {
+                    Q_EMIT mapsBuilt(row, made, problems);
+                }
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 } // namespace palpate::ui

@@ -4,11 +4,7 @@
 #include "palpate/ui/EngineTexts.h"
 #include "palpate/ui/Theme.h"
 
-#include <palpate/meshio/SurfaceMaps.h>
-#include <palpate/study/BuriedLumps.h>
-#include <palpate/study/DeviceLimit.h>
 #include <palpate/study/HapticCopy.h>
-#include <palpate/study/StructureSources.h>
 
 #include <QElapsedTimer>
 #include <QLocale>
@@ -39,87 +35,59 @@ QIcon swatch(const QColor& colour)
 
 } // namespace
 
-namespace {
-
-/// True when a different surface must be built from the same mesh.
-bool hasOtherSurface(const meshio::SceneStructure& a, const meshio::SceneStructure& b)
-{
-    return a.outwards != b.outwards || a.surface != b.surface ||
-           (a.smoothing != b.smoothing && b.surface == meshio::SurfaceKind::Smoothed);
-}
-
-} // namespace
-
 QColor colourOf(const meshio::SceneStructure& structure)
 {
     return QColor::fromRgbF(static_cast<float>(structure.colour[0]), static_cast<float>(structure.colour[1]),
                             static_cast<float>(structure.colour[2]));
 }
 
-/// Undo step for changed descriptions. Steps in quick succession, as from a drag or the wheel, are merged.
-class StructureModel::Edit final : public QUndoCommand
+/// Undo step: an edit and its inverse. Changed descriptions in quick succession, as from a drag or the wheel, are
+/// merged.
+class StructureModel::Step final : public QUndoCommand
 {
   public:
-    Edit(StructureModel& model, std::vector<Edited> after, const QString& text,
-         std::optional<meshio::BuriedTouch> buried)
+    Step(StructureModel& model, study::SceneEdit edit, const QString& text)
         : QUndoCommand(text)
         , m_model(model)
-        , m_after(std::move(after))
-        , m_buried(buried)
+        , m_undo(model.scene().inverse(edit))
+        , m_redo(std::move(edit))
     {
-        m_buriedBefore = buried ? std::optional(model.buried()) : std::nullopt;
-        for (const Edited& one : m_after) {
-            m_before.push_back({one.row, model.structure(one.row)});
-        }
         m_time.start();
     }
-    void undo() override { m_model.apply(m_before, m_buriedBefore); }
-    void redo() override { m_model.apply(m_after, m_buried); }
+    void undo() override { m_model.apply(m_undo); }
+    void redo() override { m_model.apply(m_redo); }
     [[nodiscard]] int id() const override { return 1; }
     bool mergeWith(const QUndoCommand* other) override
     {
-        const auto* next = static_cast<const Edit*>(other);
-        if (next->m_after.size() != m_after.size() || m_time.elapsed() > 700 || m_buried || next->m_buried) {
+        const auto* next = static_cast<const Step*>(other);
+        if (!hasOnlyDescriptions() || !next->hasOnlyDescriptions() ||
+            next->m_redo.descriptions.size() != m_redo.descriptions.size() || m_time.elapsed() > 700) {
             return false;
         }
-        for (std::size_t i = 0; i < m_after.size(); ++i) {
-            const meshio::SceneStructure &from = m_before[i].description, &to = next->m_after[i].description;
-            if (next->m_after[i].row != m_after[i].row || hasOtherSurface(from, to) || from.visible != to.visible ||
-                from.palpable != to.palpable || from.name != to.name || m_after[i].description.layer != to.layer ||
+        for (std::size_t i = 0; i < m_redo.descriptions.size(); ++i) {
+            const meshio::SceneStructure &from = m_undo.descriptions[i].description,
+                                         &to = next->m_redo.descriptions[i].description;
+            if (next->m_redo.descriptions[i].structure != m_redo.descriptions[i].structure ||
+                study::needsOtherSurface(from, to) || from.visible != to.visible || from.palpable != to.palpable ||
+                from.name != to.name || m_redo.descriptions[i].description.layer != to.layer ||
                 from.inside != to.inside) {
                 return false;
             }
         }
-        m_after = next->m_after;
+        m_redo = next->m_redo;
         m_time.restart();
         return true;
     }
 
   private:
-    StructureModel& m_model;
-    std::vector<Edited> m_before, m_after;
-    std::optional<meshio::BuriedTouch> m_buriedBefore, m_buried;
-    QElapsedTimer m_time;
-};
-
-/// Undo step for added or removed structures.
-class StructureModel::Presence final : public QUndoCommand
-{
-  public:
-    Presence(StructureModel& model, std::vector<int> rows, bool isRemoving, const QString& text)
-        : QUndoCommand(text)
-        , m_model(model)
-        , m_rows(std::move(rows))
-        , m_isRemoving(isRemoving)
+    [[nodiscard]] bool hasOnlyDescriptions() const
     {
+        return !m_redo.buried && m_redo.removed.empty() && m_redo.restored.empty();
     }
-    void undo() override { m_model.setRemoved(m_rows, !m_isRemoving); }
-    void redo() override { m_model.setRemoved(m_rows, m_isRemoving); }
 
-  private:
     StructureModel& m_model;
-    std::vector<int> m_rows;
-    bool m_isRemoving;
+    study::SceneEdit m_undo, m_redo;
+    QElapsedTimer m_time;
 };
 
 QString readableName(const std::string& name)
@@ -143,20 +111,19 @@ void StructureModel::setRows(std::vector<StructureRow> rows, meshio::BuriedTouch
 {
     beginResetModel();
     m_undo.clear();
-    m_rows = std::move(rows);
-    m_buried = buried;
-    for (StructureRow& row : m_rows) {
-        if (buried == meshio::BuriedTouch::Layers) {
-            row.recordedBelow = row.loaded.feltBelow;
-        }
-        refreshTouchMaps(row);
+    m_pictures.clear();
+    std::vector<study::OpenStructure> structures;
+    for (StructureRow& row : rows) {
+        m_pictures.push_back(std::move(row.picture));
+        structures.push_back(std::move(row));
     }
+    m_scene.reset(std::move(structures), buried);
     endResetModel();
 }
 
 const meshio::SceneStructure& StructureModel::structure(int row) const
 {
-    return m_rows[static_cast<std::size_t>(row)].loaded.description;
+    return rows()[static_cast<std::size_t>(row)].loaded.description;
 }
 
 void StructureModel::edit(int row, const meshio::SceneStructure& description)
@@ -166,20 +133,27 @@ void StructureModel::edit(int row, const meshio::SceneStructure& description)
 
 void StructureModel::editAll(std::vector<Edited> edits, const QString& text, std::optional<meshio::BuriedTouch> buried)
 {
-    if (buried == m_buried) {
-        buried.reset();
+    study::SceneEdit edit;
+    for (Edited& one : edits) {
+        edit.descriptions.push_back({static_cast<std::size_t>(one.row), std::move(one.description)});
     }
-    if (!edits.empty() || buried) {
-        m_undo.push(new Edit(*this, std::move(edits), text, buried));
+    edit.buried = buried == m_scene.buried() ? std::nullopt : buried;
+    if (!edit.descriptions.empty() || edit.buried) {
+        push(std::move(edit), text);
     }
+}
+
+void StructureModel::push(study::SceneEdit edit, const QString& text)
+{
+    m_undo.push(new Step(*this, std::move(edit), text));
 }
 
 void StructureModel::setLayers(const std::vector<std::uint32_t>& layers, const QString& text)
 {
     std::vector<Edited> edits;
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        const meshio::SceneStructure& now = m_rows[i].loaded.description;
-        if (now.layer != layers[i] && !m_rows[i].isRemoved) {
+        const meshio::SceneStructure& now = rows()[i].loaded.description;
+        if (now.layer != layers[i] && !rows()[i].isRemoved) {
             edits.push_back({static_cast<int>(i), now});
             edits.back().description.layer = layers[i];
             if (layers[i] > 0) {
@@ -190,83 +164,25 @@ void StructureModel::setLayers(const std::vector<std::uint32_t>& layers, const Q
     editAll(std::move(edits), text);
 }
 
-study::LumpRule StructureModel::lumpRule() const
-{
-    std::vector<study::PlacedStructure> structures;
-    for (const StructureRow& row : m_rows) {
-        const auto& surface = row.loaded.surface;
-        const bool isThere = !row.isRemoved && surface != nullptr && !surface->mesh.triangles.empty();
-        structures.push_back({&row.loaded.description, isThere ? surface.get() : nullptr,
-                              row.in ? std::optional(static_cast<std::size_t>(*row.in)) : std::nullopt});
-    }
-    return study::LumpRule(std::move(structures));
-}
-
 bool StructureModel::isTransmitted(int row) const
 {
-    return m_buried == meshio::BuriedTouch::Felt && lumpRule().feltThrough(static_cast<std::size_t>(row));
+    return m_scene.isTransmitted(static_cast<std::size_t>(row));
 }
 
 std::optional<int> StructureModel::organAround(int row) const
 {
-    const auto organ = lumpRule().organAround(static_cast<std::size_t>(row)).organ;
+    const auto organ = m_scene.lumpRule().organAround(static_cast<std::size_t>(row)).organ;
     return organ ? std::optional(static_cast<int>(*organ)) : std::nullopt;
 }
 
 std::uint32_t StructureModel::layerWithin(int row) const
 {
-    return lumpRule().layerWithin(static_cast<std::size_t>(row));
-}
-
-/// Clears the maps of lumps no longer in transmitted mode. Returns the rows with changed touch.
-std::vector<int> StructureModel::clearTransmittedMaps()
-{
-    std::vector<int> others;
-    bool isAny = false;
-    for (int i = 0; i < rowCount() && !isAny; ++i) {
-        isAny = isTransmitted(i);
-    }
-    for (int i = 0; i < rowCount(); ++i) {
-        StructureRow& row = m_rows[static_cast<std::size_t>(i)];
-        const bool isLost = row.loaded.isTransmitted && !isTransmitted(i);
-        const bool isOther = !isAny && row.loaded.feltBelow != row.recordedBelow;
-        row.loaded.isTransmitted = row.loaded.isTransmitted && !isLost;
-        if (isOther) {
-            row.loaded.feltBelow = row.recordedBelow;
-            refreshTouchMaps(row);
-        }
-        if (isLost || isOther) {
-            others.push_back(i);
-        }
-    }
-    return others;
+    return m_scene.lumpRule().layerWithin(static_cast<std::size_t>(row));
 }
 
 void StructureModel::setTransmittedMaps(const std::vector<TransmittedMap>& maps)
 {
-    if (m_buried != meshio::BuriedTouch::Felt) {
-        return;
-    }
-    std::vector<bool> isThrough(m_rows.size());
-    std::vector<const std::vector<std::vector<float>>*> below(m_rows.size());
-    for (const TransmittedMap& one : maps) {
-        below[static_cast<std::size_t>(one.organ)] = &one.below;
-        for (const int lump : one.lumps) {
-            isThrough[static_cast<std::size_t>(lump)] = true;
-        }
-    }
-    for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        meshio::LoadedStructure& one = m_rows[i].loaded;
-        const bool isOtherMap = below[i] == nullptr ? !one.feltBelow.empty() : one.feltBelow != *below[i];
-        if (isOtherMap) {
-            one.feltBelow = below[i] == nullptr ? std::vector<std::vector<float>>() : *below[i];
-            refreshTouchMaps(m_rows[i]);
-        }
-        if (isOtherMap || one.isTransmitted != isThrough[i]) {
-            one.isTransmitted = isThrough[i];
-            Q_EMIT edited(static_cast<int>(i), Change::Touch);
-        }
-    }
+    announce(m_scene.setTransmittedMaps(maps));
 }
 
 void StructureModel::addRows(std::vector<StructureRow> rows, const QString& text)
@@ -274,61 +190,38 @@ void StructureModel::addRows(std::vector<StructureRow> rows, const QString& text
     if (rows.empty()) {
         return;
     }
-    std::vector<int> numbers;
+    study::SceneEdit edit;
     beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(rows.size()) - 1);
     for (StructureRow& row : rows) {
-        numbers.push_back(rowCount());
-        row.isRemoved = true; // until the undo step runs
-        row.loaded.isTransmitted = false;
-        row.loaded.feltBelow.clear();
-        refreshTouchMaps(row);
-        m_rows.push_back(std::move(row));
+        m_pictures.push_back(std::move(row.picture));
+        edit.restored.push_back(m_scene.append(std::move(row)));
     }
     endInsertRows();
-    m_undo.push(new Presence(*this, std::move(numbers), false, text));
+    push(std::move(edit), text);
 }
 
 void StructureModel::removeRows(std::vector<int> rows)
 {
-    rows.erase(std::remove_if(rows.begin(), rows.end(),
-                              [this](int row) { return m_rows[static_cast<std::size_t>(row)].isRemoved; }),
-               rows.end());
+    std::erase_if(rows, [this](int row) { return this->rows()[static_cast<std::size_t>(row)].isRemoved; });
     if (rows.empty()) {
         return;
     }
     const QString text = rows.size() == 1 ? tr("Remove %1").arg(readableName(structure(rows.front()).name))
                                           : tr("Remove %1 structures").arg(rows.size());
-    m_undo.push(new Presence(*this, std::move(rows), true, text));
+    study::SceneEdit edit;
+    edit.removed.assign(rows.begin(), rows.end());
+    push(std::move(edit), text);
 }
 
-void StructureModel::setRemoved(const std::vector<int>& rows, bool isRemoved)
+void StructureModel::setNesting(const std::vector<std::optional<std::size_t>>& in)
 {
-    for (const int row : rows) {
-        m_rows[static_cast<std::size_t>(row)].isRemoved = isRemoved;
-    }
-    const std::vector<int> others = clearTransmittedMaps();
-    // Affects the texts of contained structures.
-    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
-    for (const int row : rows) {
-        Q_EMIT edited(row, Change::Look);
-        Q_EMIT edited(row, Change::Touch);
-    }
-    for (const int row : others) {
-        Q_EMIT edited(row, Change::Touch);
-    }
-}
-
-void StructureModel::setNesting(const std::vector<std::optional<int>>& in)
-{
-    for (std::size_t i = 0; i < std::min(in.size(), m_rows.size()); ++i) {
-        m_rows[i].in = in[i];
-    }
+    m_scene.setNesting(in);
 }
 
 int StructureModel::presentCount() const
 {
     return static_cast<int>(
-        std::count_if(m_rows.begin(), m_rows.end(), [](const StructureRow& row) { return !row.isRemoved; }));
+        std::count_if(rows().begin(), rows().end(), [](const study::OpenStructure& one) { return !one.isRemoved; }));
 }
 
 QString StructureModel::touchOrderText(int row, std::uint32_t layer) const
@@ -336,13 +229,16 @@ QString StructureModel::touchOrderText(int row, std::uint32_t layer) const
     if (layer == 0) {
         return tr("outermost");
     }
-    std::optional<int> in = m_rows[static_cast<std::size_t>(row)].in;
+    std::optional<std::size_t> in = rows()[static_cast<std::size_t>(row)].in;
     std::uint32_t most = 1; // number of layers below the container; skips structures that are not palpable
-    for (; in && (m_rows[static_cast<std::size_t>(*in)].isRemoved || !structure(*in).palpable); ++most) {
-        in = m_rows[static_cast<std::size_t>(*in)].in;
+    for (; in && (rows()[*in].isRemoved || !rows()[*in].loaded.description.palpable); ++most) {
+        in = rows()[*in].in;
     }
-    if (in && structure(*in).layer < layer && layer <= structure(*in).layer + most) {
-        return tr("below %1").arg(readableName(structure(*in).name));
+    if (in) {
+        const meshio::SceneStructure& around = rows()[*in].loaded.description;
+        if (around.layer < layer && layer <= around.layer + most) {
+            return tr("below %1").arg(readableName(around.name));
+        }
     }
     return tr("%1 below surface").arg(layer);
 }
@@ -354,121 +250,68 @@ QString StructureModel::touchOrderText(int row) const
                  : touchOrderText(row, structure(row).layer);
 }
 
-void StructureModel::apply(const std::vector<Edited>& edits, std::optional<meshio::BuriedTouch> buried)
+void StructureModel::apply(const study::SceneEdit& edit)
 {
-    std::vector<meshio::SceneStructure> before;
-    int first = buried ? 0 : rowCount(), last = buried ? rowCount() - 1 : -1;
-    m_buried = buried.value_or(m_buried);
-    for (const Edited& one : edits) {
-        meshio::SceneStructure& now = m_rows[static_cast<std::size_t>(one.row)].loaded.description;
-        before.push_back(now);
-        now = one.description;
-        if (before.back().maps != now.maps) {
-            resolveMaps(one.row);
-        } else if (before.back().tissue != now.tissue) {
-            refreshTouchMaps(m_rows[static_cast<std::size_t>(one.row)]);
-        }
-        first = std::min(first, one.row);
-        last = std::max(last, one.row);
+    const study::SceneEvents events = m_scene.apply(edit);
+    int first = rowCount() - 1, last = 0;
+    for (const study::SceneEdit::Description& one : edit.descriptions) {
+        first = std::min(first, static_cast<int>(one.structure));
+        last = std::max(last, static_cast<int>(one.structure));
     }
-    std::vector<int> others = clearTransmittedMaps();
-    for (int row = 0; buried && row < rowCount(); ++row) {
-        if (isTransmitted(row)) {
-            others.push_back(row);
-        }
+    if (edit.buried || !edit.removed.empty() || !edit.restored.empty()) {
+        first = 0; // texts of contained structures
+        last = rowCount() - 1;
     }
     Q_EMIT dataChanged(index(first, 0), index(last, ColumnCount - 1));
-    for (std::size_t i = 0; i < edits.size(); ++i) {
-        if (hasOtherSurface(before[i], edits[i].description) && isReshapable(edits[i].row)) {
-            Q_EMIT surfaceWanted(edits[i].row);
+    announce(events);
+}
+
+void StructureModel::announce(const study::SceneEvents& events)
+{
+    for (const study::SceneEvent& event : events) {
+        const int row = static_cast<int>(event.structure);
+        switch (event.kind) {
+        case study::SceneEvent::Kind::MapsWanted:
+            Q_EMIT mapsWanted(row);
+            break;
+        case study::SceneEvent::Kind::SurfaceWanted:
+            Q_EMIT surfaceWanted(row);
+            break;
+        case study::SceneEvent::Kind::Renamed:
+            Q_EMIT renamed(row, readableName(event.before), readableName(structure(row).name));
+            break;
+        case study::SceneEvent::Kind::Look:
+            Q_EMIT edited(row, Change::Look);
+            break;
+        case study::SceneEvent::Kind::Touch:
+            Q_EMIT edited(row, Change::Touch);
+            break;
         }
-        tell(edits[i].row, before[i], before[i].maps != edits[i].description.maps);
     }
-    for (const int row : others) {
-        Q_EMIT edited(row, Change::Touch);
-    }
-}
-
-void StructureModel::tell(int row, const meshio::SceneStructure& before, bool hasOtherMaps)
-{
-    const meshio::SceneStructure& now = structure(row);
-    const bool isRenamed = before.name != now.name;
-    if (isRenamed) {
-        Q_EMIT renamed(row, readableName(before.name), readableName(now.name));
-    }
-    if (before.colour != now.colour || before.opacity != now.opacity || before.visible != now.visible) {
-        Q_EMIT edited(row, Change::Look);
-    }
-    const bool hasOtherLump = before.inside != now.inside || before.young_ratio != now.young_ratio ||
-                              before.young_kPa != now.young_kPa ||
-                              before.felt_contact_radius_mm != now.felt_contact_radius_mm;
-    if (study::canBeFelt(before) != study::canBeFelt(now) || before.tissue != now.tissue || before.layer != now.layer ||
-        hasOtherMaps || isRenamed || hasOtherLump) {
-        Q_EMIT edited(row, Change::Touch);
-    }
-}
-
-void StructureModel::resolveMaps(int row)
-{
-    StructureRow& one = m_rows[static_cast<std::size_t>(row)];
-    const auto& mappings = one.loaded.description.maps;
-    if (mappings && std::any_of(mappings->begin(), mappings->end(), [](const auto& m) { return m.array.empty(); })) {
-        Q_EMIT mapsWanted(row); // volumes are read on a worker thread
-        return;
-    }
-    std::vector<std::string> warnings, losses;
-    meshio::resolveMaps(one.loaded, warnings, losses);
-    one.mapProblems.clear();
-    for (const std::string& line : losses) {
-        one.mapProblems << engineText(line);
-    }
-    refreshTouchMaps(one);
 }
 
 void StructureModel::setMaps(int row, const std::optional<std::vector<core::TissueMapping>>& of,
-                             std::vector<meshio::SurfaceMap> maps, const QStringList& problems)
+                             std::vector<meshio::SurfaceMap> maps, std::vector<core::Message> problems)
 {
-    StructureRow& one = m_rows[static_cast<std::size_t>(row)];
-    if (one.loaded.description.maps != of) {
-        return; // outdated result: the mappings have changed since the request
+    if (m_scene.setMaps(static_cast<std::size_t>(row), of, std::move(maps), std::move(problems))) {
+        Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
+        Q_EMIT edited(row, Change::Touch);
     }
-    one.loaded.maps = std::move(maps);
-    one.mapProblems = problems;
-    refreshTouchMaps(one);
-    Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
-    Q_EMIT edited(row, Change::Touch);
 }
 
 bool StructureModel::isReshapable(int row) const
 {
-    return m_rows[static_cast<std::size_t>(row)].loaded.asRead != nullptr;
+    return rows()[static_cast<std::size_t>(row)].loaded.asRead != nullptr;
 }
 
 void StructureModel::setSurface(int row, const StructureRow& built)
 {
-    StructureRow& one = m_rows[static_cast<std::size_t>(row)];
-    const meshio::SceneStructure &now = one.loaded.description, &of = built.loaded.description;
-    if (hasOtherSurface(now, of)) {
-        return; // outdated result: the description has changed since the request
+    const auto events = m_scene.setSurface(static_cast<std::size_t>(row), built);
+    if (!events) {
+        return;
     }
-    const std::size_t vertices = built.loaded.surface->mesh.vertices.size();
-    if (vertices != one.loaded.surface->mesh.vertices.size()) { // sized for the old vertices
-        one.loaded.feltBelow.clear();
-        one.recordedBelow.clear();
-    }
-    one.loaded.surface = built.loaded.surface;
-    one.loaded.staircase = built.loaded.staircase;
-    one.loaded.smoothing = built.loaded.smoothing;
-    one.picture = built.picture;
-    one.touch = built.touch;
-    one.sha256 = built.sha256;
-    if (now.maps == of.maps) {
-        one.loaded.maps = built.loaded.maps;
-        one.mapProblems = built.mapProblems;
-        refreshTouchMaps(one);
-    } else {
-        resolveMaps(row);
-    }
+    m_pictures[static_cast<std::size_t>(row)] = built.picture;
+    announce(*events);
     Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     Q_EMIT surfaceReplaced(row);
     Q_EMIT edited(row, Change::Touch);
@@ -478,7 +321,7 @@ std::vector<int> StructureModel::insideOutRows() const
 {
     std::vector<int> rows;
     for (int row = 0; row < rowCount(); ++row) {
-        const StructureRow& one = m_rows[static_cast<std::size_t>(row)];
+        const study::OpenStructure& one = this->rows()[static_cast<std::size_t>(row)];
         if (!one.isRemoved && isReshapable(row) && one.loaded.surface->report.insideOutComponents > 0) {
             rows.push_back(row);
         }
@@ -490,7 +333,7 @@ std::vector<int> StructureModel::steppedRows() const
 {
     std::vector<int> rows;
     for (int row = 0; row < rowCount(); ++row) {
-        const StructureRow& one = m_rows[static_cast<std::size_t>(row)];
+        const study::OpenStructure& one = this->rows()[static_cast<std::size_t>(row)];
         if (!one.isRemoved && isReshapable(row) && one.loaded.staircase &&
             structure(row).surface != meshio::SurfaceKind::Smoothed) {
             rows.push_back(row);
@@ -521,19 +364,9 @@ void StructureModel::smooth(const std::vector<int>& rows)
                                                : tr("Smooth %1 surfaces").arg(rows.size()));
 }
 
-/// Prepares the maps for the servo tick. @par Cost O(triangles) per map
-void StructureModel::refreshTouchMaps(StructureRow& row)
-{
-    const bool varies = !row.loaded.maps.empty() || !row.loaded.feltBelow.empty();
-    row.felt = row.touch != nullptr && varies ? study::tissueMaps(row.loaded, *row.touch) : haptics::TissueMaps();
-}
-
 void StructureModel::setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256)
 {
-    StructureRow& one = m_rows[static_cast<std::size_t>(row)];
-    one.touch = std::move(touch);
-    one.sha256 = std::move(sha256);
-    refreshTouchMaps(one);
+    m_scene.setTouch(static_cast<std::size_t>(row), std::move(touch), std::move(sha256));
     Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1));
     Q_EMIT edited(row, Change::Touch);
 }
@@ -541,7 +374,7 @@ void StructureModel::setTouch(int row, std::shared_ptr<const geometry::SurfaceIn
 QStringList StructureModel::findings(int row) const
 {
     QStringList lines;
-    const meshio::LoadedStructure& one = m_rows[static_cast<std::size_t>(row)].loaded;
+    const meshio::LoadedStructure& one = rows()[static_cast<std::size_t>(row)].loaded;
     if (one.surface != nullptr) {
         for (const std::string& sentence : one.surface->report.sentences()) {
             lines << engineText(sentence);
@@ -582,7 +415,7 @@ QStringList StructureModel::surfaceTexts(const meshio::LoadedStructure& one)
 QStringList StructureModel::defects(int row) const
 {
     QStringList lines;
-    const auto& surface = m_rows[static_cast<std::size_t>(row)].loaded.surface;
+    const auto& surface = rows()[static_cast<std::size_t>(row)].loaded.surface;
     if (surface == nullptr) {
         return lines;
     }
@@ -594,7 +427,7 @@ QStringList StructureModel::defects(int row) const
     if (report.insideOutComponents > 0) {
         lines << tr("The mesh is inside out: palpable only from inside");
     }
-    lines << surfaceTexts(m_rows[static_cast<std::size_t>(row)].loaded);
+    lines << surfaceTexts(rows()[static_cast<std::size_t>(row)].loaded);
     if (report.zeroAreaTriangles + report.duplicateTriangles + report.reorientedTriangles + report.mixedValues > 0) {
         lines << tr("Mesh defects were repaired");
     }
@@ -606,7 +439,7 @@ QStringList StructureModel::defects(int row) const
 
 bool StructureModel::isDefective(int row) const
 {
-    const meshio::LoadedStructure& one = m_rows[static_cast<std::size_t>(row)].loaded;
+    const meshio::LoadedStructure& one = rows()[static_cast<std::size_t>(row)].loaded;
     const auto& surface = one.surface;
     if (surface == nullptr) {
         return false;
@@ -626,52 +459,13 @@ view::Appearance StructureModel::appearanceOf(const meshio::SceneStructure& stru
 view::Appearance StructureModel::appearanceOf(int row) const
 {
     view::Appearance appearance = appearanceOf(structure(row));
-    appearance.isVisible = appearance.isVisible && !m_rows[static_cast<std::size_t>(row)].isRemoved;
+    appearance.isVisible = appearance.isVisible && !rows()[static_cast<std::size_t>(row)].isRemoved;
     return appearance;
-}
-
-std::vector<haptics::HapticStructure> StructureModel::hapticStructures(const haptics::Tissue& greatest) const
-{
-    std::vector<haptics::HapticStructure> structures;
-    structures.reserve(m_rows.size());
-    for (const StructureRow& row : m_rows) {
-        const meshio::SceneStructure& from = row.loaded.description;
-        structures.push_back(study::hapticStructure(
-            from, study::canBeFelt(from) && !row.loaded.isTransmitted && !row.isRemoved ? row.touch : nullptr));
-        if (structures.back().surface != nullptr) {
-            structures.back().maps = row.felt;
-            if (const int number = static_cast<int>(structures.size()) - 1; isTransmitted(number)) {
-                structures.back().layer = layerWithin(number); // map not computed yet
-            }
-        }
-    }
-    study::limitTissues(greatest, structures);
-    return structures;
-}
-
-std::shared_ptr<const haptics::HapticScene> StructureModel::hapticScene(const haptics::Tissue& greatest,
-                                                                        double fingertip_mm) const
-{
-    return std::make_shared<const haptics::HapticScene>(hapticStructures(greatest), fingertip_mm);
-}
-
-std::vector<session::StructureSource> StructureModel::sources() const
-{
-    std::vector<session::StructureSource> sources;
-    for (const StructureRow& row : m_rows) {
-        if (row.isRemoved) {
-            sources.emplace_back(); // placeholder that keeps the numbering
-            continue;
-        }
-        sources.push_back(study::sourceOf(row.loaded.description, row.sha256));
-        sources.back().embed = row.sha256.empty() ? nullptr : row.loaded.surface;
-    }
-    return sources;
 }
 
 int StructureModel::rowCount(const QModelIndex& parent) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+    return parent.isValid() ? 0 : static_cast<int>(rows().size());
 }
 
 int StructureModel::columnCount(const QModelIndex& parent) const
@@ -719,7 +513,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
             return QBrush(mutedColour());
         }
         if (role == Qt::ToolTipRole) {
-            const auto& surface = m_rows[static_cast<std::size_t>(index.row())].loaded.surface;
+            const auto& surface = rows()[static_cast<std::size_t>(index.row())].loaded.surface;
             const QString triangles =
                 QLocale().toString(surface == nullptr ? 0 : static_cast<qulonglong>(surface->mesh.triangles.size()));
             return tr("%1\n"

@@ -196,8 +196,7 @@ void MapDisplay::restore()
         return;
     }
     if (m_row >= 0 && m_row < m_model.rowCount()) {
-        m_viewport.view().setPicture(static_cast<std::size_t>(m_row),
-                                     m_model.rows()[static_cast<std::size_t>(m_row)].picture);
+        m_viewport.view().setPicture(static_cast<std::size_t>(m_row), m_model.picture(m_row));
     }
     m_viewport.view().legend().hide();
     m_viewport.update();
@@ -209,7 +208,7 @@ void MapDisplay::refresh()
         return;
     }
     const auto i = static_cast<std::size_t>(m_row);
-    const StructureRow& row = m_model.rows()[i];
+    const study::OpenStructure& row = m_model.rows()[i];
     SurfaceField numbers =
         m_what.isEmpty() ? SurfaceField() : surfaceFields(row.loaded, m_what, m_model.hapticStructures(m_greatest)[i]);
     if (numbers.values.empty()) { // including maps that were removed
@@ -218,7 +217,7 @@ void MapDisplay::refresh()
     }
     const view::ColourRange range = view::colourRange(numbers.values);
     m_viewport.view().setPicture(
-        i, view::coloured(*row.picture, *row.loaded.surface, numbers.values, numbers.isPerTriangle, range));
+        i, view::coloured(*m_model.picture(m_row), *row.loaded.surface, numbers.values, numbers.isPerTriangle, range));
     const QString title = readableName(row.loaded.description.name) + QLatin1Char('\n') + numbers.title;
     m_viewport.view().legend().show(
         {title.toStdString(), tr("no data").toStdString(), range, QLocale().decimalPoint().toStdString()});

@@ -4,6 +4,7 @@
 #include "palpate/ui/MapDisplay.h"
 #include "palpate/ui/Theme.h"
 
+#include "palpate/ui/EngineTexts.h"
 #include "widgets/ShownComboBox.h"
 
 #include <palpate/meshio/SurfaceMaps.h>
@@ -140,7 +141,7 @@ void MapEditor::connectFields()
             [this](int chosen) { Q_EMIT colourChosen(m_colours->itemData(chosen).toString()); });
 }
 
-void MapEditor::show(const StructureRow& row, const QString& coloured)
+void MapEditor::show(const study::OpenStructure& row, const QString& coloured)
 {
     if (row.loaded.surface != m_structure.surface) {
         m_isByHand = false;
@@ -148,7 +149,10 @@ void MapEditor::show(const StructureRow& row, const QString& coloured)
         m_quantity->setCurrentIndex(0);
     }
     m_structure = row.loaded;
-    m_problems = row.mapProblems;
+    m_problems.clear();
+    for (const core::Message& problem : row.mapProblems) {
+        m_problems << engineText(problem);
+    }
     refresh();
     refreshColours(coloured);
 }

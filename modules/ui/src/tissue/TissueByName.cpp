@@ -42,7 +42,7 @@ std::vector<StructureModel::Edited> tissueByName(const StructureModel& model, co
 {
     bool isAnyFelt = false;
     std::vector<bool> holds(model.rows().size());
-    for (const StructureRow& row : model.rows()) {
+    for (const study::OpenStructure& row : model.rows()) {
         const meshio::SceneStructure& one = row.loaded.description;
         isAnyFelt =
             isAnyFelt || (!row.isRemoved && study::canBeFelt(one) && !isPassedThrough(meshio::anatomyKind(one.name)));
@@ -56,7 +56,7 @@ std::vector<StructureModel::Edited> tissueByName(const StructureModel& model, co
     }
     std::vector<StructureModel::Edited> edits;
     for (int number = first; number < model.rowCount(); ++number) {
-        const StructureRow& row = model.rows()[static_cast<std::size_t>(number)];
+        const study::OpenStructure& row = model.rows()[static_cast<std::size_t>(number)];
         const meshio::AnatomyKind kind = meshio::anatomyKind(row.loaded.description.name);
         meshio::SceneStructure changed = row.loaded.description;
         const std::optional<std::size_t> around =

@@ -205,7 +205,7 @@ void LiveTouch::stop()
 void LiveTouch::handOverScene()
 {
     m_scene = m_model.hapticScene(maxTissue(), m_fingertip_mm);
-    m_session.setScene(m_scene, m_model.sources());
+    m_session.setScene(m_scene, m_model.scene().sources());
     reportSoftenedStructure();
     Q_EMIT handedOver();
 }
@@ -288,7 +288,7 @@ core::Status LiveTouch::startRecording(const std::filesystem::path& path, const 
         handOverScene();
     }
     std::vector<study::RecordedLook> looks;
-    for (const StructureRow& row : m_model.rows()) {
+    for (const study::OpenStructure& row : m_model.rows()) {
         looks.push_back(study::lookOf(row.loaded.description));
     }
     return m_session.startRecording(path, scene, embeds, study::looksText(looks));

@@ -44,7 +44,7 @@ std::optional<LumpAtContact> lumpAtContact(const StructureModel& model, int orga
     std::optional<LumpAtContact> under;
     double most = 0.0;
     for (int row = 0; row < model.rowCount(); ++row) {
-        const StructureRow& lump = model.rows()[static_cast<std::size_t>(row)];
+        const study::OpenStructure& lump = model.rows()[static_cast<std::size_t>(row)];
         if (lump.isRemoved || !lump.loaded.isTransmitted || lump.loaded.surface == nullptr ||
             model.organAround(row) != organRow) {
             continue;

@@ -88,7 +88,6 @@ class LumpMaps : public QObject
     [[nodiscard]] std::vector<Cause> causes() const;
     [[nodiscard]] std::vector<bool> transmittedLumps() const;
     [[nodiscard]] bool hasTransmittedLumps() const;
-    [[nodiscard]] meshio::LoadedScene sceneNow() const;
     void reset();
     void follow();
     void begin();

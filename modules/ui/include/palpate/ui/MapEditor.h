@@ -29,7 +29,7 @@ class MapEditor : public QWidget
     explicit MapEditor(QWidget* parent = nullptr);
 
     /// Shows a structure. @param coloured  `SurfaceField::what` of the colours; empty: uncoloured
-    void show(const StructureRow& row, const QString& coloured);
+    void show(const study::OpenStructure& row, const QString& coloured);
     /// Uses a volume as source of the selected quantity.
     void load(const std::filesystem::path& volume);
 

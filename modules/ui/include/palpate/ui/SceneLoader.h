@@ -73,7 +73,7 @@ class SceneLoader : public QObject
     void buildSurface(int row, const meshio::LoadedStructure& structure);
     /// Searches for structures with a small gap between them, and for touching structures of different stiffness
     /// (study::borderNotes). Emits `notesFound`.
-    void findGaps(const std::vector<StructureRow>& rows);
+    void findGaps(const std::vector<study::OpenStructure>& rows);
     /// Builds the maps of a structure by reading and sampling volumes. When cancelled, `mapsBuilt` reports this in a
     /// line and omits the maps of volumes.
     void buildMaps(int row, const meshio::LoadedStructure& structure);
@@ -100,7 +100,7 @@ class SceneLoader : public QObject
     /// @param structure  with maps and the mappings used
     /// @param problems  one line each
     void mapsBuilt(int row, const std::shared_ptr<palpate::meshio::LoadedStructure>& structure,
-                   const QStringList& problems);
+                   const std::vector<palpate::core::Message>& problems);
 
   private:
     struct Job;

@@ -5,7 +5,7 @@
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/session/Recording.h>
-#include <palpate/study/LumpRule.h>
+#include <palpate/study/OpenScene.h>
 #include <palpate/view/StructureActor.h>
 
 #include <QAbstractTableModel>
@@ -18,25 +18,14 @@
 
 namespace palpate::ui {
 
-/// Structure of the open scene: loaded data, current description and derived data.
-struct StructureRow
+/// Structure to be opened: data and picture.
+struct StructureRow : study::OpenStructure
 {
-    meshio::LoadedStructure loaded; ///< `loaded.description` is edited by the panel
     vtkSmartPointer<vtkPolyData> picture;
-    std::shared_ptr<const geometry::SurfaceIndex> touch; ///< haptic copy; null until palpable and built
-    std::string sha256;                                  ///< geometryHash, available together with `touch`
-    std::optional<int> in{};                             ///< row of the smallest structure around this one
-    haptics::TissueMaps felt{}; ///< `loaded.maps` prepared for the servo tick, available together with `touch`
-    QStringList mapProblems{};  ///< reasons for unavailable maps, one sentence each
-    /// `loaded.feltBelow` from a recording. Used while buried lumps are separate layers; never recomputed.
-    std::vector<std::vector<float>> recordedBelow{};
-    /// Removed from the scene: not drawn, palpable, listed or saved. The row keeps its number for recordings, undo
-    /// steps and the view, and returns with undo.
-    bool isRemoved = false;
 };
 
-/// Table of the open scene's structures: visible, name and colour, mesh health, palpable. Single source of truth for
-/// view, haptics, panel and file.
+/// Table of the open scene's structures: visible, name and colour, mesh health, palpable. An adapter of
+/// study::OpenScene, which view, haptics, panels and files share.
 ///
 /// @par Thread GUI thread only.
 class StructureModel : public QAbstractTableModel
@@ -66,7 +55,13 @@ class StructureModel : public QAbstractTableModel
 
     /// Replaces all rows. @param buried  touch mode of structures inside organs
     void setRows(std::vector<StructureRow> rows, meshio::BuriedTouch buried = meshio::BuriedTouch::Layers);
-    [[nodiscard]] const std::vector<StructureRow>& rows() const noexcept { return m_rows; }
+    [[nodiscard]] const study::OpenScene& scene() const noexcept { return m_scene; }
+    [[nodiscard]] const std::vector<study::OpenStructure>& rows() const noexcept { return m_scene.structures(); }
+    /// Surface as drawn.
+    [[nodiscard]] const vtkSmartPointer<vtkPolyData>& picture(int row) const
+    {
+        return m_pictures[static_cast<std::size_t>(row)];
+    }
     [[nodiscard]] const meshio::SceneStructure& structure(int row) const;
 
     /// New description of a structure.
@@ -88,14 +83,14 @@ class StructureModel : public QAbstractTableModel
     /// Removes structures from the scene as an undo step.
     void removeRows(std::vector<int> rows);
     /// Sets the surrounding structure of each row after a containment test. Not undoable.
-    void setNesting(const std::vector<std::optional<int>>& in);
+    void setNesting(const std::vector<std::optional<std::size_t>>& in);
     /// Number of structures in the scene, without removed rows.
     [[nodiscard]] int presentCount() const;
     /// Assigns the layers as one undo step. Structures with a layer above 0 leave the transmitted mode.
     /// @param text  label of the undo step, "Feel below"
     void setLayers(const std::vector<std::uint32_t>& layers, const QString& text);
     /// Touch mode of structures inside organs.
-    [[nodiscard]] meshio::BuriedTouch buried() const noexcept { return m_buried; }
+    [[nodiscard]] meshio::BuriedTouch buried() const noexcept { return m_scene.buried(); }
     /// True for a lump in transmitted mode, felt through its organ (see study::applyBuriedLumps). Until the map is
     /// computed, `loaded.isTransmitted` is false and the lump is a separate layer.
     [[nodiscard]] bool isTransmitted(int row) const;
@@ -103,13 +98,7 @@ class StructureModel : public QAbstractTableModel
     [[nodiscard]] std::optional<int> organAround(int row) const;
     /// Layer of a transmitted lump until the map is computed (study::LumpRule::layerWithin).
     [[nodiscard]] std::uint32_t layerWithin(int row) const;
-    /// Effect of an organ's lumps on the organ's surface: for each haptics::kFeltPress_mm one number per vertex.
-    struct TransmittedMap
-    {
-        int organ = 0;
-        std::vector<int> lumps;
-        std::vector<std::vector<float>> below; ///< k/k0 [1]
-    };
+    using TransmittedMap = study::OpenScene::TransmittedMap;
     /// Replaces the maps of all organs and emits `edited` for changed rows. Not an edit.
     void setTransmittedMaps(const std::vector<TransmittedMap>& maps);
     /// Position in the order of touch for a layer: "outermost", "below liver" when the structure is directly below the
@@ -123,7 +112,7 @@ class StructureModel : public QAbstractTableModel
     /// Takes the maps computed by `meshio::resolveMaps` on a worker thread.
     /// @param of  mappings used for the computation; the call has no effect when the mappings have changed since
     void setMaps(int row, const std::optional<std::vector<core::TissueMapping>>& of,
-                 std::vector<meshio::SurfaceMap> maps, const QStringList& problems);
+                 std::vector<meshio::SurfaceMap> maps, std::vector<core::Message> problems);
     /// Takes the surface requested by `surfaceWanted` with all derived data. No effect when the description has changed
     /// since. Not an edit.
     void setSurface(int row, const StructureRow& built);
@@ -151,11 +140,15 @@ class StructureModel : public QAbstractTableModel
     /// @param fingertip_mm  radius of the probe sphere, 0: a point
     /// @param greatest  stable limit of the device, applied to the sum of the layers, see study/DeviceLimit.h
     [[nodiscard]] std::shared_ptr<const haptics::HapticScene> hapticScene(const haptics::Tissue& greatest,
-                                                                          double fingertip_mm = 0.0) const;
+                                                                          double fingertip_mm = 0.0) const
+    {
+        return m_scene.hapticScene(greatest, fingertip_mm);
+    }
     /// Structures with parameters limited by the device's total stiffness; numbers equal rows.
-    [[nodiscard]] std::vector<haptics::HapticStructure> hapticStructures(const haptics::Tissue& greatest) const;
-    /// Sources of the surfaces for a recording, including the geometry of palpable structures.
-    [[nodiscard]] std::vector<session::StructureSource> sources() const;
+    [[nodiscard]] std::vector<haptics::HapticStructure> hapticStructures(const haptics::Tissue& greatest) const
+    {
+        return m_scene.hapticStructures(greatest);
+    }
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -178,19 +171,14 @@ class StructureModel : public QAbstractTableModel
     void surfaceReplaced(int row);
 
   private:
-    class Edit;
-    class Presence;
-    void apply(const std::vector<Edited>& edits, std::optional<meshio::BuriedTouch> buried);
-    [[nodiscard]] std::vector<int> clearTransmittedMaps();
+    class Step;
+    void push(study::SceneEdit edit, const QString& text);
+    void apply(const study::SceneEdit& edit);
+    void announce(const study::SceneEvents& events);
     [[nodiscard]] static QStringList surfaceTexts(const meshio::LoadedStructure& one);
-    [[nodiscard]] study::LumpRule lumpRule() const;
-    void setRemoved(const std::vector<int>& rows, bool isRemoved);
-    void tell(int row, const meshio::SceneStructure& before, bool hasOtherMaps);
-    void resolveMaps(int row);
-    void refreshTouchMaps(StructureRow& row);
 
-    std::vector<StructureRow> m_rows;
-    meshio::BuriedTouch m_buried = meshio::BuriedTouch::Layers;
+    study::OpenScene m_scene;
+    std::vector<vtkSmartPointer<vtkPolyData>> m_pictures; ///< one per row
     QUndoStack m_undo;
 };
 

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/study/OpenScene.h"
+
+#include "palpate/study/DeviceLimit.h"
+#include "palpate/study/HapticCopy.h"
+#include "palpate/study/StructureSources.h"
+
+#include <palpate/meshio/SurfaceMaps.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate::study {
+
+namespace {
+
+using Kind = SceneEvent::Kind;
+
+/// Prepares the maps for the servo tick. @par Cost O(triangles) per map
+void refreshTouchMaps(OpenStructure& one)
+{
+    const bool varies = !one.loaded.maps.empty() || !one.loaded.feltBelow.empty();
+    one.felt = one.touch != nullptr && varies ? tissueMaps(one.loaded, *one.touch) : haptics::TissueMaps();
+}
+
+} // namespace
+
+bool needsOtherSurface(const meshio::SceneStructure& a, const meshio::SceneStructure& b) noexcept
+{
+    return a.outwards != b.outwards || a.surface != b.surface ||
+           (a.smoothing != b.smoothing && b.surface == meshio::SurfaceKind::Smoothed);
+}
+
+void OpenScene::reset(std::vector<OpenStructure> structures, meshio::BuriedTouch buried)
+{
+    m_structures = std::move(structures);
+    m_buried = buried;
+    for (OpenStructure& one : m_structures) {
+        if (buried == meshio::BuriedTouch::Layers) {
+            one.recordedBelow = one.loaded.feltBelow;
+        }
+        refreshTouchMaps(one);
+    }
+}
+
+SceneEvents OpenScene::apply(const SceneEdit& edit)
+{
+    SceneEvents events;
+    m_buried = edit.buried.value_or(m_buried);
+    std::vector<meshio::SceneStructure> before;
+    for (const SceneEdit::Description& one : edit.descriptions) {
+        meshio::SceneStructure& now = m_structures[one.structure].loaded.description;
+        before.push_back(std::exchange(now, one.description));
+        if (before.back().maps != now.maps) {
+            resolveMaps(one.structure, events);
+        } else if (before.back().tissue != now.tissue) {
+            refreshTouchMaps(m_structures[one.structure]);
+        }
+    }
+    for (const std::size_t i : edit.removed) {
+        m_structures[i].isRemoved = true;
+    }
+    for (const std::size_t i : edit.restored) {
+        m_structures[i].isRemoved = false;
+    }
+    std::vector<std::size_t> others;
+    clearTransmittedMaps(others);
+    for (std::size_t i = 0; edit.buried && i < m_structures.size(); ++i) {
+        if (isTransmitted(i)) {
+            others.push_back(i);
+        }
+    }
+    for (std::size_t i = 0; i < edit.descriptions.size(); ++i) {
+        const std::size_t number = edit.descriptions[i].structure;
+        const meshio::SceneStructure& now = edit.descriptions[i].description;
+        if (needsOtherSurface(before[i], now) && m_structures[number].loaded.asRead != nullptr) {
+            events.push_back({Kind::SurfaceWanted, number});
+        }
+        note(number, before[i], before[i].maps != now.maps, events);
+    }
+    for (const auto* changed : {&edit.removed, &edit.restored}) {
+        for (const std::size_t i : *changed) {
+            events.push_back({Kind::Look, i});
+            events.push_back({Kind::Touch, i});
+        }
+    }
+    for (const std::size_t i : others) {
+        events.push_back({Kind::Touch, i});
+    }
+    return events;
+}
+
+SceneEdit OpenScene::inverse(const SceneEdit& edit) const
+{
+    SceneEdit back;
+    for (const SceneEdit::Description& one : edit.descriptions) {
+        back.descriptions.push_back({one.structure, m_structures[one.structure].loaded.description});
+    }
+    if (edit.buried) {
+        back.buried = m_buried;
+    }
+    back.removed = edit.restored;
+    back.restored = edit.removed;
+    return back;
+}
+
+std::size_t OpenScene::append(OpenStructure structure)
+{
+    structure.isRemoved = true;
+    structure.loaded.isTransmitted = false;
+    structure.loaded.feltBelow.clear();
+    refreshTouchMaps(structure);
+    m_structures.push_back(std::move(structure));
+    return m_structures.size() - 1;
+}
+
+/// Adds the events of a new description.
+void OpenScene::note(std::size_t structure, const meshio::SceneStructure& before, bool hasOtherMaps,
+                     SceneEvents& events)
+{
+    const meshio::SceneStructure& now = m_structures[structure].loaded.description;
+    const bool isRenamed = before.name != now.name;
+    if (isRenamed) {
+        events.push_back({Kind::Renamed, structure, before.name});
+    }
+    if (before.colour != now.colour || before.opacity != now.opacity || before.visible != now.visible) {
+        events.push_back({Kind::Look, structure});
+    }
+    const bool hasOtherLump = before.inside != now.inside || before.young_ratio != now.young_ratio ||
+                              before.young_kPa != now.young_kPa ||
+                              before.felt_contact_radius_mm != now.felt_contact_radius_mm;
+    if (canBeFelt(before) != canBeFelt(now) || before.tissue != now.tissue || before.layer != now.layer ||
+        hasOtherMaps || isRenamed || hasOtherLump) {
+        events.push_back({Kind::Touch, structure});
+    }
+}
+
+/// Reads the maps of a structure from arrays of its mesh, or asks for those of volumes.
+void OpenScene::resolveMaps(std::size_t structure, SceneEvents& events)
+{
+    OpenStructure& one = m_structures[structure];
+    const auto& mappings = one.loaded.description.maps;
+    if (mappings && std::any_of(mappings->begin(), mappings->end(), [](const auto& m) { return m.array.empty(); })) {
+        events.push_back({Kind::MapsWanted, structure}); // volumes are read on a worker thread
+        return;
+    }
+    std::vector<std::string> warnings, losses;
+    meshio::resolveMaps(one.loaded, warnings, losses);
+    one.mapProblems.clear();
+    for (const std::string& line : losses) {
+        one.mapProblems.push_back(core::Message::untranslated(line));
+    }
+    refreshTouchMaps(one);
+}
+
+/// Clears the maps of lumps that are no longer in transmitted mode. @param changed  receives structures with other
+/// touch
+void OpenScene::clearTransmittedMaps(std::vector<std::size_t>& changed)
+{
+    std::vector<bool> isThrough;
+    for (std::size_t i = 0; i < m_structures.size(); ++i) {
+        isThrough.push_back(isTransmitted(i));
+    }
+    const bool isAny = std::find(isThrough.begin(), isThrough.end(), true) != isThrough.end();
+    for (std::size_t i = 0; i < m_structures.size(); ++i) {
+        OpenStructure& one = m_structures[i];
+        const bool isLost = one.loaded.isTransmitted && !isThrough[i];
+        const bool isOther = !isAny && one.loaded.feltBelow != one.recordedBelow;
+        one.loaded.isTransmitted = one.loaded.isTransmitted && !isLost;
+        if (isOther) {
+            one.loaded.feltBelow = one.recordedBelow;
+            refreshTouchMaps(one);
+        }
+        if (isLost || isOther) {
+            changed.push_back(i);
+        }
+    }
+}
+
+SceneEvents OpenScene::setTransmittedMaps(const std::vector<TransmittedMap>& maps)
+{
+    SceneEvents events;
+    if (m_buried != meshio::BuriedTouch::Felt) {
+        return events;
+    }
+    std::vector<bool> isThrough(m_structures.size());
+    std::vector<const std::vector<std::vector<float>>*> below(m_structures.size());
+    for (const TransmittedMap& one : maps) {
+        below[one.organ] = &one.below;
+        for (const std::size_t lump : one.lumps) {
+            isThrough[lump] = true;
+        }
+    }
+    for (std::size_t i = 0; i < m_structures.size(); ++i) {
+        meshio::LoadedStructure& one = m_structures[i].loaded;
+        const bool isOtherMap = below[i] == nullptr ? !one.feltBelow.empty() : one.feltBelow != *below[i];
+        if (isOtherMap) {
+            one.feltBelow = below[i] == nullptr ? std::vector<std::vector<float>>() : *below[i];
+            refreshTouchMaps(m_structures[i]);
+        }
+        if (isOtherMap || one.isTransmitted != isThrough[i]) {
+            one.isTransmitted = isThrough[i];
+            events.push_back({Kind::Touch, i});
+        }
+    }
+    return events;
+}
+
+void OpenScene::setNesting(const std::vector<std::optional<std::size_t>>& in)
+{
+    for (std::size_t i = 0; i < std::min(in.size(), m_structures.size()); ++i) {
+        m_structures[i].in = in[i];
+    }
+}
+
+void OpenScene::setTouch(std::size_t structure, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256)
+{
+    OpenStructure& one = m_structures[structure];
+    one.touch = std::move(touch);
+    one.sha256 = std::move(sha256);
+    refreshTouchMaps(one);
+}
+
+bool OpenScene::setMaps(std::size_t structure, const std::optional<std::vector<core::TissueMapping>>& of,
+                        std::vector<meshio::SurfaceMap> maps, std::vector<core::Message> problems)
+{
+    OpenStructure& one = m_structures[structure];
+    if (one.loaded.description.maps != of) {
+        return false;
+    }
+    one.loaded.maps = std::move(maps);
+    one.mapProblems = std::move(problems);
+    refreshTouchMaps(one);
+    return true;
+}
+
+std::optional<SceneEvents> OpenScene::setSurface(std::size_t structure, const OpenStructure& built)
+{
+    SceneEvents events;
+    OpenStructure& one = m_structures[structure];
+    const meshio::SceneStructure &now = one.loaded.description, &of = built.loaded.description;
+    if (needsOtherSurface(now, of)) {
+        return std::nullopt;
+    }
+    if (built.loaded.surface->mesh.vertices.size() != one.loaded.surface->mesh.vertices.size()) {
+        one.loaded.feltBelow.clear(); // sized for the old vertices
+        one.recordedBelow.clear();
+    }
+    one.loaded.surface = built.loaded.surface;
+    one.loaded.staircase = built.loaded.staircase;
+    one.loaded.smoothing = built.loaded.smoothing;
+    one.touch = built.touch;
+    one.sha256 = built.sha256;
+    if (now.maps == of.maps) {
+        one.loaded.maps = built.loaded.maps;
+        one.mapProblems = built.mapProblems;
+        refreshTouchMaps(one);
+    } else {
+        resolveMaps(structure, events);
+    }
+    return events;
+}
+
+LumpRule OpenScene::lumpRule() const
+{
+    std::vector<PlacedStructure> placed;
+    for (const OpenStructure& one : m_structures) {
+        placed.push_back({&one.loaded.description, one.isThere() ? one.loaded.surface.get() : nullptr, one.in});
+    }
+    return LumpRule(std::move(placed));
+}
+
+bool OpenScene::isTransmitted(std::size_t structure) const
+{
+    return m_buried == meshio::BuriedTouch::Felt && lumpRule().feltThrough(structure);
+}
+
+std::vector<haptics::HapticStructure> OpenScene::hapticStructures(const haptics::Tissue& limit) const
+{
+    std::vector<haptics::HapticStructure> structures;
+    structures.reserve(m_structures.size());
+    const LumpRule rule = lumpRule();
+    for (std::size_t i = 0; i < m_structures.size(); ++i) {
+        const OpenStructure& one = m_structures[i];
+        const meshio::SceneStructure& from = one.loaded.description;
+        const bool isTouched = canBeFelt(from) && !one.loaded.isTransmitted && !one.isRemoved;
+        structures.push_back(hapticStructure(from, isTouched ? one.touch : nullptr));
+        if (structures.back().surface != nullptr) {
+            structures.back().maps = one.felt;
+            if (m_buried == meshio::BuriedTouch::Felt && rule.feltThrough(i)) {
+                structures.back().layer = rule.layerWithin(i); // map not computed yet, or the model does not apply
+            }
+        }
+    }
+    limitTissues(limit, structures);
+    return structures;
+}
+
+std::shared_ptr<const haptics::HapticScene> OpenScene::hapticScene(const haptics::Tissue& limit,
+                                                                   double fingertip_mm) const
+{
+    return std::make_shared<const haptics::HapticScene>(hapticStructures(limit), fingertip_mm);
+}
+
+std::vector<session::StructureSource> OpenScene::sources() const
+{
+    std::vector<session::StructureSource> sources;
+    for (const OpenStructure& one : m_structures) {
+        if (one.isRemoved) {
+            sources.emplace_back(); // placeholder that keeps the numbering
+            continue;
+        }
+        sources.push_back(sourceOf(one.loaded.description, one.sha256));
+        sources.back().embed = one.sha256.empty() ? nullptr : one.loaded.surface;
+    }
+    return sources;
+}
+
+meshio::LoadedScene OpenScene::loadedScene() const
+{
+    meshio::LoadedScene scene;
+    scene.scene.buried = m_buried;
+    for (const OpenStructure& from : m_structures) {
+        meshio::LoadedStructure one;
+        one.description = from.loaded.description;
+        one.surface = from.isRemoved ? nullptr : from.loaded.surface;
+        scene.structures.push_back(std::move(one));
+    }
+    return scene;
+}
+
+meshio::SceneFile OpenScene::sceneFile(meshio::SceneFile rest) const
+{
+    rest.buried = m_buried;
+    for (const OpenStructure& one : m_structures) {
+        if (!one.isRemoved) {
+            rest.structures.push_back(one.loaded.description);
+        }
+    }
+    return rest;
+}
+
+} // namespace palpate::study
