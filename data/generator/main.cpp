@@ -42,14 +42,14 @@ core::Status verify(const meshio::LoadedScene& scene, const std::filesystem::pat
     }
     const auto again = session::resimulate(*reader.value(), study::indexedByHash(study::meshesByHash(scene)));
     if (!again.isOk()) {
-        return {again.status().code(), recording.string() + ": " + again.status().message()};
+        return again.status().at(recording);
     }
     const session::Resimulation& it = again.value();
     if (it.unverified > 0 || !it.isWithinRounding() || (isExact && !it.isSame())) {
-        return {core::StatusCode::Mismatch, recording.string() + ": " +
-                                                (it.unverified > 0       ? "ticks are missing"
-                                                 : it.isWithinRounding() ? it.difference
-                                                                         : it.beyond)};
+        const core::Message why = it.unverified > 0       ? core::Message(PALPATE_TEXT("ticks are missing"))
+                                  : it.isWithinRounding() ? it.difference
+                                                          : it.beyond;
+        return core::Status(core::StatusCode::Mismatch, why).at(recording);
     }
     return {};
 }

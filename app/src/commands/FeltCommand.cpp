@@ -130,7 +130,7 @@ int writeAndPrint(const FeltCommandOptions& options, const meshio::LoadedScene& 
     };
     lose(scene.losses);
     for (const study::OrganPalpability& one : felt) {
-        lose(one.felt.notes);
+        losses.insert(losses.end(), one.felt.notes.begin(), one.felt.notes.end());
     }
     lose(study::ratioQuestions(scene, felt));
     if (!options.vtp.empty()) {
