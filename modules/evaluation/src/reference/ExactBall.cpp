@@ -101,7 +101,9 @@ Long3 ExactBall::sweep(const Long3& from, const Long3& to) const
     for (const Candidate& t : m_candidates) {
         const Vec3 w = t.middle - x;
         const double most = radius + t.reach_mm + spare;
-        if ((w - std::clamp(w.dot(d) / d2, 0.0, 1.0) * d).squaredNorm() > most * most || !faces(t, from)) {
+        // Beyond the first contact found so far, a triangle no longer matters.
+        const double share = std::clamp(w.dot(d) / d2, 0.0, static_cast<double>(first));
+        if ((w - share * d).squaredNorm() > most * most || !faces(t, from)) {
             continue;
         }
         const Long3 away = from - closestPoint<long double>(t.a, t.b, t.c, from);
@@ -245,14 +247,13 @@ bool ExactBall::leaveUnstableEquilibrium(Long3& g, const Long3& hip) const
         // Require descent along the whole probe, not beyond a hump: the foot may be within the last tenth of a
         // micrometre of a facet.
         Long3 reached = g;
-        int downhill = 0;
-        for (const long double share : {1.0L / 64, 0.25L, 1.0L}) {
-            const Long3 target = g + share * kProbe * m_radius_mm * way;
-            reached = sweep(sweep(g, target), hip);
+        const std::array<long double, 3> shares{1.0L / 64, 0.25L, 1.0L};
+        const bool isDownhill = std::all_of(shares.begin(), shares.end(), [&](long double share) {
+            reached = sweep(sweep(g, g + share * kProbe * m_radius_mm * way), hip);
             const Long3 move = reached - g;
-            downhill += (2 * (hip - g) - move).dot(move) > least ? 1 : 0;
-        }
-        if (downhill == 3) {
+            return (2 * (hip - g) - move).dot(move) > least;
+        });
+        if (isDownhill) {
             g = reached;
             return true;
         }
