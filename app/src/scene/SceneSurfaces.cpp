@@ -9,7 +9,6 @@
 #include <palpate/ui/VtkViewport.h>
 
 #include <QLocale>
-#include <QMainWindow>
 
 #include <memory>
 #include <optional>
@@ -38,8 +37,8 @@ view::ViewStructure pictureOf(const StructureRow& row, const view::Appearance& a
 } // namespace
 
 SceneSurfaces::SceneSurfaces(const WindowCore& core, ui::SceneLoader& loader, StatusProgress& progress,
-                             LayerOffers& layers)
-    : QObject(&core.window)
+                             LayerOffers& layers, QObject* parent)
+    : QObject(parent)
     , m_core(core)
     , m_loader(loader)
     , m_progress(progress)
