@@ -9,7 +9,6 @@
 #include <palpate/ui/VtkViewport.h>
 
 #include <QLocale>
-#include <QMainWindow>
 
 #include <memory>
 #include <palpate/ui/EngineTexts.h>
@@ -41,8 +40,8 @@ view::ViewStructure pictureOf(const study::OpenStructure& row, const vtkSmartPoi
 } // namespace
 
 SceneSurfaces::SceneSurfaces(const WindowCore& core, ui::SceneLoader& loader, StatusProgress& progress,
-                             LayerOffers& layers)
-    : QObject(&core.window)
+                             LayerOffers& layers, QObject* parent)
+    : QObject(parent)
     , m_core(core)
     , m_loader(loader)
     , m_progress(progress)

@@ -15,14 +15,15 @@ namespace palpate::app {
 class LayerOffers;
 class StatusProgress;
 
-/// Surfaces of the open scene: draws the structures as the model describes them, lets the loader build what the model
-/// lacks (haptic copies, maps, new surfaces), and offers to repair inverted and stair-stepped surfaces.
+/// Surfaces of the open scene: draws the structures of the model, requests missing haptic copies, maps and surfaces
+/// from the loader, and offers to repair inverted and stair-stepped surfaces.
 class SceneSurfaces : public QObject
 {
     Q_OBJECT
   public:
     /// The references must outlive this object.
-    SceneSurfaces(const WindowCore& core, ui::SceneLoader& loader, StatusProgress& progress, LayerOffers& layers);
+    SceneSurfaces(const WindowCore& core, ui::SceneLoader& loader, StatusProgress& progress, LayerOffers& layers,
+                  QObject* parent);
 
     /// Replaces the structures in the view.
     void draw(const std::vector<ui::StructureRow>& rows);

@@ -52,7 +52,8 @@ struct WindowState
 /// @code
 /// void ResultsPart::addActions()
 /// {
-///     connect(m_core.actions.add("measures", ui::ActionGroup::Session, tr("Results…"), tr("…"), {Qt::Key_I}),
+///     connect(m_core.actions.add("measures", ui::ActionGroup::Session, tr("Results…"), tr("…"),
+///                                {QKeySequence(Qt::Key_I)}),
 ///             &QAction::triggered, this, &ResultsPart::show);
 /// }
 ///

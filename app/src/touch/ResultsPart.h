@@ -9,7 +9,7 @@ class Playback;
 
 namespace palpate::app {
 
-/// Measures of the open recording, and what recordings contain.
+/// Measures of the open recording, and the setting for surfaces in recordings.
 class ResultsPart : public WindowPart
 {
     Q_OBJECT

@@ -12,7 +12,7 @@ class TouchPanel;
 
 namespace palpate::app {
 
-/// Palpation with the pointer, the panel of current values, and the chip that shows what the hand does.
+/// Palpation with the pointer, the panel of current values, and the chip with the state of the hand.
 class TouchPart : public WindowPart
 {
     Q_OBJECT
@@ -34,7 +34,7 @@ class TouchPart : public WindowPart
   Q_SIGNALS:
     /// Emitted before palpation begins.
     void palpationBegins();
-    /// Emitted for Esc, which closes what covers the window before `letGo`.
+    /// Emitted for Esc. Call `letGo` unless Esc closes the key card or the tour.
     void letGoWanted();
 
   private:

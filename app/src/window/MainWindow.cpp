@@ -3,11 +3,9 @@
 
 #include "scene/CoordinatesPart.h"
 #include "scene/DocumentPart.h"
-#include "scene/LayerOffers.h"
 #include "scene/LumpsPart.h"
 #include "scene/RecentFiles.h"
 #include "scene/SceneFiles.h"
-#include "scene/SceneSurfaces.h"
 #include "scene/StructuresPart.h"
 #include "shared/Paths.h"
 #include "shell/Docks.h"
@@ -135,10 +133,8 @@ void MainWindow::makeParts()
     auto* picture = keep(new PicturePart(core));
     m_view = keep(new ViewPart(core, m_touch->panel()));
     m_help = keep(new HelpPart(core));
-    auto* layers = new LayerOffers(m_model, m_notices->bar(), this);
-    auto* surfaces = new SceneSurfaces(core, m_files->loader(), *progress, *layers);
-    m_changes = new SceneChanges(core, {*m_document, *m_files, *m_coordinates, *surfaces, *layers, *structures,
-                                        *m_touch, *m_recording, *m_device});
+    m_changes = new SceneChanges(
+        core, {*m_document, *m_files, *m_coordinates, *progress, *structures, *m_touch, *m_recording, *m_device});
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.

@@ -43,8 +43,8 @@ class ViewPart;
 class WindowPart;
 } // namespace palpate::app
 
-/// Main window of the desktop application: makes the parts, orders their commands and panels, and connects what
-/// concerns the window as a whole.
+/// Main window of the desktop application: makes the parts, orders their commands and panels, and connects signals
+/// between parts and window.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT

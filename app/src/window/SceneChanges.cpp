@@ -51,6 +51,8 @@ SceneChanges::SceneChanges(const WindowCore& core, const Parts& parts)
     : QObject(&core.window)
     , m_core(core)
     , m_parts(parts)
+    , m_layers(new LayerOffers(core.model, core.notices.bar(), this))
+    , m_surfaces(new SceneSurfaces(core, parts.files.loader(), parts.progress, *m_layers, this))
 {
     connect(&parts.files.loader(), &ui::SceneLoader::opened, this, &SceneChanges::take);
     connect(&parts.files, &SceneFiles::closeWanted, this, &SceneChanges::close);
@@ -72,7 +74,7 @@ void SceneChanges::replace(ui::OpenedScene& scene)
 {
     m_parts.recording.playback().setRecording(nullptr);
     m_parts.document.setFiles(scene.files);
-    m_parts.surfaces.draw(scene.rows);
+    m_surfaces->draw(scene.rows);
     m_core.model.setRows(std::move(scene.rows), scene.scene.buried);
     m_parts.document.document().take(scene);
     show(scene);
@@ -81,7 +83,7 @@ void SceneChanges::replace(ui::OpenedScene& scene)
     Q_EMIT stateChanged();
     arrange(scene);
     showProblems(scene);
-    m_parts.surfaces.offerRepairs();
+    m_surfaces->offerRepairs();
     m_parts.files.openWaitingRecording();
     if (!scene.isReopened) {
         m_parts.recording.takeFingertip();
@@ -134,7 +136,7 @@ void SceneChanges::arrange(const ui::OpenedScene& scene)
         applyTissueByName(m_core.model, m_core.notices.bar(), scene.layering, 0);
         m_core.model.undoStack().setClean(); // automatic changes do not make the document modified
     }
-    m_parts.layers.layOut(scene, hasRecording);
+    m_layers->layOut(scene, hasRecording);
 }
 
 void SceneChanges::showProblems(const ui::OpenedScene& scene)
@@ -165,14 +167,14 @@ void SceneChanges::add(ui::OpenedScene& scene)
 {
     const int first = m_core.model.rowCount();
     const auto count = scene.rows.size();
-    m_parts.surfaces.drawAdded(scene.rows);
+    m_surfaces->drawAdded(scene.rows);
     addRows(scene, first);
     m_parts.structures.panel().select(first);
     m_core.notices.say(count == 1
                            ? tr("%1 was added to the scene.").arg(ui::readableName(m_core.model.structure(first).name))
                            : tr("%1 structures were added to the scene.").arg(count));
     showProblems(scene);
-    m_parts.surfaces.offerRepairs();
+    m_surfaces->offerRepairs();
     m_core.viewport.update();
     Q_EMIT stateChanged();
     Q_EMIT ready();
@@ -197,7 +199,7 @@ void SceneChanges::addRows(ui::OpenedScene& scene, int first)
     }
     SceneDocument& document = m_parts.document.document();
     document.add(scene);
-    m_parts.layers.layOutAdded(scene, document.file().empty());
+    m_layers->layOutAdded(scene, document.file().empty());
     model.undoStack().endMacro();
 }
 

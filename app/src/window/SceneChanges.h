@@ -16,6 +16,7 @@ class LayerOffers;
 class RecordingPart;
 class SceneFiles;
 class SceneSurfaces;
+class StatusProgress;
 class StructuresPart;
 class TouchPart;
 
@@ -30,8 +31,7 @@ class SceneChanges : public QObject
         DocumentPart& document;
         SceneFiles& files;
         CoordinatesPart& coordinates;
-        SceneSurfaces& surfaces;
-        LayerOffers& layers;
+        StatusProgress& progress;
         StructuresPart& structures;
         TouchPart& touch;
         RecordingPart& recording;
@@ -60,6 +60,8 @@ class SceneChanges : public QObject
 
     WindowCore m_core;
     Parts m_parts;
+    LayerOffers* m_layers = nullptr;
+    SceneSurfaces* m_surfaces = nullptr;
 };
 
 } // namespace palpate::app
