@@ -64,7 +64,10 @@ class HapticCopy : public QObject
         ui::StructureModel model; // the window
         std::vector<ui::StructureRow> rows;
         for (const meshio::LoadedStructure& one : loaded.structures) {
-            rows.push_back({one, nullptr, study::indexed(*one.surface), session::geometryHash(one.surface->mesh)});
+            ui::StructureRow& row = rows.emplace_back();
+            row.loaded = one;
+            row.touch = study::indexed(*one.surface);
+            row.sha256 = session::geometryHash(one.surface->mesh);
         }
         model.setRows(std::move(rows));
         const auto window = model.hapticScene({100.0, 100.0});

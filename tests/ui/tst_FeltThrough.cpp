@@ -50,7 +50,7 @@ meshio::LoadedScene asLoaded(const StructureModel& model)
 {
     meshio::LoadedScene scene;
     scene.scene.buried = model.buried();
-    for (const ui::StructureRow& row : model.rows()) {
+    for (const study::OpenStructure& row : model.rows()) {
         if (!row.isRemoved) {
             meshio::LoadedStructure one;
             one.description = row.loaded.description;

@@ -298,8 +298,9 @@ class Palpation : public QObject
         QVERIFY2(scene.isOk(), scene.status().message().c_str());
         std::vector<ui::StructureRow> rows;
         for (const meshio::LoadedStructure& loaded : scene.value().structures) {
-            ui::StructureRow& row =
-                rows.emplace_back(ui::StructureRow{loaded, view::makeSurface(*loaded.surface), {}, {}});
+            ui::StructureRow& row = rows.emplace_back();
+            row.loaded = loaded;
+            row.picture = view::makeSurface(*loaded.surface);
             if (loaded.description.palpable) {
                 row.touch =
                     std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*loaded.surface));
