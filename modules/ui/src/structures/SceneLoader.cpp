@@ -183,7 +183,7 @@ class SceneLoader::Opening
             m_opened->files.push_back(file);
         }
         for (meshio::LoadedStructure& one : part.structures) {
-            m_opened->rows.push_back({std::move(one), nullptr, nullptr, {}});
+            m_opened->rows.emplace_back().loaded = std::move(one);
         }
         m_opened->unopened.insert(m_opened->unopened.end(), part.unopened.begin(), part.unopened.end());
         for (const std::string& line : part.losses) {
