@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Samples.h"
+#include "Volumes.h"
 #include "read/ImportServer.h"
 #include "read/MeshWire.h"
 #include "read/ReadMesh.h"
-#include "Samples.h"
 #include "read/VolumeFile.h"
-#include "Volumes.h"
 
 #include <QtTest>
 
@@ -122,7 +122,7 @@ std::filesystem::path tenMillion(const test::Folder& folder)
 
 bool isGone(pid_t process)
 {
-    return QTest::qWaitFor([process] { return ::kill(process, 0) != 0; }, 5000);
+    return QTest::qWaitFor([process] { return ::kill(process, 0) != 0; }, palpate::test::kPatience_ms);
 }
 
 } // namespace
