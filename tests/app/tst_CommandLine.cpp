@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Shapes.h"
+#include "Program.h"
 #include "TestRunner.h"
 
 #include <palpate/session/RecordingReader.h>
@@ -27,14 +28,9 @@
 
 using namespace palpate;
 using core::Vec3;
+using test::Outcome;
 
 namespace {
-
-struct Outcome
-{
-    int exitCode = -1;
-    QByteArray out, error;
-};
 
 /// A row of a tick table.
 struct Row
@@ -129,20 +125,7 @@ class CommandLine : public QObject
 
     Outcome run(const QStringList& arguments, const char* folder = "") const
     {
-        QProcess process;
-        process.setWorkingDirectory(file(folder));
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
-            environment.remove(display); // no subcommand needs a display
-        }
-        process.setProcessEnvironment(environment);
-        process.start(PALPATE_EXECUTABLE, arguments);
-        process.waitForFinished(120000);
-        Outcome outcome;
-        outcome.exitCode = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
-        outcome.out = process.readAllStandardOutput();
-        outcome.error = process.readAllStandardError();
-        return outcome;
+        return test::runProgram(file(folder), arguments);
     }
 
     QList<Row> rows(const char* name) const

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests `palpate evaluate` from the command line: exit codes, output files, and the reaction to Ctrl-C.
 #include "../support/Shapes.h"
+#include "Program.h"
 #include "TestRunner.h"
 
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -48,22 +48,13 @@ class Evaluate : public QObject
         write(name, text);
     }
 
-    std::unique_ptr<QProcess> started(const QStringList& arguments) const
-    {
-        auto process = std::make_unique<QProcess>();
-        process->setWorkingDirectory(m_folder->path());
-        process->start(PALPATE_EXECUTABLE, QStringList{"evaluate"} + arguments);
-        return process;
-    }
-
     int exitCodeOf(const QStringList& arguments, QByteArray* error = nullptr) const
     {
-        const auto process = started(arguments);
-        process->waitForFinished(120000);
+        const test::Outcome outcome = test::runProgram(m_folder->path(), QStringList{"evaluate"} + arguments);
         if (error != nullptr) {
-            *error = process->readAllStandardError();
+            *error = outcome.error;
         }
-        return process->exitStatus() == QProcess::NormalExit ? process->exitCode() : -1;
+        return outcome.exitCode;
     }
 
   private Q_SLOTS:
@@ -135,11 +126,8 @@ class Evaluate : public QObject
     {
         QFETCH(QStringList, arguments);
         QFETCH(QString, folder);
-        QProcess process;
-        process.setWorkingDirectory(m_folder->path());
-        process.start(PALPATE_EXECUTABLE, arguments);
-        QVERIFY(process.waitForFinished(60000));
-        QCOMPARE(process.exitCode(), 2); // no mesh; the output folder is created before the input is read
+        // No mesh; the output folder is created before the input is read.
+        QCOMPARE(test::runProgram(m_folder->path(), arguments).exitCode, 2);
         QVERIFY(QDir(file(folder)).exists());
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
                  (QStringList{"m.csv", "organs", "out"}));
@@ -174,18 +162,16 @@ class Evaluate : public QObject
 
     void withoutASceneThePhantomIsTakenAndCtrlCLeavesNothing()
     {
-        const auto process = started({"--quick", "--out", "out"});
-        QElapsedTimer clock;
-        clock.start();
+        QProcess process;
+        test::startProgram(process, m_folder->path(), {"evaluate", "--quick", "--out", "out"});
         QByteArray progress;
-        while (!progress.contains("phantom") && clock.elapsed() < 60000) {
-            process->waitForReadyRead(1000);
-            progress += process->readAllStandardError();
+        while (!progress.contains("phantom") && process.waitForReadyRead(test::kPatience_ms)) {
+            progress += process.readAllStandardError();
         }
         QVERIFY2(progress.contains("phantom"), progress);
-        ::kill(static_cast<pid_t>(process->processId()), SIGINT);
-        QVERIFY(process->waitForFinished(10000));
-        QVERIFY(process->exitStatus() == QProcess::CrashExit); // killed by the signal, as shells expect
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(test::kPatience_ms));
+        QVERIFY(process.exitStatus() == QProcess::CrashExit); // killed by the signal, as shells expect
         QVERIFY(QDir(file("out")).entryList(QDir::Files | QDir::Hidden).isEmpty());
     }
 };

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../meshio/Samples.h"
 #include "../support/Shapes.h"
+#include "Program.h"
 #include "TestRunner.h"
 
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 
 #include <cmath>
 
 using namespace palpate;
 using core::Vec3;
+using test::Outcome;
 
 /// Tests `palpate felt`: which lumps are palpable.
 class FeltCommand : public QObject
@@ -21,23 +22,9 @@ class FeltCommand : public QObject
 
     test::Folder m_folder;
 
-    struct Outcome
-    {
-        int exitCode = -1;
-        QByteArray out, error;
-    };
-
     Outcome run(const QStringList& arguments) const
     {
-        QProcess process;
-        process.setWorkingDirectory(QString::fromStdString(m_folder.path("").string()));
-        process.start(PALPATE_EXECUTABLE, QStringList{"felt"} + arguments);
-        process.waitForFinished(120000);
-        Outcome outcome;
-        outcome.exitCode = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
-        outcome.out = process.readAllStandardOutput();
-        outcome.error = process.readAllStandardError();
-        return outcome;
+        return test::runProgram(QString::fromStdString(m_folder.path("").string()), QStringList{"felt"} + arguments);
     }
     QByteArray read(const char* name) const
     {

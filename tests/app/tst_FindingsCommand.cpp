@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../meshio/Samples.h"
+#include "Program.h"
 #include "TestRunner.h"
 
 #include <palpate/meshio/SceneFile.h>
@@ -10,13 +11,13 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 
 #include <algorithm>
 
 using namespace palpate;
 using core::Finding;
 using core::FindingType;
+using test::Outcome;
 
 /// Tests `palpate findings`: export of the findings in a scene or recording as tables and point lists, and import of
 /// point lists.
@@ -26,23 +27,10 @@ class FindingsCommand : public QObject
 
     test::Folder m_folder;
 
-    struct Outcome
-    {
-        int exitCode = -1;
-        QByteArray out, error;
-    };
-
     Outcome run(const QStringList& arguments) const
     {
-        QProcess process;
-        process.setWorkingDirectory(QString::fromStdString(m_folder.path("").string()));
-        process.start(PALPATE_EXECUTABLE, QStringList{"findings"} + arguments);
-        process.waitForFinished(60000);
-        Outcome outcome;
-        outcome.exitCode = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
-        outcome.out = process.readAllStandardOutput();
-        outcome.error = process.readAllStandardError();
-        return outcome;
+        return test::runProgram(QString::fromStdString(m_folder.path("").string()),
+                                QStringList{"findings"} + arguments);
     }
 
     QByteArray read(const char* name) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../meshio/Samples.h"
 #include "../support/Shapes.h"
+#include "Program.h"
 #include "TestRunner.h"
 
 #include <palpate/session/RecordingReader.h>
@@ -8,11 +9,11 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 
 using namespace palpate;
 using core::FileFrame;
 using core::Vec3;
+using test::Outcome;
 
 /// Tests `--frame`: the axes of mesh files, on the command line and in recordings.
 class FrameOption : public QObject
@@ -21,23 +22,9 @@ class FrameOption : public QObject
 
     test::Folder m_folder;
 
-    struct Outcome
-    {
-        int exitCode = -1;
-        QByteArray out, error;
-    };
-
     Outcome run(const QStringList& arguments) const
     {
-        QProcess process;
-        process.setWorkingDirectory(QString::fromStdString(m_folder.path("").string()));
-        process.start(PALPATE_EXECUTABLE, arguments);
-        process.waitForFinished(120000);
-        Outcome outcome;
-        outcome.exitCode = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
-        outcome.out = process.readAllStandardOutput();
-        outcome.error = process.readAllStandardError();
-        return outcome;
+        return test::runProgram(QString::fromStdString(m_folder.path("").string()), arguments);
     }
 
     QJsonObject infoOf(const QStringList& arguments) const

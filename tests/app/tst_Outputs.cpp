@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../support/Shapes.h"
+#include "Program.h"
 #include "TestRunner.h"
 
 #include <palpate/session/RecordingReader.h>
@@ -25,6 +26,7 @@
 
 using namespace palpate;
 using core::Vec3;
+using test::Outcome;
 
 namespace {
 
@@ -74,27 +76,10 @@ class Outputs : public QObject
         return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray("nothing");
     }
 
-    struct Outcome
-    {
-        int exitCode = -1;
-        QByteArray out, error;
-    };
     /// @param prepare  runs in the child before the program
     Outcome run(const QStringList& arguments, const std::function<void()>& prepare = {}) const
     {
-        QProcess process;
-        begin(process, arguments, prepare);
-        process.waitForFinished(120000);
-        return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
-                process.readAllStandardError()};
-    }
-    void begin(QProcess& process, const QStringList& arguments, const std::function<void()>& prepare = {}) const
-    {
-        process.setWorkingDirectory(m_folder->path());
-        if (prepare) {
-            process.setChildProcessModifier(prepare);
-        }
-        process.start(PALPATE_EXECUTABLE, arguments);
+        return test::runProgram(m_folder->path(), arguments, prepare);
     }
     QStringList scratch() const
     {
@@ -294,8 +279,9 @@ class Outputs : public QObject
     void twoWritersHaveTwoFiles()
     {
         QProcess first;
-        begin(first, {"replay", "s.palpate.json", "--motion", "long.csv", "--live", "--record", "t.palpate"});
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file("t.palpate")), 30000);
+        test::startProgram(first, m_folder->path(),
+                           {"replay", "s.palpate.json", "--motion", "long.csv", "--live", "--record", "t.palpate"});
+        PALPATE_TRY_VERIFY(QFile::exists(file("t.palpate")));
         const QStringList second{"replay", "s.palpate.json", "--motion", "m.csv", "--record", "t.palpate"};
         QCOMPARE(run(second).exitCode, 2);
         for (const QStringList& other :
@@ -330,15 +316,15 @@ class Outputs : public QObject
         QFETCH(const int, signal);
         QVERIFY(write("o.csv", "old") && write("o.palpate", read("older.palpate")));
         QProcess process;
-        begin(process,
-              {"replay", "s.palpate.json", "--motion", "long.csv", "--live", "--out", "o.csv", "--record", "o.palpate",
-               "--force"},
-              [] {
-                  for (const int one : {SIGTERM, SIGINT, SIGHUP}) {
-                      (void)std::signal(one, SIG_DFL); // the test's shell may ignore some signals
-                  }
-              });
-        QTRY_VERIFY_WITH_TIMEOUT(scratch().size() == 2, 30000);
+        test::startProgram(process, m_folder->path(),
+                           {"replay", "s.palpate.json", "--motion", "long.csv", "--live", "--out", "o.csv", "--record",
+                            "o.palpate", "--force"},
+                           [] {
+                               for (const int one : {SIGTERM, SIGINT, SIGHUP}) {
+                                   (void)std::signal(one, SIG_DFL); // the test's shell may ignore some signals
+                               }
+                           });
+        PALPATE_TRY_VERIFY(scratch().size() == 2);
         QCOMPARE(::kill(static_cast<pid_t>(process.processId()), signal), 0);
         QVERIFY(process.waitForFinished());
         QCOMPARE(process.exitStatus(), QProcess::CrashExit);

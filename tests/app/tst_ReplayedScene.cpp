@@ -2,13 +2,14 @@
 // Tests `palpate replay` of a recording on a different scene: the message about the difference.
 #include "../meshio/Samples.h"
 #include "../support/Shapes.h"
+#include "Program.h"
 #include "TestRunner.h"
 
 #include <QFile>
-#include <QProcess>
 
 using namespace palpate;
 using core::Vec3;
+using test::Outcome;
 
 class ReplayedScene : public QObject
 {
@@ -16,21 +17,11 @@ class ReplayedScene : public QObject
 
     test::Folder m_folder;
 
-    struct Outcome
-    {
-        int exitCode = -1;
-        QByteArray error;
-    };
-
     QString path(const char* name) const { return QString::fromStdString(m_folder.path(name).string()); }
 
     Outcome replay(const QStringList& arguments) const
     {
-        QProcess process;
-        process.setWorkingDirectory(path(""));
-        process.start(PALPATE_EXECUTABLE, QStringList{"replay"} + arguments);
-        process.waitForFinished(120000);
-        return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardError()};
+        return test::runProgram(path(""), QStringList{"replay"} + arguments);
     }
     void write(const char* name, const QByteArray& text) const
     {

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../meshio/Samples.h"
 #include "Masks.h"
+#include "Program.h"
 #include "Shapes.h"
 #include "TestRunner.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 
 #include <span>
 
 using namespace palpate;
 using core::Vec3;
+using test::Outcome;
 
 /// Tests `--smooth` and `--outwards`, and the messages of `info`, `replay` and `felt` for surfaces that need these
 /// options.
@@ -22,19 +23,9 @@ class SurfaceOptions : public QObject
 
     test::Folder m_folder;
 
-    struct Outcome
-    {
-        int exitCode = -1;
-        QByteArray out, error;
-    };
     Outcome run(const QStringList& arguments) const
     {
-        QProcess process;
-        process.setWorkingDirectory(QString::fromStdString(m_folder.path("").string()));
-        process.start(PALPATE_EXECUTABLE, arguments);
-        process.waitForFinished(120000);
-        return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardOutput(),
-                process.readAllStandardError()};
+        return test::runProgram(QString::fromStdString(m_folder.path("").string()), arguments);
     }
     void write(const char* name, geometry::TriangleMesh mesh, bool isInsideOut = false) const
     {

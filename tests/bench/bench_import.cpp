@@ -5,8 +5,8 @@
 //
 // Both methods alternate in one run. Each row: the medians of N rounds (default 15) in this process and in a child, the
 // difference, and its fraction. Without files: the largest and a small file of shared/anatomy, or two generated files.
-#include "read/ReadMesh.h"
 #include "Shapes.h"
+#include "read/ReadMesh.h"
 
 #include <palpate/meshio/ImportServer.h>
 #include <palpate/meshio/MeshFile.h>

@@ -97,16 +97,16 @@ class PuckView : public QObject
     void theAnatomyFollowsThePuck()
     {
         hold({350, 0, 0, 0, 0, 0}); // to the right
-        QTRY_VERIFY(m_window->focus().x() < -10.0);
+        PALPATE_TRY_VERIFY(m_window->focus().x() < -10.0);
         letGo();
         QVERIFY(std::abs(m_window->focus().z()) < 1e-9 && std::abs(m_window->focus().y()) < 1e-9);
         const double distance = (m_window->eye() - m_window->focus()).norm();
         hold({0, 350, 0, 0, 0, 0}); // towards the user
-        QTRY_VERIFY((m_window->eye() - m_window->focus()).norm() < distance - 10.0);
+        PALPATE_TRY_VERIFY((m_window->eye() - m_window->focus()).norm() < distance - 10.0);
         letGo();
         const Vec3 before = m_window->eye() - m_window->focus();
         hold({0, 0, 0, 0, 0, 350}); // rotated about the vertical
-        QTRY_VERIFY((m_window->eye() - m_window->focus()).normalized().dot(before.normalized()) < 0.99);
+        PALPATE_TRY_VERIFY((m_window->eye() - m_window->focus()).normalized().dot(before.normalized()) < 0.99);
         letGo();
         QVERIFY(std::abs((m_window->eye() - m_window->focus()).norm() - before.norm()) < 1e-6 * before.norm());
     }
@@ -114,7 +114,7 @@ class PuckView : public QObject
     void theViewGoesOnWhereTheHandsReachEnds()
     {
         hold({350, 0, 0, 0, 0, 0});
-        QTRY_VERIFY(m_window->focus().x() < -200.0); // 20 mm of hand motion are 40 mm here
+        PALPATE_TRY_VERIFY(m_window->focus().x() < -200.0); // 20 mm of hand motion are 40 mm here
         letGo();
     }
 
@@ -124,7 +124,7 @@ class PuckView : public QObject
         QTest::qWait(300);
         QVERIFY(m_window->focus() == Vec3::Zero() && m_window->eye() == Vec3(0, -500, 0));
         hold({350, 0, 0, 0, 0, 0});
-        QTRY_VERIFY(m_window->focus().x() < -1.0);
+        PALPATE_TRY_VERIFY(m_window->focus().x() < -1.0);
         letGo();
         const Vec3 there = m_window->focus();
         QTest::qWait(200);
@@ -134,7 +134,7 @@ class PuckView : public QObject
     void standsStillWhenPulledOutWhilePushed()
     {
         hold({350, 0, 0, 0, 0, 0});
-        QTRY_VERIFY(m_window->focus().x() < -1.0);
+        PALPATE_TRY_VERIFY(m_window->focus().x() < -1.0);
         m_bench->with([](standin::Bench& b) { standin::plugPuck(b, false); });
         QTest::qWait(400); // the last push stays valid for 0.1 s
         const Vec3 there = m_window->focus();
@@ -154,15 +154,15 @@ class PuckView : public QObject
         // Full deflection is 200 mm/s here, and 60 mm/s for a press: a fifth of the deflection minus the dead zone is
         // 0.37.
         hold({0, 0, 70, 0, 0, 0});
-        QTRY_VERIFY2(share > 0.2 && share < 0.6, qPrintable(QString::number(share)));
+        PALPATE_TRY_VERIFY2(share > 0.2 && share < 0.6, qPrintable(QString::number(share)));
         hold({0, 0, 350, 0, 0, 0});
-        QTRY_COMPARE(share, 1.0);
+        PALPATE_TRY_COMPARE(share, 1.0);
         hold({0, 0, -350, 0, 0, 0}); // pulled
-        QTRY_COMPARE(share, 0.0);
+        PALPATE_TRY_COMPARE(share, 0.0);
         hold({0, 0, 350, 0, 0, 0});
-        QTRY_COMPARE(share, 1.0);
+        PALPATE_TRY_COMPARE(share, 1.0);
         m_bench->with([](standin::Bench& b) { standin::plugPuck(b, false); });
-        QTRY_COMPARE(share, 0.0);
+        PALPATE_TRY_COMPARE(share, 0.0);
         QVERIFY(m_window->focus() == Vec3::Zero() && m_window->eye() == Vec3(0, -500, 0));
         m_window->movesView->trigger();
         QVERIFY(!m_window->presses->isChecked() && m_window->movesView->isChecked());
@@ -173,7 +173,7 @@ class PuckView : public QObject
         QSignalSpy refused(&m_window->devices, &ui::DeviceChoice::refused);
         QCOMPARE(m_window->devices.choose("spacemouse").code(), core::StatusCode::Unsupported);
         QVERIFY(m_window->live.usesPointer());
-        QTRY_COMPARE(light(), 1);
+        PALPATE_TRY_COMPARE(light(), 1);
         m_window->movesView->trigger(); // off
         QCOMPARE(light(), 0);
         hold({350, 0, 0, 0, 0, 0});

@@ -122,7 +122,7 @@ std::filesystem::path tenMillion(const test::Folder& folder)
 
 bool isGone(pid_t process)
 {
-    return QTest::qWaitFor([process] { return ::kill(process, 0) != 0; }, 5000);
+    return QTest::qWaitFor([process] { return ::kill(process, 0) != 0; }, palpate::test::kPatience_ms);
 }
 
 } // namespace

@@ -2,8 +2,8 @@
 // Tests volumes for maps, read in this process: every format gives the same values at the same positions, and invalid
 // files are rejected.
 #include "TestRunner.h"
-#include "read/VolumeFile.h"
 #include "Volumes.h"
+#include "read/VolumeFile.h"
 
 #include <algorithm>
 #include <cmath>

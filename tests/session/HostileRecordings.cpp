@@ -2,10 +2,10 @@
 #include "HostileRecordings.h"
 
 #include "../support/Shapes.h"
-#include "tables/Packing.h"
+#include "Sessions.h"
 #include "store/RecordingTables.h"
 #include "store/SchemaCheck.h"
-#include "Sessions.h"
+#include "tables/Packing.h"
 
 #include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingWriter.h>

@@ -12,7 +12,9 @@
 #include <sqlite3.h>
 
 #include <bit>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 namespace palpate::test {
 
@@ -107,6 +109,16 @@ bool writeRecording(const std::filesystem::path& path, const std::vector<servo::
         qWarning() << status.message().c_str();
     }
     return status.isOk();
+}
+
+bool letPass(const servo::ServoLoop& loop, std::uint64_t ticks)
+{
+    using namespace std::chrono_literals;
+    const std::uint64_t goal = loop.timing().ticks + ticks;
+    for (int i = 0; i < 60000 && loop.timing().ticks < goal; ++i) {
+        std::this_thread::sleep_for(1ms);
+    }
+    return loop.timing().ticks >= goal;
 }
 
 bool isSameTick(const servo::TickRecord& a, const servo::TickRecord& b)

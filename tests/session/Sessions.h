@@ -2,10 +2,12 @@
 #pragma once
 
 #include <palpate/haptics/HapticScene.h>
+#include <palpate/servo/ServoLoop.h>
 #include <palpate/servo/TickRecord.h>
 #include <palpate/session/Recording.h>
 #include <palpate/session/Replay.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -26,6 +28,10 @@ std::vector<session::SceneRecord> palpationScenes();
 /// @return false, with the reason as a warning, if writing the recording failed
 bool writeRecording(const std::filesystem::path& path, const std::vector<servo::TickRecord>& ticks,
                     bool isFinished = true);
+
+/// Waits for that many further servo ticks.
+/// @return false if they do not come within a minute
+bool letPass(const servo::ServoLoop& loop, std::uint64_t ticks);
 
 /// Compares all recorded data of two ticks bit for bit.
 bool isSameTick(const servo::TickRecord& a, const servo::TickRecord& b);

@@ -17,13 +17,10 @@
 #include <sqlite3.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 using namespace palpate;
-using namespace std::chrono_literals;
 using session::RecordingReader;
 using session::RecordingWriter;
 using test::FaultyDisk;
@@ -86,17 +83,6 @@ class DiskFaults : public QObject
             motion.emplace_back(10.0 * std::sin(3.0 * t), 10.0 * std::cos(3.0 * t), 20.5 - std::sin(5.0 * t));
         }
         return motion;
-    }
-
-    /// Waits for that many further servo ticks.
-    /// @return false on timeout after a minute
-    static bool letPass(servo::ServoLoop& loop, std::uint64_t ticks)
-    {
-        const std::uint64_t goal = loop.timing().ticks + ticks;
-        for (int i = 0; i < 60000 && loop.timing().ticks < goal; ++i) {
-            std::this_thread::sleep_for(1ms);
-        }
-        return loop.timing().ticks >= goal;
     }
 
   private Q_SLOTS:
@@ -224,10 +210,10 @@ class DiskFaults : public QObject
         QVERIFY(loop.start(device, options).isOk());
         QVERIFY(recorder.start(path("stall.palpate"), {}, test::palpationScenes()[0]).isOk());
         for (int i = 0; i < 3; ++i) {
-            QVERIFY(letPass(loop, 300));
+            QVERIFY(test::letPass(loop, 300));
             disk.hold();
-            QVERIFY(letPass(loop, 1000));    // the servo does not wait for the disk
-            recorder.addEvent("note", "{}"); // nor does the GUI thread
+            QVERIFY(test::letPass(loop, 1000)); // the servo does not wait for the disk
+            recorder.addEvent("note", "{}");    // nor does the GUI thread
             QVERIFY(recorder.status().isRecording);
             disk.release();
         }
@@ -267,9 +253,9 @@ class DiskFaults : public QObject
         std::filesystem::remove(file); // from the previous row
         std::filesystem::remove(path("next.palpate"));
         QVERIFY(recorder.start(file, {}, test::palpationScenes()[0]).isOk());
-        QVERIFY(letPass(loop, 900));
+        QVERIFY(test::letPass(loop, 900));
         disk.failAt(0, !hasRoomForLastWords, SQLITE_FULL); // the reserve has room for all writes but the first
-        QTRY_VERIFY_WITH_TIMEOUT(!recorder.status().isRecording, 20000);
+        PALPATE_TRY_VERIFY(!recorder.status().isRecording);
         const session::RecorderStatus status = recorder.status();
         QVERIFY(status.hasFailed);
         QVERIFY2(
@@ -277,7 +263,7 @@ class DiskFaults : public QObject
                 .contains(QRegularExpression("^.*full\\.palpate: the recording ended at \\d\\.\\d s because the disk "
                                              "is full; what was felt after is not in it$")),
             status.problem.english().c_str());
-        QVERIFY(letPass(loop, 300));
+        QVERIFY(test::letPass(loop, 300));
         const core::Status stopped = recorder.stop();
         QCOMPARE(stopped.code(), core::StatusCode::NoSpace);
         QCOMPARE(stopped.message(), status.problem.english());
@@ -298,7 +284,7 @@ class DiskFaults : public QObject
         QVERIFY(session::resimulate(*reader.value(), test::boxSurfaces()).value().isSame());
         // The next recording is complete.
         QVERIFY(recorder.start(path("next.palpate"), {}, test::palpationScenes()[0]).isOk());
-        QVERIFY(letPass(loop, 300) && !recorder.status().hasFailed);
+        QVERIFY(test::letPass(loop, 300) && !recorder.status().hasFailed);
         QVERIFY(recorder.stop().isOk());
         QCOMPARE(RecordingReader::open(path("next.palpate")).value()->extent().end, session::RecordingEnd::Closed);
     }
@@ -316,11 +302,11 @@ class DiskFaults : public QObject
         session::Recorder recorder(loop);
         QVERIFY(loop.start(device, options).isOk());
         QVERIFY(recorder.start(path("drop.palpate"), {}, test::palpationScenes()[0]).isOk());
-        QVERIFY(letPass(loop, 600));
+        QVERIFY(test::letPass(loop, 600));
         disk.hold();
-        QVERIFY(letPass(loop, 1200));
+        QVERIFY(test::letPass(loop, 1200));
         disk.release();
-        QVERIFY(letPass(loop, 600));
+        QVERIFY(test::letPass(loop, 600));
         const core::Status stopped = recorder.stop();
         QVERIFY(stopped.message().find("ticks were lost") != std::string::npos); // the user is informed
         loop.stop();

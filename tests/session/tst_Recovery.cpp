@@ -320,7 +320,7 @@ class Recovery : public QObject
                 core::removeScratchOnSignals();
                 ::_exit(session::recoverRecording(path("y.palpate"), path("z.palpate")).isOk() ? 0 : 1);
             }
-            QTRY_VERIFY_WITH_TIMEOUT(!scratch().isEmpty() || ::waitpid(child, nullptr, WNOHANG) != 0, 20000);
+            PALPATE_TRY_VERIFY(!scratch().isEmpty() || ::waitpid(child, nullptr, WNOHANG) != 0);
             (void)::kill(child, signal);
             int status = 0;
             ::waitpid(child, &status, 0);

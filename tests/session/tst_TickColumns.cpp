@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "TestRunner.h"
 #include "tables/Contacts.h"
 #include "tables/Packing.h"
-#include "TestRunner.h"
 #include "tables/TickColumns.h"
 #include "tables/TickTable.h"
 

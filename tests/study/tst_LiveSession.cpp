@@ -73,11 +73,11 @@ class LiveSession : public QObject
         QVERIFY(live.start(*device, {}).isOk());
         const std::string looks = study::looksText({{"box", {0.1, 0.25, 1.0}, 0.5}});
         QVERIFY(live.startRecording(path("r.palpate"), "box.palpate.json", embeds, looks).isOk());
-        QTRY_VERIFY(live.recording().ticks > 300);
+        PALPATE_TRY_VERIFY(live.recording().ticks > 300);
         feel(live, box(0.9)); // stiffer from now on
         live.note("note", R"({"text": "harder"})");
         const std::int64_t before = live.recording().ticks;
-        QTRY_VERIFY(live.recording().ticks > before + 600);
+        PALPATE_TRY_VERIFY(live.recording().ticks > before + 600);
         QVERIFY(live.stopRecording().isOk());
         live.stop();
         QVERIFY(!live.loop().isRunning());
@@ -138,7 +138,7 @@ class LiveSession : public QObject
             }
             return ticks > 300;
         };
-        QTRY_VERIFY(drain());
+        PALPATE_TRY_VERIFY(drain());
         QCOMPARE(outOfOrder, 0);
         QVERIFY(touching > 50);
     }

@@ -111,7 +111,7 @@ class Engineering : public QObject
         QVERIFY(live.start().isOk());
         ui::TouchReading shown;
         shown.constraints = 3;
-        QTRY_VERIFY(ui::engineeringReading(live, shown).measured_Hz > 0.0);
+        PALPATE_TRY_VERIFY(ui::engineeringReading(live, shown).measured_Hz > 0.0);
         const EngineeringReading reading = ui::engineeringReading(live, shown);
         QVERIFY(reading.isRunning && !reading.hasMotors);
         QCOMPARE(reading.constraints, 3);

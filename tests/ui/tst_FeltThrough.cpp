@@ -122,7 +122,7 @@ class FeltThrough : public QObject
         QVERIFY(isLumpTouched(model));
         QCOMPARE(model.hapticStructures(kAny)[1].layer, 1U);
         QSignalSpy edited(&model, &StructureModel::edited);
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate());
         QVERIFY(!edited.isEmpty()); // the update of the hand uses the same path as other tissue changes
         QVERIFY(!isLumpTouched(model));
         QVERIFY(model.hapticStructures(kAny)[0].maps.hasFelt());
@@ -134,7 +134,7 @@ class FeltThrough : public QObject
         QVERIFY(isLumpTouched(model) && !model.hapticStructures(kAny)[0].maps.hasFelt());
         QCOMPARE(model.hapticStructures(kAny)[1].layer, 0U);
         model.undoStack().redo();
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate() && !isLumpTouched(model), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate() && !isLumpTouched(model));
     }
 
     /// The lump under the hand is named, with the change in stiffness from the map.
@@ -145,7 +145,7 @@ class FeltThrough : public QObject
         model.setRows(liverWithLump());
         QVERIFY(!ui::lumpAtContact(model, 0, {0.0, 0.0, 20.0}, 4.0)); // not yet transmitted through the liver
         through(model);
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate());
         const core::Vec3 place = model.rows()[0].loaded.surface->mesh.vertices.front();
         const auto& below = model.rows()[0].loaded.feltBelow;
         const auto under = ui::lumpAtContact(model, 0, place, 4.0);
@@ -163,7 +163,7 @@ class FeltThrough : public QObject
         ui::LumpMaps maps(model);
         model.setRows(liverWithLump());
         through(model);
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate());
         QVERIFY(maps.isUpToDate()); // no display was requested: the map is available without a new computation
         QCOMPARE(maps.organs().size(), std::size_t(1));
         const buried::FeltSurface& felt = maps.organs()[0]->organ.felt;
@@ -181,7 +181,7 @@ class FeltThrough : public QObject
         ui::LumpMaps maps(model);
         model.setRows(liverWithLump());
         through(model);
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate());
         float before = most(model);
         const auto change = [&](int row, const std::function<void(meshio::SceneStructure&)>& how) {
             meshio::SceneStructure one = model.structure(row);
@@ -189,7 +189,7 @@ class FeltThrough : public QObject
             model.editAll({{row, one}}, QStringLiteral("Change"));
             QVERIFY(!maps.isHandUpToDate());
             QVERIFY(!isLumpTouched(model)); // the previous map applies until the new map is ready
-            QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+            PALPATE_TRY_VERIFY(maps.isHandUpToDate());
             QVERIFY2(std::abs(most(model) - before) > 0.01F, qPrintable(QString::number(most(model))));
             before = most(model);
         };
@@ -211,7 +211,7 @@ class FeltThrough : public QObject
         model.setRows(rows, BuriedTouch::Felt);
         QVERIFY(!model.isTransmitted(0) && model.isTransmitted(1) && model.isTransmitted(2));
         QCOMPARE(model.touchOrderText(1), QStringLiteral("through liver"));
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate());
 
         rows[2].loaded.description.layer = 1;
         model.setRows(rows, BuriedTouch::Felt);
@@ -220,7 +220,7 @@ class FeltThrough : public QObject
         rows[2].loaded.description.inside = "liver";
         model.setRows(rows, BuriedTouch::Felt);
         QVERIFY(!model.isTransmitted(1) && model.isTransmitted(2));
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate());
         QVERIFY(isLumpTouched(model, 1) && !isLumpTouched(model, 2));
     }
 
@@ -248,16 +248,16 @@ class FeltThrough : public QObject
         ui::LumpMaps maps(model);
         model.setRows(liverWithLump());
         through(model);
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate());
         model.setData(model.index(1, StructureModel::Shown), Qt::Unchecked, Qt::CheckStateRole);
         QVERIFY(!isLumpTouched(model));
-        QTRY_VERIFY_WITH_TIMEOUT(most(model) <= 1.0F, kLimit_ms);
+        PALPATE_TRY_VERIFY(most(model) <= 1.0F);
         model.undoStack().undo();
-        QTRY_VERIFY_WITH_TIMEOUT(most(model) > 1.1F, kLimit_ms);
+        PALPATE_TRY_VERIFY(most(model) > 1.1F);
         model.removeRows({1});
-        QTRY_VERIFY_WITH_TIMEOUT(most(model) <= 1.0F, kLimit_ms);
+        PALPATE_TRY_VERIFY(most(model) <= 1.0F);
         model.undoStack().undo();
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate() && most(model) > 1.1F, kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate() && most(model) > 1.1F);
     }
 
     void aRecordingsOwnMapsAreNotMadeAnew()
@@ -270,10 +270,10 @@ class FeltThrough : public QObject
         rows[0].loaded.feltBelow = recorded;
         model.setRows(std::move(rows));
         maps.setWanted(true); // displaying the palpable area does not change the result
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isUpToDate(), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isUpToDate());
         QCOMPARE(model.rows()[0].loaded.feltBelow, recorded);
         through(model);
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate());
         QVERIFY(model.rows()[0].loaded.feltBelow != recorded);
         model.undoStack().undo();
         QCOMPARE(model.rows()[0].loaded.feltBelow, recorded);
@@ -295,7 +295,7 @@ class FeltThrough : public QObject
         meshio::SceneStructure lump = model.structure(1);
         lump.young_ratio = 3.0;
         model.edit(1, lump);
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate(), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate());
         QVERIFY(!isLumpTouched(model));
     }
 
@@ -408,7 +408,7 @@ class FeltThrough : public QObject
         ui::LumpMaps maps(model);
         model.setRows(std::move(rows), BuriedTouch::Felt);
         edit(model);
-        QTRY_VERIFY_WITH_TIMEOUT(maps.isHandUpToDate() && !maps.isBusy(), kLimit_ms);
+        PALPATE_TRY_VERIFY(maps.isHandUpToDate() && !maps.isBusy());
 
         meshio::LoadedScene scene = asLoaded(model);
         QVERIFY(study::applyBuriedLumps(scene).isOk());

@@ -270,7 +270,7 @@ class Hand : public QObject
         QCOMPARE(live.heldStiffness_N_per_mm(), 5.0);
         QVERIFY(live.limitText().contains(QStringLiteral("manufacturer")));
         QSignalSpy changed(&live, &ui::LiveTouch::greatestChanged);
-        QTRY_COMPARE(live.delayTicks(), 3);
+        PALPATE_TRY_COMPARE(live.delayTicks(), 3);
         QVERIFY(live.heldStiffness_N_per_mm() < 3.0);
         QCOMPARE(changed.count(), 1);
         for (const char* part : {"omega", "3 ms late", "tremble"}) {

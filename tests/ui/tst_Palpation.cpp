@@ -54,11 +54,11 @@ class Palpation : public QObject
     {
         m_palpation->setPalpating(true);
         m_palpation->pressAt({300, 200});
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 3.9);
         QCOMPARE(m_reading->structure, QStringLiteral("liver"));
         // Straight onto the sphere: 4 mm at 0.5 N/mm, except for the tilt of the facet.
-        QTRY_VERIFY2(m_reading && std::abs(m_reading->force_N - 2.0) < 0.02,
-                     qPrintable(QString::number(m_reading->force_N))); // the approach is slow near its end
+        PALPATE_TRY_VERIFY2(m_reading && std::abs(m_reading->force_N - 2.0) < 0.02,
+                            qPrintable(QString::number(m_reading->force_N))); // the approach is slow near its end
         QVERIFY(m_reading->constraints >= 1);
         const view::TouchState& shown = m_viewport->view().cursor().state();
         QVERIFY(shown.isInContact);
@@ -68,7 +68,7 @@ class Palpation : public QObject
     {
         m_palpation->setPalpating(true);
         m_palpation->moveTo({300, 200});
-        QTRY_VERIFY(m_reading.has_value());
+        PALPATE_TRY_VERIFY(m_reading.has_value());
         QVERIFY(m_reading->structure.isEmpty());
         const view::TouchState& shown = m_viewport->view().cursor().state();
         QVERIFY(shown.isPresent && !shown.isInContact);
@@ -78,22 +78,22 @@ class Palpation : public QObject
     {
         m_palpation->setPalpating(true);
         m_palpation->pressAt({300, 200});
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 3.9);
         meshio::SceneStructure harder = m_model->structure(0);
         harder.tissue.stiffness_N_per_mm = 1.0;
         m_model->edit(0, harder);
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && std::abs(m_reading->force_N - 4.0) < 0.05, 10000);
+        PALPATE_TRY_VERIFY(m_reading && std::abs(m_reading->force_N - 4.0) < 0.05);
     }
     void escapeLetsGoThenTheHandIsGone()
     {
         m_palpation->setPalpating(true);
         m_palpation->pressAt({300, 200});
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.0, 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 3.0);
         QVERIFY(m_palpation->letGo());
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->structure.isEmpty());
         QVERIFY(!m_palpation->letGo()); // nothing was pressed
         m_palpation->setPalpating(false);
-        QTRY_VERIFY(!m_reading.has_value());
+        PALPATE_TRY_VERIFY(!m_reading.has_value());
         QVERIFY(!m_viewport->view().cursor().state().isPresent);
     }
     /// Deep near the ball's rim: the surface deflects the finger, with a message.
@@ -102,18 +102,17 @@ class Palpation : public QObject
         m_palpation->setPalpating(true);
         QCOMPARE(m_palpation->text(), QStringLiteral("presses 4.0 mm"));
         m_palpation->pressAt({300, 200});
-        QTRY_COMPARE_WITH_TIMEOUT(m_palpation->text(), QStringLiteral("pressing 4.0 mm"), 10000);
+        PALPATE_TRY_COMPARE(m_palpation->text(), QStringLiteral("pressing 4.0 mm"));
         QVERIFY(!m_palpation->isSlidOff() && !m_reading->isSlidOff);
         m_palpation->letGo();
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->structure.isEmpty());
         double rim = 300.0;
         while (m_viewport->view().pick(m_viewport->rayAt({rim + 1.0, 200}))) {
             rim += 1.0;
         }
         m_palpation->stepDepth(52); // 30 mm
         m_palpation->pressAt({rim, 200});
-        QTRY_VERIFY_WITH_TIMEOUT(m_palpation->isSlidOff() && m_palpation->text().startsWith("pressing 30 mm, slid"),
-                                 10000);
+        PALPATE_TRY_VERIFY(m_palpation->isSlidOff() && m_palpation->text().startsWith("pressing 30 mm, slid"));
         QVERIFY(m_reading->isSlidOff && m_reading->depth_mm < 12.0);
         m_palpation->letGo();
         QVERIFY(!m_palpation->isSlidOff());
@@ -133,15 +132,15 @@ class Palpation : public QObject
         m_palpation->moveTo({300, 200});
         for (const double share : {0.25, 1.0, 0.5}) {
             m_palpation->push(share);
-            QTRY_VERIFY2_WITH_TIMEOUT(m_reading && std::abs(m_reading->force_N - share * 4.0) < 0.05,
-                                      qPrintable(QString::number(m_reading ? m_reading->force_N : -1.0)), 10000);
+            PALPATE_TRY_VERIFY2(m_reading && std::abs(m_reading->force_N - share * 4.0) < 0.05,
+                                qPrintable(QString::number(m_reading ? m_reading->force_N : -1.0)));
         }
         m_palpation->push(0.0);
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->structure.isEmpty());
         // The puck does not release a press by the pointer.
         m_palpation->pressAt({300, 200});
         m_palpation->push(0.0);
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->force_N > 1.0, 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->force_N > 1.0);
     }
     void theDeepestPressIsSaid()
     {
@@ -164,18 +163,18 @@ class Palpation : public QObject
                 [this] { m_palpation->setPalpating(true); });
         m_palpation->stepAlongScreen(1, 0);
         QVERIFY(m_palpation->isPalpating() && m_palpation->isByKeys());
-        QTRY_VERIFY(m_reading.has_value());
+        PALPATE_TRY_VERIFY(m_reading.has_value());
         const view::TouchState& shown = m_viewport->view().cursor().state();
-        QTRY_VERIFY(shown.isPresent && shown.hasCrosshair && std::abs(shown.p_WH.x()) > 1.0);
+        PALPATE_TRY_VERIFY(shown.isPresent && shown.hasCrosshair && std::abs(shown.p_WH.x()) > 1.0);
         // Seen from the front, 2 mm to the right is 2 mm to the patient's left.
         QVERIFY2(std::abs(shown.p_WH.x() - 2.0) < 0.2 && std::abs(shown.p_WH.z()) < 0.2,
                  qPrintable(QString::number(shown.p_WH.x())));
         m_palpation->stepAlongScreen(0, 2);
-        QTRY_VERIFY(std::abs(shown.p_WH.z() - 4.0) < 0.3);
+        PALPATE_TRY_VERIFY(std::abs(shown.p_WH.z() - 4.0) < 0.3);
         m_palpation->togglePress();
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 3.9);
         m_palpation->stepDepth(4);
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 5.8, 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 5.8);
         QTest::qWait(300); // the approach is slow near its end
         // Turning the camera leaves a pressed hand in place; steps follow the new screen axes.
         const core::Vec3 before = shown.p_WH;
@@ -188,7 +187,7 @@ class Palpation : public QObject
         QTest::qWait(100);
         QVERIFY((shown.p_WH - before).norm() < 3.0 && shown.p_WH.x() < before.x() - 1.0);
         m_palpation->togglePress();
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->structure.isEmpty());
         Q_EMIT m_viewport->pointerMoved();
         QVERIFY(!m_palpation->isByKeys());
     }
@@ -198,9 +197,9 @@ class Palpation : public QObject
         for (int i = 0; i < 5; ++i) {
             m_palpation->pressAt({250.0 + 20.0 * i, 200.0});
             QTest::qSleep(200); // a slow frame, longer than the press ramp
-            QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.0, 10000);
+            PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 3.0);
             m_palpation->letGo();
-            QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->structure.isEmpty(), 10000);
+            PALPATE_TRY_VERIFY(m_reading && m_reading->structure.isEmpty());
         }
     }
     void theForceShownIsWhatTheHandGets()
@@ -239,10 +238,10 @@ class Palpation : public QObject
         QVERIFY(m_live->useDevice(std::make_unique<Stuck>(isStuck)).isOk());
         QVERIFY(m_live->start().isOk());
         // The model force is 2 N; the device output is half.
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
-        QTRY_VERIFY2(std::abs(m_reading->force_N - 1.0) < 0.02, qPrintable(QString::number(m_reading->force_N)));
+        PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 3.9);
+        PALPATE_TRY_VERIFY2(std::abs(m_reading->force_N - 1.0) < 0.02, qPrintable(QString::number(m_reading->force_N)));
         isStuck = true;
-        QTRY_VERIFY2(m_reading && m_reading->force_N == 0.0, qPrintable(QString::number(m_reading->force_N)));
+        PALPATE_TRY_VERIFY2(m_reading && m_reading->force_N == 0.0, qPrintable(QString::number(m_reading->force_N)));
         QVERIFY(m_reading->depth_mm > 3.9);
         m_live->stop();
         QVERIFY(m_live->useDevice(nullptr).isOk());
@@ -255,7 +254,7 @@ class Palpation : public QObject
         QVERIFY(m_live->startRecording(file).isOk());
         m_palpation->setPalpating(true);
         m_palpation->pressAt({300, 200});
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 3.9);
         m_model->setLayers({1}, QStringLiteral("Feel below"));
         QTest::qWait(300);
         QVERIFY(m_live->stopRecording().isOk());
@@ -319,16 +318,16 @@ class Palpation : public QObject
         m_model->setRows(std::move(rows));
         QVERIFY(m_live->useDevice(std::move(device)).isOk());
         QVERIFY(m_live->start().isOk());
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 11.9, 10000);
-        QTRY_COMPARE(m_reading->layers.size(), std::size_t{2});
+        PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 11.9);
+        PALPATE_TRY_COMPARE(m_reading->layers.size(), std::size_t{2});
         const std::vector<ui::LayerShare>& layers = m_reading->layers;
         QCOMPARE(m_reading->structure, QStringLiteral("liver"));
         QCOMPARE(layers[0].name, QStringLiteral("liver"));
         QCOMPARE(layers[1].name, QStringLiteral("lump 20 mm"));
         QCOMPARE(layers[1].colour, ui::colourOf(m_model->structure(1)));
         // The damper acts until the hand rests.
-        QTRY_VERIFY(std::abs(layers[0].force_N - 0.2 * layers[0].depth_mm) < 0.02);
-        QTRY_VERIFY(std::abs(layers[1].force_N - 0.6 * layers[1].depth_mm) < 0.02);
+        PALPATE_TRY_VERIFY(std::abs(layers[0].force_N - 0.2 * layers[0].depth_mm) < 0.02);
+        PALPATE_TRY_VERIFY(std::abs(layers[1].force_N - 0.6 * layers[1].depth_mm) < 0.02);
         QVERIFY(std::abs(layers[0].along_N + layers[1].along_N - m_reading->force_N) < 0.02);
         QVERIFY(m_reading->force_N > 1.3 * layers[0].force_N);
         QCOMPARE(m_reading->stiffness_N_per_mm, 0.8);
@@ -346,7 +345,7 @@ class Palpation : public QObject
         QVERIFY(m_live->startRecording(file).isOk());
         m_palpation->setPalpating(true);
         m_palpation->pressAt({300, 200});
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->depth_mm > 3.9, 10000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 3.9);
         QTest::qWait(300);
         QVERIFY(m_live->stopRecording().isOk());
         const auto reader = session::RecordingReader::open(file);

@@ -592,11 +592,11 @@ class Panels : public QObject
         const int force = height(QStringLiteral("2.31")), unit = height(QStringLiteral("N"));
         const int bar = panel.findChild<ui::ForceBar*>()->sizeHint().height();
         ui::applyTextSize(200);
-        QTRY_VERIFY(height(QStringLiteral("2.31")) > 1.8 * force);
-        QTRY_VERIFY(height(QStringLiteral("N")) > 1.8 * unit);
+        PALPATE_TRY_VERIFY(height(QStringLiteral("2.31")) > 1.8 * force);
+        PALPATE_TRY_VERIFY(height(QStringLiteral("N")) > 1.8 * unit);
         QVERIFY(panel.findChild<ui::ForceBar*>()->sizeHint().height() > bar);
         ui::applyTextSize(100);
-        QTRY_COMPARE(height(QStringLiteral("2.31")), force);
+        PALPATE_TRY_COMPARE(height(QStringLiteral("2.31")), force);
     }
     void systemsPaletteIsSeen()
     {

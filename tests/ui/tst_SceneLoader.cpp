@@ -32,7 +32,7 @@ class SceneLoader : public QObject
         connect(&loader, &ui::SceneLoader::opened, this, [&](const auto& opened) { scene = opened; });
         loader.open({m_ball}, 1.0);
         QVERIFY(loader.isBusy()); // this thread is free
-        QTRY_VERIFY_WITH_TIMEOUT(scene != nullptr, 20000);
+        PALPATE_TRY_VERIFY(scene != nullptr);
         QCOMPARE(scene->rows.size(), std::size_t{1});
         QVERIFY(scene->rows[0].touch != nullptr);
         QCOMPARE(scene->rows[0].touch->triangleCount(), 1280u);
@@ -45,7 +45,7 @@ class SceneLoader : public QObject
         ui::SceneLoader loader;
         QSignalSpy failed(&loader, &ui::SceneLoader::failed);
         loader.open({m_bad}, 1.0);
-        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 20000);
+        PALPATE_TRY_COMPARE(failed.count(), 1);
         const QString line = failed.first().first().toString();
         QVERIFY2(line.contains(QStringLiteral("bad.stl")) && !line.contains(QLatin1Char('\n')), qPrintable(line));
     }
@@ -55,7 +55,7 @@ class SceneLoader : public QObject
         std::shared_ptr<ui::OpenedScene> scene;
         connect(&loader, &ui::SceneLoader::opened, this, [&](const auto& opened) { scene = opened; });
         loader.open({m_bad, m_ball}, 1.0);
-        QTRY_VERIFY_WITH_TIMEOUT(scene != nullptr, 20000);
+        PALPATE_TRY_VERIFY(scene != nullptr);
         QCOMPARE(scene->rows.size(), std::size_t{1});
         QCOMPARE(scene->problems.size(), 1);
     }
@@ -66,7 +66,7 @@ class SceneLoader : public QObject
         QSignalSpy opened(&loader, &ui::SceneLoader::opened);
         loader.open(std::vector<std::filesystem::path>(200, m_ball), 1.0);
         loader.cancel();
-        QTRY_COMPARE_WITH_TIMEOUT(cancelled.count(), 1, 20000);
+        PALPATE_TRY_COMPARE(cancelled.count(), 1);
         QCOMPARE(opened.count(), 0);
     }
     void newerWishReplacesTheOlder()
@@ -76,7 +76,7 @@ class SceneLoader : public QObject
         QSignalSpy failed(&loader, &ui::SceneLoader::failed);
         loader.open({m_bad}, 1.0);
         loader.open({m_ball}, 1.0);
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 20000);
+        PALPATE_TRY_COMPARE(opened.count(), 1);
         QCOMPARE(failed.count(), 0);
     }
 

@@ -42,7 +42,7 @@ class SurfaceEdits : public QObject
         const auto opened =
             connect(&m_loader, &ui::SceneLoader::opened, this, [&](const auto& found) { scene = found; });
         m_loader.open({m_file}, 1.0);
-        QTRY_VERIFY_WITH_TIMEOUT(scene != nullptr, 60000);
+        PALPATE_TRY_VERIFY(scene != nullptr);
         disconnect(opened);
         m_model.setRows(std::move(scene->rows));
     }
@@ -57,13 +57,13 @@ class SurfaceEdits : public QObject
         const auto picture = m_model.picture(0);
         QSignalSpy replaced(&m_model, &StructureModel::surfaceReplaced);
         m_model.smooth(m_model.steppedRows());
-        QTRY_COMPARE_WITH_TIMEOUT(replaced.count(), 1, 60000);
+        PALPATE_TRY_COMPARE(replaced.count(), 1);
         QVERIFY(row().loaded.smoothing.has_value());
         QVERIFY(row().loaded.surface != surface && row().touch != touch && m_model.picture(0) != picture);
         QVERIFY(m_model.steppedRows().empty());
         QVERIFY(m_model.structure(0).surface == meshio::SurfaceKind::Smoothed); // as saved later
         m_model.undoStack().undo();
-        QTRY_COMPARE_WITH_TIMEOUT(replaced.count(), 2, 60000);
+        PALPATE_TRY_COMPARE(replaced.count(), 2);
         QCOMPARE(row().loaded.surface.get(), surface.get());
         QVERIFY(!row().loaded.smoothing.has_value());
         QCOMPARE(m_model.steppedRows(), std::vector<int>{0});
@@ -74,11 +74,11 @@ class SurfaceEdits : public QObject
         QCOMPARE(m_model.insideOutRows(), std::vector<int>{0});
         QSignalSpy replaced(&m_model, &StructureModel::surfaceReplaced);
         m_model.turnOutwards(m_model.insideOutRows());
-        QTRY_COMPARE_WITH_TIMEOUT(replaced.count(), 1, 60000);
+        PALPATE_TRY_COMPARE(replaced.count(), 1);
         QVERIFY(m_model.insideOutRows().empty());
         QVERIFY(row().loaded.surface->report.volume_mm3 > 0.0);
         m_model.undoStack().undo();
-        QTRY_COMPARE_WITH_TIMEOUT(replaced.count(), 2, 60000);
+        PALPATE_TRY_COMPARE(replaced.count(), 2);
         QVERIFY(row().loaded.surface->report.volume_mm3 < 0.0);
     }
 
@@ -88,7 +88,7 @@ class SurfaceEdits : public QObject
         QSignalSpy built(&m_loader, &ui::SceneLoader::surfaceBuilt);
         m_model.smooth({0});
         m_model.undoStack().undo();
-        QTRY_COMPARE_WITH_TIMEOUT(built.count(), 2, 60000);
+        PALPATE_TRY_COMPARE(built.count(), 2);
         QVERIFY(!row().loaded.smoothing.has_value());
         QVERIFY(m_model.structure(0).surface == meshio::SurfaceKind::Facets);
     }

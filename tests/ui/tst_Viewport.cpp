@@ -27,7 +27,7 @@ class Viewport : public QObject
         pictures.push_back({view::StructureActor(row.picture, {{0.9, 0.1, 0.1}, 1.0, true}), row.touch});
         m_viewport->view().setStructures(std::move(pictures));
         m_viewport->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get(), test::kPatience_ms));
         m_viewport->view().look(view::ViewFrom::Front);
     }
     void cleanup() { m_viewport.reset(); }
@@ -50,7 +50,7 @@ class Viewport : public QObject
     void followsItsSize()
     {
         m_viewport->resize(300, 260);
-        QTRY_COMPARE(m_viewport->grabFramebuffer().width(), 300);
+        PALPATE_TRY_COMPARE(m_viewport->grabFramebuffer().width(), 300);
         QVERIFY(m_viewport->view().pick(m_viewport->rayAt({150, 130})).has_value());
         QVERIFY(!m_viewport->view().pick(m_viewport->rayAt({3, 3})).has_value());
     }
@@ -99,7 +99,7 @@ class Viewport : public QObject
         QSignalSpy clicked(m_viewport.get(), &ui::VtkViewport::clicked);
         QSignalSpy hovered(m_viewport.get(), &ui::VtkViewport::hovered);
         QTest::mouseMove(m_viewport.get(), {210, 190});
-        QTRY_VERIFY(hovered.count() > 0);
+        PALPATE_TRY_VERIFY(hovered.count() > 0);
         QTest::mouseClick(m_viewport.get(), Qt::LeftButton, Qt::ControlModifier, {210, 190});
         QCOMPARE(clicked.count(), 1);
         QCOMPARE(clicked.first().first().toPointF(), QPointF(210, 190));

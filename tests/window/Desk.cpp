@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
+#include "TestRunner.h"
 
 #include <palpate/ui/VtkViewport.h>
 
@@ -37,14 +38,15 @@ bool Desk::show(QSize size)
     m_window->show();
     m_window->activateWindow();
     // Only an active window receives keys, and activation follows some time after exposure.
-    return QTest::qWaitForWindowExposed(m_window.get()) && QTest::qWaitForWindowActive(m_window.get());
+    return QTest::qWaitForWindowExposed(m_window.get(), kPatience_ms) &&
+           QTest::qWaitForWindowActive(m_window.get(), kPatience_ms);
 }
 
 bool Desk::open(const std::vector<std::filesystem::path>& files)
 {
     QSignalSpy ready(m_window.get(), &MainWindow::ready);
     m_window->open(files);
-    return QTest::qWaitFor([&] { return ready.count() > 0; }, 60000);
+    return QTest::qWaitFor([&] { return ready.count() > 0; }, kPatience_ms);
 }
 
 bool Desk::openPhantom()

@@ -65,14 +65,14 @@ class BuriedLump : public QObject
         m_window = std::make_unique<MainWindow>();
         m_window->resize(1280, 800);
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), test::kPatience_ms));
         connect(&m_window->palpation(), &ui::PalpationController::touched, this, [this](const ui::TouchReading& touch) {
             m_force_N = touch.force_N;
             m_depth_mm = touch.depth_mm;
         });
         QSignalSpy ready(m_window.get(), &MainWindow::ready);
         m_window->open(files);
-        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 30000);
+        PALPATE_TRY_COMPARE(ready.count(), 1);
     }
 
     std::filesystem::path folder() const { return m_folder.path().toStdString(); }
@@ -94,11 +94,11 @@ class BuriedLump : public QObject
         }
         m_depth_mm = m_force_N = 0.0;
         hand.pressAt({0.5 * viewport.width(), 0.5 * viewport.height()});
-        const bool isIn = QTest::qWaitFor([this] { return std::abs(m_depth_mm - 12.0) < 0.02; }, 20000);
+        const bool isIn = QTest::qWaitFor([this] { return std::abs(m_depth_mm - 12.0) < 0.02; }, test::kPatience_ms);
         QTest::qWait(100);
         const double force_N = isIn ? m_force_N : -1.0;
         hand.letGo();
-        (void)QTest::qWaitFor([this] { return m_depth_mm == 0.0; }, 20000);
+        (void)QTest::qWaitFor([this] { return m_depth_mm == 0.0; }, test::kPatience_ms);
         return force_N;
     }
 
@@ -116,7 +116,7 @@ class BuriedLump : public QObject
     QPushButton& wayBack() const { return *test::answerOf(message()); }
 
     /// Waits for the lump maps; until then, lumps are simulated as layers.
-    void awaitMaps() const { QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<ui::LumpMaps*>()->isHandUpToDate(), 30000); }
+    void awaitMaps() const { PALPATE_TRY_VERIFY(m_window->findChild<ui::LumpMaps*>()->isHandUpToDate()); }
 
   private Q_SLOTS:
     void initTestCase()
@@ -186,14 +186,14 @@ class BuriedLump : public QObject
         Q_EMIT m_window->viewport().depthTurned(6.0);
         hand.pressAt({0.5 * m_window->viewport().width(), 0.5 * m_window->viewport().height()});
         const auto isHeld = [this, &hand] { return m_force_N > 0.05 && std::abs(m_depth_mm - hand.depth_mm()) < 0.05; };
-        QTRY_VERIFY_WITH_TIMEOUT(isHeld(), 20000);
+        PALPATE_TRY_VERIFY(isHeld());
         wayBack().click(); // as a layer
         QTest::qWait(300);
         action("Undo")->trigger(); // transmitted through the organ again
         awaitMaps();
         QTest::qWait(300);
         hand.letGo();
-        QTRY_COMPARE_WITH_TIMEOUT(m_depth_mm, 0.0, 20000);
+        PALPATE_TRY_COMPARE(m_depth_mm, 0.0);
         action("Stop")->trigger();
 
         const ui::RecordedTouch* recorded = m_window->playback().recording();

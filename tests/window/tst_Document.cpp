@@ -126,7 +126,7 @@ class Document : public QObject
             SceneDocument document(model);
             document.take(opened(model, path("a.palpate.json")));
             document.addFinding({"unsaved", {7, 8, 9}, {}});
-            QTRY_COMPARE_WITH_TIMEOUT(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files).size(), 1, 20000);
+            PALPATE_TRY_COMPARE(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files).size(), 1);
             QVERIFY(!SceneDocument::findLeftover()); // its process is alive
             QFile file(QDir(copies()).filePath(QDir(copies()).entryList({"*.palpate.json"}, QDir::Files)[0]));
             QVERIFY(file.open(QIODevice::ReadOnly));
@@ -166,13 +166,13 @@ class Document : public QObject
         document.take(opened(model, path("f.palpate.json")));
         QSignalSpy failed(&document, &SceneDocument::copyFailed);
         document.addFinding({"unsaved", {7, 8, 9}, {}});
-        QTRY_COMPARE_WITH_TIMEOUT(copyNames().size(), 1, 20000);
+        PALPATE_TRY_COMPARE(copyNames().size(), 1);
         const QString copy = QDir(copies()).filePath(copyNames()[0]);
         const QByteArray copied = bytes(copy);
         {
             const test::FileLimit full(100);
             document.addFinding({"second", {7, 8, 9}, {}});
-            QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 20000);
+            PALPATE_TRY_COMPARE(failed.count(), 1);
             document.addFinding({"third", {7, 8, 9}, {}});
             QTest::qWait(2000);          // longer than the delay after an edit
             QCOMPARE(failed.count(), 1); // one message
@@ -220,7 +220,7 @@ class Document : public QObject
             QCOMPARE(bytes(left.fileName()), before);
             QVERIFY(!SceneDocument::findLeftover()); // owned by this process
             document.addFinding({"second", {7, 8, 9}, {}});
-            QTRY_VERIFY_WITH_TIMEOUT(bytes(left.fileName()).contains("second"), 20000);
+            PALPATE_TRY_VERIFY(bytes(left.fileName()).contains("second"));
         }
         QCOMPARE(copyNames(), QStringList()); // a regular exit
     }
@@ -234,7 +234,7 @@ class Document : public QObject
             document->take(opened(models[document == &two ? 1 : 0], path("a.palpate.json")));
             document->addFinding({"unsaved", {7, 8, 9}, {}});
         }
-        QTRY_COMPARE_WITH_TIMEOUT(copyNames().size(), 2, 20000);
+        PALPATE_TRY_COMPARE(copyNames().size(), 2);
     }
 };
 

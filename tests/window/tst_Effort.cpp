@@ -153,11 +153,11 @@ class Effort : public QObject
         };
         send(QEvent::TabletPress, 0.5);
         QTest::mousePress(&viewport(), Qt::LeftButton, {}, place.toPoint());
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(m_touch.force_N - 2.0) < 0.2, 5000);
+        PALPATE_TRY_VERIFY(std::abs(m_touch.force_N - 2.0) < 0.2);
         QTest::qWait(1500);
         QVERIFY(std::abs(m_touch.force_N - 2.0) < 0.2); // and stays
         send(QEvent::TabletMove, 0.25);
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(m_touch.force_N - 1.0) < 0.2, 5000);
+        PALPATE_TRY_VERIFY(std::abs(m_touch.force_N - 1.0) < 0.2);
         send(QEvent::TabletRelease, 0.0);
         QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, place.toPoint());
     }

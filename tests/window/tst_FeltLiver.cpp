@@ -87,7 +87,7 @@ class FeltLiver : public QObject
         files.push_back(m_lump);
         QSignalSpy ready(&m_desk->window(), &MainWindow::ready);
         m_desk->window().open(files, 1000.0);
-        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 60000);
+        PALPATE_TRY_COMPARE(ready.count(), 1);
     }
 
     QString newestMessage() { return test::newest(m_desk->window().findChild<ui::MessageBar*>()->text()); }
@@ -161,11 +161,11 @@ class FeltLiver : public QObject
         QVERIFY2(newestMessage().startsWith(QStringLiteral("tumour: inside capsule of the liver, 4.4 (1 … 5.2) × "
                                                            "as stiff (published for such lumps)")),
                  qPrintable(newestMessage()));
-        QTRY_VERIFY_WITH_TIMEOUT(lumps().isHandUpToDate(), 60000);
+        PALPATE_TRY_VERIFY(lumps().isHandUpToDate());
         keep("liver-opened");
         m_desk->window().viewport().setFocus();
         m_desk->pressKeyOf("felt");
-        QTRY_VERIFY_WITH_TIMEOUT(lumps().isUpToDate(), 60000);
+        PALPATE_TRY_VERIFY(lumps().isUpToDate());
         QCOMPARE(lumps().organs().size(), std::size_t(1));
         const buried::FeltSurface& felt = lumps().organs()[0]->organ.felt;
         QVERIFY(std::abs(felt.lumps[0].minCover_mm - kCover_mm) < 1.0);

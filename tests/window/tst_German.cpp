@@ -55,7 +55,7 @@ class German : public QObject
         QSignalSpy failed(&m_desk->window(), &MainWindow::openFailed);
         QSignalSpy ready(&m_desk->window(), &MainWindow::ready);
         m_desk->window().open({file});
-        if (!QTest::qWaitFor([&] { return failed.count() + ready.count() > 0; }, 20000)) {
+        if (!QTest::qWaitFor([&] { return failed.count() + ready.count() > 0; }, test::kPatience_ms)) {
             return QStringLiteral("no answer");
         }
         QTest::qWait(100);

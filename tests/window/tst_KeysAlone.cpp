@@ -50,7 +50,7 @@ class KeysAlone : public QObject
     /// Types into the editor of the focused list.
     void type(const QString& text)
     {
-        QTRY_VERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()) != nullptr);
+        PALPATE_TRY_VERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()) != nullptr);
         QTest::keyClicks(QApplication::focusWidget(), text);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
         QCoreApplication::processEvents();
@@ -77,14 +77,14 @@ class KeysAlone : public QObject
         });
         typist.start(100);
         m_desk->press(Qt::Key_F, Qt::AltModifier);
-        QTRY_VERIFY(qobject_cast<QMenu*>(QApplication::activePopupWidget()) != nullptr);
+        PALPATE_TRY_VERIFY(qobject_cast<QMenu*>(QApplication::activePopupWidget()) != nullptr);
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
         for (int i = 0; i < 30 && menu->activeAction() != &m_desk->command(id); ++i) {
             QTest::keyClick(menu, Qt::Key_Down);
         }
         QCOMPARE(menu->activeAction(), &m_desk->command(id));
         QTest::keyClick(menu, Qt::Key_Return);
-        QTRY_VERIFY(isTyped && QApplication::activeModalWidget() == nullptr);
+        PALPATE_TRY_VERIFY(isTyped && QApplication::activeModalWidget() == nullptr);
     }
 
   private Q_SLOTS:
@@ -107,14 +107,14 @@ class KeysAlone : public QObject
         }));
         QSignalSpy ready(&window(), &MainWindow::ready);
         m_desk->press(Qt::Key_Space);
-        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 60000);
+        PALPATE_TRY_COMPARE(ready.count(), 1);
 
         QVERIFY(goToView());
         m_desk->pressKeyOf("record");
-        QTRY_COMPARE(m_desk->command("record").text(), QStringLiteral("Stop"));
+        PALPATE_TRY_COMPARE(m_desk->command("record").text(), QStringLiteral("Stop"));
         m_desk->press(Qt::Key_Right, Qt::ControlModifier);
         m_desk->press(Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(isTouching(), 20000);
+        PALPATE_TRY_VERIFY(isTouching());
         for (int i = 0; i < 4; ++i) {
             m_desk->press(Qt::Key_PageDown);
         }
@@ -123,7 +123,7 @@ class KeysAlone : public QObject
 
         m_desk->pressKeyOf("mark-and-write");
         type(QStringLiteral("hard, 2 cm"));
-        QTRY_COMPARE(window().focusWidget(), static_cast<QWidget*>(&window().viewport()));
+        PALPATE_TRY_COMPARE(window().focusWidget(), static_cast<QWidget*>(&window().viewport()));
         QVERIFY(pressUntil(Qt::Key_F6,
                            [](const QWidget* at) { return at->objectName() == QStringLiteral("findingsTable"); }));
         const auto* table = window().findChild<QTableView*>(QStringLiteral("findingsTable"));
@@ -134,9 +134,9 @@ class KeysAlone : public QObject
         type(QStringLiteral("lump in IV"));
         QVERIFY(goToView());
         m_desk->press(Qt::Key_Return); // releases the press
-        QTRY_VERIFY(!isTouching());
+        PALPATE_TRY_VERIFY(!isTouching());
         m_desk->pressKeyOf("record");
-        QTRY_COMPARE(m_desk->command("record").text(), QStringLiteral("Record"));
+        PALPATE_TRY_COMPARE(m_desk->command("record").text(), QStringLiteral("Record"));
 
         const ui::RecordedTouch* recorded = window().playback().recording();
         QVERIFY(recorded != nullptr && recorded->duration_s() > 0.4);

@@ -155,9 +155,9 @@ class List : public QObject
         editor->selectAll();
         QTest::keyClicks(editor, "lesion in IV");
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(names(), QStringList({"liver", "lesion in IV"}));
+        PALPATE_TRY_COMPARE(names(), QStringList({"liver", "lesion in IV"}));
 
-        QTRY_VERIFY(list().hasFocus()); // the filter field returned the focus
+        PALPATE_TRY_VERIFY(list().hasFocus()); // the filter field returned the focus
         m_desk->pressKeyOf("filter");
         QVERIFY(filter().hasFocus());
         QTest::keyClicks(&filter(), "iv les");
@@ -190,7 +190,7 @@ class List : public QObject
         drop(m_vein);
         QCOMPARE(test::newest(message().text()), QStringLiteral("Add portal_vein.stl to the open scene?"));
         answer("Add");
-        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 60000);
+        PALPATE_TRY_COMPARE(ready.count(), 1);
         QCOMPARE(names(), QStringList({"liver", "portal vein"}));
     }
 
@@ -226,10 +226,10 @@ class List : public QObject
                            "\u201CFirm organ\u201D, 0.5 N/mm."));
         QVERIFY(!window().isWindowModified());
         const view::SceneView& view = window().viewport().view();
-        QTRY_VERIFY(view.structure(1).touchable == nullptr);
+        PALPATE_TRY_VERIFY(view.structure(1).touchable == nullptr);
         QVERIFY(view.structure(0).touchable != nullptr);
         m_desk->pressKeyOf("undo");
-        QTRY_VERIFY(view.structure(1).touchable != nullptr);
+        PALPATE_TRY_VERIFY(view.structure(1).touchable != nullptr);
     }
 
     void clickingAnatomySelectsIt()
@@ -283,15 +283,15 @@ class List : public QObject
         window().viewport().setFocus();
         m_desk->pressKeyOf("record");
         hand.pressAt({0.5 * window().viewport().width(), 0.5 * window().viewport().height()});
-        QTRY_VERIFY_WITH_TIMEOUT(force_N > 0.05, 20000);
+        PALPATE_TRY_VERIFY(force_N > 0.05);
         QSignalSpy ready(&window(), &MainWindow::ready);
         drop(m_vein);
         answer("Add");
-        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 60000);
+        PALPATE_TRY_COMPARE(ready.count(), 1);
         list().setFocus();
         list().setCurrentIndex(list().model()->index(0, ui::StructureModel::Name));
         m_desk->press(Qt::Key_Delete); // under the hand
-        QTRY_COMPARE_WITH_TIMEOUT(force_N, 0.0, 20000);
+        PALPATE_TRY_COMPARE(force_N, 0.0);
         m_desk->pressKeyOf("undo");
         QTest::qWait(200);
         hand.letGo();

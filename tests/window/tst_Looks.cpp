@@ -72,7 +72,7 @@ class Looks : public QObject
     /// Goes to the peak force of the recording, with force, depths and a finding in the view.
     void toThePeak()
     {
-        QTRY_VERIFY(window().playback().peakTime_s() > 0.0); // computed in the background
+        PALPATE_TRY_VERIFY(window().playback().peakTime_s() > 0.0); // computed in the background
         window().playback().seek(window().playback().peakTime_s());
         window().viewport().update();
         QTest::qWait(300);
@@ -155,13 +155,13 @@ class Looks : public QObject
         dark.setColor(QPalette::Window, Qt::black);
         dark.setColor(QPalette::WindowText, Qt::white);
         QApplication::setPalette(dark); // like the platform plugin
-        QTRY_COMPARE(ui::warningColour().lightness() > 128, true);
-        QTRY_VERIFY(ui::isDarkTheme() && ground() < light);
+        PALPATE_TRY_COMPARE(ui::warningColour().lightness() > 128, true);
+        PALPATE_TRY_VERIFY(ui::isDarkTheme() && ground() < light);
         QVERIFY(window().palette().color(QPalette::Window) != QColor(Qt::black)); // the theme's own dark
         QVERIFY(choose("appearance-light"));
         QVERIFY(!ui::isDarkTheme());
         QApplication::setPalette(dark); // the user's choice stays
-        QTRY_VERIFY(!ui::isDarkTheme() && ground() == light);
+        PALPATE_TRY_VERIFY(!ui::isDarkTheme() && ground() == light);
     }
 
     void textsGrowInPanelsAndView()
@@ -243,7 +243,7 @@ class Looks : public QObject
         QVERIFY(m_desk->command("text-size-200").isChecked());
         QCOMPARE(window().fontMetrics().height(), large);
         toThePeak();
-        QTRY_VERIFY(view().cursor().labels().texts().size() > 1);
+        PALPATE_TRY_VERIFY(view().cursor().labels().texts().size() > 1);
         const auto texts = view().cursor().labels().texts();
         QLocale::setDefault(QLocale::c());
         for (const std::string& text : texts) {

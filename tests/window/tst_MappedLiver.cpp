@@ -106,7 +106,7 @@ class MappedLiver : public QObject
         }
         m_depth_mm = m_force_N = 0.0;
         hand.pressAt({share * viewport.width(), 0.5 * viewport.height()});
-        (void)QTest::qWaitFor([this] { return m_depth_mm > 2.0; }, 20000);
+        (void)QTest::qWaitFor([this] { return m_depth_mm > 2.0; }, test::kPatience_ms);
         QTest::qWait(600); // after the force ramp
         keep(picture);
         const double felt = m_depth_mm > 2.0 ? m_force_N / m_depth_mm : -1.0;
@@ -115,7 +115,7 @@ class MappedLiver : public QObject
             return -1.0;
         }
         hand.letGo();
-        (void)QTest::qWaitFor([this] { return m_depth_mm == 0.0; }, 20000);
+        (void)QTest::qWaitFor([this] { return m_depth_mm == 0.0; }, test::kPatience_ms);
         return felt;
     }
 
@@ -144,7 +144,7 @@ class MappedLiver : public QObject
             m_window->show();
             QSignalSpy ready(m_window.get(), &MainWindow::ready);
             m_window->open({file.toStdString()});
-            if (!QTest::qWaitFor([&] { return ready.count() == 1; }, 30000)) {
+            if (!QTest::qWaitFor([&] { return ready.count() == 1; }, test::kPatience_ms)) {
                 return QStringLiteral("not opened");
             }
             const auto& legend = m_window->viewport().view().legend();
@@ -174,7 +174,7 @@ class MappedLiver : public QObject
         m_window = std::make_unique<MainWindow>();
         m_window->resize(1280, 800);
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), test::kPatience_ms));
         const auto inMessages = [this] {
             int lines = 0;
             const QAbstractItemModel& all = *m_window->findChild<ui::MessageList*>()->model();
@@ -203,31 +203,31 @@ class MappedLiver : public QObject
         };
         QSignalSpy ready(m_window.get(), &MainWindow::ready);
         m_window->open({m_folder.filePath("ball.vtp").toStdString()});
-        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 30000);
+        PALPATE_TRY_COMPARE(ready.count(), 1);
         QTest::qWait(600);
         QVERIFY(!isWarned()); // a pointer has no motors
         QCOMPARE(inMessages(), 0);
 
         m_window->chooseDevice("simulated");
-        QTRY_VERIFY(isWarned());
+        PALPATE_TRY_VERIFY(isWarned());
         QCOMPARE(inMessages(), 1);
         keep("warned");
 
         choose(QStringLiteral("Map"), QStringLiteral("None"));
-        QTRY_VERIFY(!isWarned());
+        PALPATE_TRY_VERIFY(!isWarned());
         choose(QStringLiteral("Map"), QStringLiteral("By name"));
-        QTRY_VERIFY(isWarned());
+        PALPATE_TRY_VERIFY(isWarned());
         QCOMPARE(inMessages(), 2);
 
         choose(QStringLiteral("Friction"), QStringLiteral("Moist (0.15, assumed)"));
-        QTRY_VERIFY(!isWarned()); // the sideways force is suppressed
+        PALPATE_TRY_VERIFY(!isWarned()); // the sideways force is suppressed
         choose(QStringLiteral("Friction"), QStringLiteral("None"));
-        QTRY_VERIFY(isWarned());
+        PALPATE_TRY_VERIFY(isWarned());
 
         m_window->chooseDevice("mouse");
-        QTRY_VERIFY(!isWarned());
+        PALPATE_TRY_VERIFY(!isWarned());
         m_window->chooseDevice("simulated");
-        QTRY_VERIFY(isWarned());
+        PALPATE_TRY_VERIFY(isWarned());
     }
 
     void softAndStiffHalvesAreSeenAndFelt()
@@ -242,7 +242,7 @@ class MappedLiver : public QObject
         m_window = std::make_unique<MainWindow>();
         m_window->resize(1280, 800);
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), test::kPatience_ms));
         connect(&m_window->palpation(), &ui::PalpationController::touched, this, [this](const ui::TouchReading& touch) {
             m_force_N = touch.force_N;
             m_depth_mm = touch.depth_mm;
@@ -250,7 +250,7 @@ class MappedLiver : public QObject
         });
         QSignalSpy ready(m_window.get(), &MainWindow::ready);
         m_window->open({m_folder.filePath("liver.vtp").toStdString()});
-        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 30000);
+        PALPATE_TRY_COMPARE(ready.count(), 1);
         view::SceneView& view = m_window->viewport().view();
         view.look(view::ViewFrom::Front);
         QVERIFY(!view.legend().isShown());

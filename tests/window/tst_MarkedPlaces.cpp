@@ -36,7 +36,7 @@ class MarkedPlaces : public QObject
 
     void type(const QString& text)
     {
-        QTRY_VERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()) != nullptr);
+        PALPATE_TRY_VERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()) != nullptr);
         QTest::keyClicks(QApplication::focusWidget(), text);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
         QCoreApplication::processEvents();
@@ -46,7 +46,7 @@ class MarkedPlaces : public QObject
     void playToTouch()
     {
         m_desk->pressKeyOf("play");
-        QTRY_VERIFY_WITH_TIMEOUT(viewport().view().cursor().state().isInContact, 20000);
+        PALPATE_TRY_VERIFY(viewport().view().cursor().state().isInContact);
         m_desk->pressKeyOf("play");
     }
 
@@ -89,7 +89,7 @@ class MarkedPlaces : public QObject
         QCOMPARE(model().rowCount(), 2);
         type("hard, 2 cm");
         QCOMPARE(cell(1, ui::FindingsModel::Note), QString("hard, 2 cm"));
-        QTRY_COMPARE(m_desk->window().focusWidget(), static_cast<QWidget*>(&viewport()));
+        PALPATE_TRY_COMPARE(m_desk->window().focusWidget(), static_cast<QWidget*>(&viewport()));
         m_desk->pressKeyOf("note");
         type("cirrhotic");
         QCOMPARE(model().rowCount(), 3);
@@ -122,7 +122,7 @@ class MarkedPlaces : public QObject
         m_desk->pressKeyOf("view-head");
         QVERIFY((eye() - from).norm() > 10.0);
         m_desk->pressKeyOf("next-finding");
-        QTRY_VERIFY_WITH_TIMEOUT((eye() - from).norm() < 1e-9, 5000);
+        PALPATE_TRY_VERIFY((eye() - from).norm() < 1e-9);
         QCOMPARE(viewport().view().findings().marks().size(), std::size_t{2});
         QVERIFY((viewport().view().findings().marks()[0].p_W - place).norm() < 1e-9);
         QCOMPARE(viewport().view().findings().textOf(0), std::string("1  Finding 1"));
@@ -160,7 +160,7 @@ class MarkedPlaces : public QObject
         QVERIFY(front.has_value());
         auto& findings = dynamic_cast<ui::FindingsModel&>(model());
         findings.add({{.name = "front", .p_W = front->hit.p_W}}, "test");
-        QTRY_COMPARE(viewport().view().findings().count(), std::size_t{1});
+        PALPATE_TRY_COMPARE(viewport().view().findings().count(), std::size_t{1});
         viewport().grabFramebuffer();
         QVERIFY(!viewport().view().findings().isHidden(0));
         m_desk->pressKeyOf("view-back");

@@ -55,7 +55,7 @@ class Measures : public QObject
         dialog.show();
         auto* text = dialog.findChild<QTextBrowser*>();
         QVERIFY(text->toPlainText().contains(QStringLiteral("Measuring")));
-        QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("Examined")), 60'000);
+        PALPATE_TRY_VERIFY(text->toPlainText().contains(QStringLiteral("Examined")));
         for (const char* part : {"Duration", "Late samples", "Lost samples", "Touch", "liver", "Time spent [s]",
                                  "95th percentile [N]", "Peak [N]", "Maximum depth [mm]", "Searching", "within 5 mm",
                                  "698.2", "Longest time at one point [s]", "not a diagnosis"}) {
@@ -97,15 +97,15 @@ class Measures : public QObject
         };
         QLabel* said = line(*dialog);
         dialog->exportTo(MeasuresDialog::Export::Csv, path("ticks"));
-        QTRY_VERIFY2(said->text() == QStringLiteral("Written to %1.").arg(folder.filePath("ticks.csv")),
-                     qPrintable(said->text()));
+        PALPATE_TRY_VERIFY2(said->text() == QStringLiteral("Written to %1.").arg(folder.filePath("ticks.csv")),
+                            qPrintable(said->text()));
         QFile csv(folder.filePath("ticks.csv"));
         QVERIFY(csv.open(QIODevice::ReadOnly));
         QVERIFY(csv.readLine().endsWith(
             ",layers,time_s,sent_x_N,sent_y_N,sent_z_N,force_N,depth_mm,felt_N_per_mm,events\n"));
         dialog->exportTo(MeasuresDialog::Export::Json, path("results.json"));
-        QTRY_VERIFY(said->text().contains("results.json"));
-        QTRY_VERIFY(QFile::exists(folder.filePath("results.json")));
+        PALPATE_TRY_VERIFY(said->text().contains("results.json"));
+        PALPATE_TRY_VERIFY(QFile::exists(folder.filePath("results.json")));
         QCOMPARE(dialog->windowTitle(), title);
     }
 
@@ -126,7 +126,7 @@ class Measures : public QObject
         QCOMPARE(QFileInfo(old).size(), qint64{3});
         QVERIFY(!std::filesystem::exists(path));
         dialog->exportTo(MeasuresDialog::Export::Json, "/nowhere/results.json");
-        QTRY_VERIFY(line(*dialog)->text().contains("/nowhere/results.json: cannot be written"));
+        PALPATE_TRY_VERIFY(line(*dialog)->text().contains("/nowhere/results.json: cannot be written"));
     }
 
     void saysWhyThereIsNothingToSay()
@@ -134,7 +134,7 @@ class Measures : public QObject
         MeasuresDialog dialog("/nowhere/nothing.palpate", {});
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
         auto* text = dialog.findChild<QTextBrowser*>();
-        QTRY_VERIFY(text->toPlainText().contains(QStringLiteral("/nowhere/nothing.palpate")));
+        PALPATE_TRY_VERIFY(text->toPlainText().contains(QStringLiteral("/nowhere/nothing.palpate")));
     }
 };
 

@@ -115,7 +115,7 @@ class OpenedFiles : public QObject
     {
         QSignalSpy ready(&m_desk->window(), &MainWindow::ready);
         m_desk->command(command).trigger();
-        return QTest::qWaitFor([&] { return ready.count() > 0; }, 30000);
+        return QTest::qWaitFor([&] { return ready.count() > 0; }, test::kPatience_ms);
     }
 
     static QString copies()
@@ -238,7 +238,7 @@ class OpenedFiles : public QObject
         m_desk->command("frame-ras").trigger();
         const QModelIndex shown = list.index(0, ui::StructureModel::Shown);
         QVERIFY(list.setData(shown, Qt::Unchecked, Qt::CheckStateRole));
-        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 30000);
+        PALPATE_TRY_COMPARE(ready.count(), 1);
         QCOMPARE(shown.model()->index(0, ui::StructureModel::Shown).data(Qt::CheckStateRole).toInt(),
                  static_cast<int>(Qt::Unchecked));
         QCOMPARE(coordinates().button().text(), QStringLiteral("RAS"));
@@ -288,7 +288,7 @@ class OpenedFiles : public QObject
         const auto two = write("more.palpate.json", R"({"version": 1, "structures": [{"mesh": "a.stl"}], "findings":
             [{"name": "B", "position": [60, 5, 5]}, {"name": "C", "position": [60, 9, 9]}]})");
         QVERIFY(m_desk->open({one, two}));
-        QTRY_COMPARE(view().findings().count(), std::size_t{3});
+        PALPATE_TRY_COMPARE(view().findings().count(), std::size_t{3});
         QCOMPARE(m_desk->window().windowTitle(), QStringLiteral("one.palpate.json and 1 more[*] – Palpate"));
     }
 
@@ -297,11 +297,11 @@ class OpenedFiles : public QObject
         const auto scene = writeScene("r.palpate.json", "", R"({"name": "A", "position": [30, 0, 0]})");
         const QString copy = leaveCopy(scene);
         QVERIFY(m_desk->show());
-        QTRY_VERIFY(offer() != nullptr);
+        PALPATE_TRY_VERIFY(offer() != nullptr);
         const QtMessageHandler before = qInstallMessageHandler(hear);
         QSignalSpy ready(&m_desk->window(), &MainWindow::ready);
         offer()->click();
-        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, 30000);
+        PALPATE_TRY_COMPARE(ready.count(), 1);
         qInstallMessageHandler(before);
         QVERIFY2(!said.join('\n').contains("setWindowModified"), qPrintable(said.join('\n')));
         QCOMPARE(m_desk->window().windowTitle(), QStringLiteral("r.palpate.json[*] – Palpate"));
@@ -318,7 +318,7 @@ class OpenedFiles : public QObject
         const auto scene = writeScene("r.palpate.json");
         const QString copy = leaveCopy(scene);
         QVERIFY(m_desk->show());
-        QTRY_VERIFY(offer() != nullptr);
+        PALPATE_TRY_VERIFY(offer() != nullptr);
         QLockFile others(copy + ".lock"); // the other process has the scene open
         others.setStaleLockTime(0);
         QVERIFY(others.tryLock(0));
@@ -326,7 +326,7 @@ class OpenedFiles : public QObject
         QVERIFY2(told().contains("already restored in another window"), qPrintable(told()));
         others.unlock();
         QVERIFY(m_desk->show());
-        QTRY_VERIFY(offer() != nullptr);
+        PALPATE_TRY_VERIFY(offer() != nullptr);
         QVERIFY(QFile::remove(copy)); // the other process has finished
         offer()->click();
         QVERIFY2(told().contains("already restored in another window"), qPrintable(told()));

@@ -161,7 +161,7 @@ class Picture : public QObject
             keep(side < 0.0 ? "border-right" : "border-left");
             QVERIFY(shown().isInContact && sees(viewport().view().cursor().labels().boxes()));
             palpation().letGo();
-            QTRY_VERIFY(!shown().isInContact);
+            PALPATE_TRY_VERIFY(!shown().isInContact);
         }
     }
     /// A whole palpation with a finding, using only the keyboard.
@@ -171,9 +171,9 @@ class Picture : public QObject
         m_desk->press(Qt::Key_1);
         m_desk->press(Qt::Key_Return);
         QVERIFY(palpation().isPalpating());
-        QTRY_VERIFY_WITH_TIMEOUT(shown().isInContact && shown().hasCrosshair, 10000);
+        PALPATE_TRY_VERIFY(shown().isInContact && shown().hasCrosshair);
         m_desk->press(Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(!shown().isInContact, 10000);
+        PALPATE_TRY_VERIFY(!shown().isInContact);
         // To the lump, visible through the liver.
         const double stride_mm = 2.0;
         for (int i = 0; i < 80; ++i) {
@@ -191,13 +191,13 @@ class Picture : public QObject
         }
         QVERIFY(std::abs(palpation().depth_mm() - 24.0) < 1e-9);
         m_desk->press(Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(m_reading && m_reading->layers.size() == 2, 20000);
+        PALPATE_TRY_VERIFY(m_reading && m_reading->layers.size() == 2);
         QCOMPARE(m_reading->layers[1].name, QStringLiteral("lump 20 mm"));
         m_desk->pressKeyOf("mark");
-        QTRY_COMPARE(viewport().view().findings().count(), std::size_t{1});
+        PALPATE_TRY_COMPARE(viewport().view().findings().count(), std::size_t{1});
         keep("keys-lump");
         m_desk->press(Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(!shown().isInContact, 10000);
+        PALPATE_TRY_VERIFY(!shown().isInContact);
     }
     void keysMoveTheCamera()
     {
@@ -226,7 +226,7 @@ class Picture : public QObject
         QVERIFY(name != nullptr && !name->isVisible());
         const QPoint over = overLump().toPoint();
         QTest::mouseMove(&viewport(), over);
-        QTRY_VERIFY(name->isVisible());
+        PALPATE_TRY_VERIFY(name->isVisible());
         QCOMPARE(name->text(), QStringLiteral("liver")); // the lump is behind the wall of the liver
         keep("hover");
         QVERIFY(viewport().rect().contains(name->geometry()));
@@ -238,11 +238,11 @@ class Picture : public QObject
         const auto vein = placeOf(3);
         QVERIFY(vein.has_value());
         QTest::mouseMove(&viewport(), *vein);
-        QTRY_COMPARE(name->text(), QStringLiteral("portal vein"));
+        PALPATE_TRY_COMPARE(name->text(), QStringLiteral("portal vein"));
         QTest::mouseClick(&viewport(), Qt::LeftButton, {}, *vein);
         QCOMPARE(selectedRow(), 3);
         QTest::mouseMove(&viewport(), {3, 3});
-        QTRY_VERIFY(!name->isVisible());
+        PALPATE_TRY_VERIFY(!name->isVisible());
     }
 
   private:

@@ -134,7 +134,8 @@ class Reader : public QObject
     void theTimelineSaysWhereItStands()
     {
         goToTouch();
-        QTRY_VERIFY(heard(the<ui::ForceTimeline>(), QAccessible::Value).endsWith(QStringLiteral(" N"))); // loaded
+        PALPATE_TRY_VERIFY(
+            heard(the<ui::ForceTimeline>(), QAccessible::Value).endsWith(QStringLiteral(" N"))); // loaded
         const QString value = heard(the<ui::ForceTimeline>(), QAccessible::Value);
         const QLocale locale;
         const QString position = locale.toString(position_s(), 'f', 1);
@@ -173,10 +174,10 @@ class Reader : public QObject
         const QString depth = ui::depthText(panel.reading().depth_mm);
         QVERIFY2(chart.startsWith(QStringLiteral("now %1 N, %2 mm deep").arg(force, depth)), qPrintable(chart));
         const QString view = QStringLiteral("3D view: liver, %1 N, %2 mm deep").arg(force, depth);
-        QTRY_COMPARE(heard(window().viewport(), QAccessible::Name), view);
+        PALPATE_TRY_COMPARE(heard(window().viewport(), QAccessible::Name), view);
         the<ui::ForceTimeline>().setFocus();
         m_desk->press(Qt::Key_Home); // before the contact
-        QTRY_COMPARE(heard(window().viewport(), QAccessible::Name), QStringLiteral("3D view"));
+        PALPATE_TRY_COMPARE(heard(window().viewport(), QAccessible::Name), QStringLiteral("3D view"));
     }
 
     /// Counts changes of the view's accessible name, and announcements if a screen reader listens.

@@ -175,8 +175,8 @@ class Records : public QObject
     {
         QVERIFY(m_desk->open({phantom() / "phantom-layers.palpate.json"}));
         m_desk->pressKeyOf("record");
-        QTRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
-        QTRY_VERIFY2(chip()->text().endsWith(QStringLiteral(" late, 0 lost")), qPrintable(chip()->text()));
+        PALPATE_TRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
+        PALPATE_TRY_VERIFY2(chip()->text().endsWith(QStringLiteral(" late, 0 lost")), qPrintable(chip()->text()));
         QCOMPARE(m_desk->command("record").text(), QStringLiteral("Stop"));
 
         bool hasEnded = false;
@@ -204,10 +204,10 @@ class Records : public QObject
         QTest::qWait(1200); // the message stays until the user acts
         QVERIFY(chip()->text().startsWith(QStringLiteral("recording failed")));
         m_desk->pressKeyOf("fit");
-        QTRY_VERIFY(chip()->text().isEmpty());
+        PALPATE_TRY_VERIFY(chip()->text().isEmpty());
         QCOMPARE(test::answerOf(message())->text(), QStringLiteral("Open the recording"));
         test::answerOf(message())->click();
-        QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
+        PALPATE_TRY_VERIFY(m_desk->window().playback().recording() != nullptr);
         QVERIFY2(message().text().contains(QStringLiteral("Later palpation was not recorded")),
                  qPrintable(message().text()));
     }
@@ -232,7 +232,7 @@ class Records : public QObject
             }
         }
         m_desk->command("record").trigger();
-        QTRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
+        PALPATE_TRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
         m_desk->command("record").trigger();
         int numbered = 0;
         for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("* (3).palpate")}, QDir::Files)) {
@@ -250,7 +250,7 @@ class Records : public QObject
     {
         QVERIFY(m_desk->open({phantom() / "phantom.palpate.json"}));
         m_desk->pressKeyOf("record");
-        QTRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
+        PALPATE_TRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
         QTest::qWait(600);
         QString asked;
         answer("Continue recording", asked);
@@ -270,16 +270,16 @@ class Records : public QObject
     {
         QVERIFY(m_desk->open({phantom() / "palpation.palpate"}));
         MainWindow& window = m_desk->window();
-        QTRY_VERIFY(window.playback().peakTime_s() > 0.0);
+        PALPATE_TRY_VERIFY(window.playback().peakTime_s() > 0.0);
         const double peak_s = window.playback().peakTime_s();
         window.playback().seek(peak_s);
         const auto shown = [&] { return window.viewport().view().cursor().state(); };
         const view::TouchState before = shown();
         QVERIFY(before.isPresent && before.isInContact);
         window.chooseDevice("simulated");
-        QTRY_VERIFY(shown().isPresent && shown().p_WH != before.p_WH); // hand of the device
+        PALPATE_TRY_VERIFY(shown().isPresent && shown().p_WH != before.p_WH); // hand of the device
         window.chooseDevice("mouse");
-        QTRY_VERIFY(shown().isPresent && shown().p_WH == before.p_WH && shown().f_W == before.f_W);
+        PALPATE_TRY_VERIFY(shown().isPresent && shown().p_WH == before.p_WH && shown().f_W == before.f_W);
         QCOMPARE(window.playback().position_s(), peak_s);
     }
 
@@ -318,10 +318,10 @@ class Records : public QObject
         QVERIFY(QTest::qWaitForWindowActive(&m_desk->window()));
         m_desk->window().viewport().setFocus();
         m_desk->pressKeyOf("record");
-        QTRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
+        PALPATE_TRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
         QTest::qWait(600);
         m_desk->pressKeyOf("record");
-        QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
+        PALPATE_TRY_VERIFY(m_desk->window().playback().recording() != nullptr);
         const std::filesystem::path file = newest();
         const auto reader = session::RecordingReader::open(file);
         QVERIFY2(reader.isOk() && reader.value()->verify().isOk(), file.c_str());
@@ -352,7 +352,7 @@ class Records : public QObject
         QVERIFY(m_desk->open({folder / "phantom.palpate.json"}));
         QCOMPARE(fingertip(), QStringLiteral("Point"));
         m_desk->window().open({file}); // replayed in the open scene, which keeps its fingertip
-        QTRY_VERIFY(m_desk->window().playback().recording() != nullptr);
+        PALPATE_TRY_VERIFY(m_desk->window().playback().recording() != nullptr);
         QCOMPARE(fingertip(), QStringLiteral("Point"));
     }
 
@@ -380,7 +380,7 @@ class Records : public QObject
         QVERIFY(m_desk->open({phantom() / "phantom.palpate.json"}));
         QVERIFY(!m_desk->command("show-findings").isEnabled());
         m_desk->window().open({file});
-        QTRY_VERIFY(m_desk->command("show-findings").isEnabled());
+        PALPATE_TRY_VERIFY(m_desk->command("show-findings").isEnabled());
         QCOMPARE(m_desk->window().playback().recording()->findings().size(), std::size_t{1});
         QVERIFY(!m_desk->window().isWindowModified());
         picture("findings.png");

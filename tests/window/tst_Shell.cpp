@@ -133,9 +133,9 @@ class Shell : public QObject
     {
         window().resize(1024, 700);
         m_desk->command("record").trigger();
-        QTRY_VERIFY(chipThatSays(window(), QStringLiteral("●")) != nullptr);
+        PALPATE_TRY_VERIFY(chipThatSays(window(), QStringLiteral("●")) != nullptr);
         ui::Chip& recording = *chipThatSays(window(), QStringLiteral("●"));
-        QTRY_VERIFY(recording.isVisible() && recording.visibleRegion().boundingRect() == recording.rect());
+        PALPATE_TRY_VERIFY(recording.isVisible() && recording.visibleRegion().boundingRect() == recording.rect());
         QVERIFY(recording.text().startsWith(QStringLiteral("● recording 00:")));
         QVERIFY(recording.width() >= recording.fontMetrics().horizontalAdvance(recording.text()));
         // Chips without room fold into a button and stay reachable.
@@ -166,7 +166,7 @@ class Shell : public QObject
         QCOMPARE(folding.findChild<QToolButton*>()->text(), QStringLiteral("⚠ »"));
         QVERIFY(row.minimumSizeHint().width() >= recording.widthFor(true));
         m_desk->command("record").trigger();
-        QTRY_VERIFY(!recording.isVisible());
+        PALPATE_TRY_VERIFY(!recording.isVisible());
     }
 
     void theChipSaysWhatThePointerDoes()
@@ -179,7 +179,7 @@ class Shell : public QObject
     {
         window().chooseDevice("simulated");
         QVERIFY(!window().usesPointer());
-        QTRY_VERIFY(chipThatSays(window(), QStringLiteral("Touching with the simulated hand")) != nullptr);
+        PALPATE_TRY_VERIFY(chipThatSays(window(), QStringLiteral("Touching with the simulated hand")) != nullptr);
         m_desk->command("engineering").trigger();
         QComboBox* rate = nullptr;
         for (QComboBox* box : the<ui::EngineeringPanel>().findChildren<QComboBox*>()) {
@@ -190,7 +190,7 @@ class Shell : public QObject
         rate->setFocus();
         m_desk->press(Qt::Key_Down);
         QCOMPARE(rate->currentData().toInt(), 2);
-        QTRY_VERIFY(mentions(the<ui::EngineeringPanel>(), QStringLiteral("0.5 ms"))); // one tick of delay
+        PALPATE_TRY_VERIFY(mentions(the<ui::EngineeringPanel>(), QStringLiteral("0.5 ms"))); // one tick of delay
         QCOMPARE(rate->currentData().toInt(), 2);
         m_desk->press(Qt::Key_Up);
         m_desk->command("engineering").trigger();
@@ -203,7 +203,7 @@ class Shell : public QObject
     {
         auto& dock = the<QDockWidget>("engineering");
         QVERIFY(!dock.isVisible());
-        QTRY_VERIFY(!the<ui::Chip>("running").said().isEmpty());
+        PALPATE_TRY_VERIFY(!the<ui::Chip>("running").said().isEmpty());
         const QRegularExpression numbers(
             QStringLiteral("constraint|solver|jitter|\\bkHz\\b|µs|\\bmJ\\b|damping|latency"),
             QRegularExpression::CaseInsensitiveOption);
@@ -213,7 +213,7 @@ class Shell : public QObject
         QTest::mouseClick(&the<ui::Chip>("running"), Qt::LeftButton);
         QVERIFY(the<ui::EngineeringPanel>().isVisible());
         QVERIFY(m_desk->command("engineering").isChecked());
-        QTRY_VERIFY(mentions(the<ui::EngineeringPanel>(), QStringLiteral("kHz")));
+        PALPATE_TRY_VERIFY(mentions(the<ui::EngineeringPanel>(), QStringLiteral("kHz")));
         m_desk->command("engineering").trigger();
         QVERIFY(!dock.isVisible());
     }

@@ -84,7 +84,7 @@ class Tour : public QObject
     void opensThePhantomAndShowsFourThings()
     {
         m_desk->command("show-around").trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(tour().isVisible(), 60000);
+        PALPATE_TRY_VERIFY(tour().isVisible());
         QCOMPARE(window().windowTitle(), QStringLiteral("phantom.palpate.json[*] – Palpate"));
         for (int stop = 0; stop < 4; ++stop) {
             isWellPlaced();
@@ -143,7 +143,7 @@ class Tour : public QObject
         for (int stop = 0; stop < 4; ++stop) {
             for (const QSize size : {QSize(1500, 900), QSize(1280, 800), QSize(1024, 700)}) {
                 window().resize(size);
-                QTRY_COMPARE(window().size(), size);
+                PALPATE_TRY_COMPARE(window().size(), size);
                 isWellPlaced();
             }
             m_desk->press(Qt::Key_Return);
