@@ -17,6 +17,7 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -72,6 +73,36 @@ class BuriedLumps : public QObject
         s = scene();
         s.structures[1].description.palpable = false;
         QVERIFY(study::organsWithLumps(s).status().code() == core::StatusCode::Empty);
+    }
+
+    /// A lump whose organ cannot be felt is reported with the reason, to `palpate felt` and when a scene is opened.
+    void aMissingOrganIsExplained()
+    {
+        const auto contains = [](const std::string& text, const char* part) {
+            return text.find(part) != std::string::npos;
+        };
+        meshio::LoadedScene s = scene();
+        s.structures[0].description.visible = false;
+        std::string why = study::organsWithLumps(s).status().message();
+        QVERIFY2(contains(why, "lump: not felt through an organ: it lies in no closed surface that can be felt"),
+                 why.c_str());
+        s.structures[1].description.inside = "organ";
+        why = study::organsWithLumps(s).status().message();
+        QVERIFY2(contains(why, "lump: not felt through an organ: organ is hidden or not palpable"), why.c_str());
+        why = study::organsWithLumps(s, {{"apart", 2.0}}).status().message();
+        QVERIFY2(contains(why, "apart: not felt through an organ: it lies in no closed surface"), why.c_str());
+        s.structures[1].description.inside = "spleen";
+        why = study::organsWithLumps(s).status().message();
+        QVERIFY2(contains(why, "the scene has no structure \"spleen\", which it names as the organ"), why.c_str());
+
+        // Another lump with an organ does not silence the reason.
+        add(s, "cyst", test::moved(test::sphere(8, 3.0), Vec3(0, 0, 62)), 0.3);
+        s.structures[3].description.inside = "lump";
+        s.scene.buried = meshio::BuriedTouch::Felt;
+        QVERIFY(study::applyBuriedLumps(s).isOk());
+        QVERIFY(std::any_of(s.warnings.begin(), s.warnings.end(), [&](const std::string& line) {
+            return contains(line, "lump: not felt through an organ: the scene has no structure \"spleen\"");
+        }));
     }
 
     void whatIsFeltRisesSmoothlyOverTheLump()

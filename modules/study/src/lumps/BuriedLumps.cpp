@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace palpate::study {
 
@@ -50,8 +51,25 @@ LumpRule ruleOf(const meshio::LoadedScene& scene, const Layering& layers, const 
     return LumpRule(std::move(structures), std::move(lumps));
 }
 
-/// Returns a clause for each structure that would be a lump if the surrounding organ were closed.
-std::vector<core::Message> lumpsInOpenOrgans(const meshio::LoadedScene& scene, const Layering& layers)
+/// Returns why a structure that was meant as a lump has no organ: its name is that of a lump, its entry names an organ,
+/// or a ratio is given. Empty for any other structure, and with an organ.
+std::optional<core::Message> whyNoOrgan(const LumpRule& rule, const meshio::LoadedScene& scene, std::size_t structure,
+                                        const std::map<std::string, double>& ratios)
+{
+    const meshio::SceneStructure& one = scene.structures[structure].description;
+    const bool isMeant =
+        !one.inside.empty() || ratios.count(one.name) > 0 || meshio::isLump(meshio::anatomyKind(one.name));
+    const LumpRule::Organ found = isMeant ? rule.organOf(structure) : LumpRule::Organ();
+    if (!isMeant || found) {
+        return std::nullopt;
+    }
+    return core::Message(PALPATE_TEXT("%1: not felt through an organ: %2"), one.name, found.whyNot);
+}
+
+/// Returns a clause for each structure that would be a lump if the surrounding organ were closed, and for each other
+/// one that was meant as a lump.
+std::vector<core::Message> lumpsWithoutOrgan(const LumpRule& rule, const meshio::LoadedScene& scene,
+                                             const Layering& layers, const std::map<std::string, double>& ratios)
 {
     std::vector<core::Message> clauses;
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
@@ -59,6 +77,8 @@ std::vector<core::Message> lumpsInOpenOrgans(const meshio::LoadedScene& scene, c
             clauses.push_back(core::Message(PALPATE_TEXT("%1 seems to lie in %2, whose surface is open or inside out"),
                                             scene.structures[i].description.name,
                                             scene.structures[*in].description.name));
+        } else if (auto why = whyNoOrgan(rule, scene, i, ratios)) {
+            clauses.push_back(std::move(*why));
         }
     }
     return clauses;
@@ -106,8 +126,8 @@ std::vector<OrganWithLumps> organsBy(const LumpRule& rule, const meshio::LoadedS
 }
 
 /// Checks the result of organsBy. @return as organsWithLumps
-Status statusOf(const std::vector<OrganWithLumps>& organs, const meshio::LoadedScene& scene, const Layering& layers,
-                const std::map<std::string, double>& ratios)
+Status statusOf(const std::vector<OrganWithLumps>& organs, const LumpRule& rule, const meshio::LoadedScene& scene,
+                const Layering& layers, const std::map<std::string, double>& ratios)
 {
     std::set<std::string> lumps;
     for (const OrganWithLumps& organ : organs) {
@@ -117,7 +137,7 @@ Status statusOf(const std::vector<OrganWithLumps>& organs, const meshio::LoadedS
     }
     for (const auto& [name, ratio] : ratios) {
         if (lumps.count(name) == 0) {
-            std::vector<core::Message> why = lumpsInOpenOrgans(scene, layers);
+            std::vector<core::Message> why = lumpsWithoutOrgan(rule, scene, layers, ratios);
             why.insert(why.begin(),
                        core::Message(PALPATE_TEXT("ratio of \"%1\": found no such lump, expected a structure "
                                                   "that lies in another one"),
@@ -126,7 +146,7 @@ Status statusOf(const std::vector<OrganWithLumps>& organs, const meshio::LoadedS
         }
     }
     if (organs.empty()) {
-        std::vector<core::Message> why = lumpsInOpenOrgans(scene, layers);
+        std::vector<core::Message> why = lumpsWithoutOrgan(rule, scene, layers, ratios);
         why.insert(why.begin(),
                    core::Message(PALPATE_TEXT("found no lump, expected a palpable structure inside another "
                                               "one's closed surface, or one whose `inside` names its organ")));
@@ -154,8 +174,9 @@ Result<std::vector<OrganWithLumps>> organsWithLumps(const meshio::LoadedScene& s
                                                     const std::map<std::string, double>& ratios)
 {
     const Layering layers = layeringOf(scene);
-    std::vector<OrganWithLumps> organs = organsBy(ruleOf(scene, layers, ratios), scene, ratios);
-    if (Status status = statusOf(organs, scene, layers, ratios); !status.isOk()) {
+    const LumpRule rule = ruleOf(scene, layers, ratios);
+    std::vector<OrganWithLumps> organs = organsBy(rule, scene, ratios);
+    if (Status status = statusOf(organs, rule, scene, layers, ratios); !status.isOk()) {
         return status;
     }
     return organs;
@@ -228,9 +249,16 @@ Status applyBuriedLumps(meshio::LoadedScene& scene, const std::function<bool(dou
     const Layering layers = layeringOf(scene);
     const LumpRule rule = ruleOf(scene, layers, {});
     std::vector<OrganWithLumps> organs = organsBy(rule, scene, {});
-    if (const Status status = statusOf(organs, scene, layers, {}); !status.isOk()) {
+    if (const Status status = statusOf(organs, rule, scene, layers, {}); !status.isOk()) {
         scene.warnings.push_back("lumps felt through their organ: " + status.message());
         return {};
+    }
+    for (std::size_t i = 0; i < scene.structures.size(); ++i) {
+        const meshio::SceneStructure& one = scene.structures[i].description;
+        const auto why = canBeFelt(one) && !one.inside.empty() ? whyNoOrgan(rule, scene, i, {}) : std::nullopt;
+        if (why) {
+            scene.warnings.push_back(why->english());
+        }
     }
     const auto isThrough = [&](std::size_t structure) { return static_cast<bool>(rule.feltThrough(structure)); };
     for (const OrganWithLumps& organ : filterLumps(std::move(organs), isThrough)) {
