@@ -104,13 +104,13 @@ class Effort : public QObject
     void theHintSaysWhatTheWheelDoes()
     {
         const auto* hint = window().findChild<ui::HintLine*>();
-        QVERIFY2(hint->said().contains(QStringLiteral("wheel for the hardest press")), qPrintable(hint->said()));
+        QVERIFY2(hint->said().contains(QStringLiteral("wheel for the force limit")), qPrintable(hint->said()));
         m_desk->pressKeyOf("effort");
         QVERIFY2(hint->said().contains(QStringLiteral("wheel for depth")), qPrintable(hint->said()));
         m_desk->pressKeyOf("effort");
-        QVERIFY2(hint->said().contains(QStringLiteral("wheel for the hardest press")), qPrintable(hint->said()));
+        QVERIFY2(hint->said().contains(QStringLiteral("wheel for the force limit")), qPrintable(hint->said()));
         QVERIFY(m_desk->openPhantom());
-        QVERIFY2(hint->said().contains(QStringLiteral("wheel for the hardest press")), qPrintable(hint->said()));
+        QVERIFY2(hint->said().contains(QStringLiteral("wheel for the force limit")), qPrintable(hint->said()));
     }
     void theWheelSetsTheBound()
     {

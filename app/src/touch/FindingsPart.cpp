@@ -11,6 +11,7 @@
 
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/FindingsPanel.h>
+#include <palpate/ui/Playback.h>
 #include <palpate/ui/VtkViewport.h>
 
 #include <QAction>

@@ -31,12 +31,14 @@
 #include <palpate/ui/HandControl.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/PanelScroll.h>
+#include <palpate/ui/Pieces.h>
 #include <palpate/ui/Playback.h>
 #include <palpate/ui/Theme.h>
 #include <palpate/ui/ToolTexts.h>
 #include <palpate/ui/Tour.h>
 #include <palpate/ui/VtkViewport.h>
 
+#include <QAction>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QLabel>
@@ -50,6 +52,7 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include <utility>

@@ -18,6 +18,7 @@
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/Playback.h>
+#include <palpate/ui/StructureModel.h>
 #include <palpate/ui/StructurePanel.h>
 #include <palpate/ui/VtkViewport.h>
 

@@ -8,7 +8,10 @@
 
 #include <palpate/core/AtomicFile.h>
 #include <palpate/core/VisibleText.h>
+#include <palpate/ui/PalpationController.h>
+#include <palpate/ui/Playback.h>
 #include <palpate/ui/Theme.h>
+#include <palpate/ui/VtkViewport.h>
 
 #include <QApplication>
 #include <QBuffer>
