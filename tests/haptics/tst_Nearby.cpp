@@ -2,6 +2,7 @@
 // Tests that cached facets of a layer are complete where the cache claims to be: against all facets, one by one.
 #include "Shapes.h"
 #include "TestRunner.h"
+#include "Trials.h"
 #include "nearby/BallCell.h"
 #include "nearby/FacetCache.h"
 #include "nearby/NearBall.h"
@@ -83,7 +84,7 @@ class Nearby : public QObject
         const HapticLayer& layer = m_scene.layer(0);
         std::mt19937_64 random(1);
         int held = 0, tooMany = 0;
-        for (int i = 0; i < 2000; ++i) {
+        for (int i = 0; i < test::trials(2000); ++i) {
             const Vec3 middle = randomIn(random, 32.0);
             const Vec3 half = randomIn(random, 5.0).cwiseAbs();
             const core::Box region(middle - half, middle + half);
@@ -111,7 +112,8 @@ class Nearby : public QObject
             QVERIFY(std::includes(found.begin(), found.end(), wanted.begin(), wanted.end()));
             held += wanted.empty() ? 0 : 1;
         }
-        QVERIFY2(held > 100 && tooMany > 20, qPrintable(QString("%1 %2").arg(held).arg(tooMany)));
+        QVERIFY2(held > test::trials(100) && tooMany > test::trials(20),
+                 qPrintable(QString("%1 %2").arg(held).arg(tooMany)));
     }
 
     void whatIsPreparedIsWhatWouldBeGathered()
@@ -153,7 +155,7 @@ class Nearby : public QObject
         std::mt19937_64 random(2);
         NearPoint warm;
         int blocked = 0;
-        for (int i = 0; i < 3000; ++i) {
+        for (int i = 0; i < test::trials(3000); ++i) {
             const Vec3 x = randomIn(random, 32.0), y = x + randomIn(random, i % 2 == 0 ? 0.5 : 40.0);
             double least = 2.0;
             forEachFacet(layer, [&](const Facet& facet) {
@@ -175,7 +177,7 @@ class Nearby : public QObject
             }
             blocked += least <= 1.0 ? 1 : 0;
         }
-        QVERIFY2(blocked > 200, qPrintable(QString::number(blocked)));
+        QVERIFY2(blocked > test::trials(200), qPrintable(QString::number(blocked)));
     }
 
     void aCellHoldsAllThatTheBallMayTouchInIt()

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace palpate::test {
+
+/// Number of random trials of a test: a quarter of `count` under a sanitizer, where a trial takes some fifteen times as
+/// long. A sanitizer looks for errors of memory and arithmetic, which do not need as many trials as rare geometry does.
+constexpr int trials(int count)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return count / 4;
+#else
+    return count;
+#endif
+}
+
+} // namespace palpate::test
