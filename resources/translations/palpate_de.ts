@@ -2138,6 +2138,158 @@
         <source>woodenhaptics: %1: it does not answer; is it switched on?</source>
         <translation>woodenhaptics: %1: antwortet nicht; ist der Arm angeschaltet?</translation>
     </message>
+    <message>
+        <source>ticks are missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contact radius: found %1 mm, expected more than 0 and at most 30 mm</source>
+        <translation>Kontaktradius: gefunden %1 mm, erwartet mehr als 0 und höchstens 30 mm</translation>
+    </message>
+    <message>
+        <source>press depths: found %1, expected 1 to %2</source>
+        <translation>Eindrucktiefen: gefunden %1, erwartet 1 bis %2</translation>
+    </message>
+    <message>
+        <source>press depths: found %1 mm, expected 0 to 30 mm, ascending</source>
+        <translation>Eindrucktiefen: gefunden %1 mm, erwartet 0 bis 30 mm, aufsteigend</translation>
+    </message>
+    <message>
+        <source>%1: contact radius: found %2 mm, expected at least %3 mm on a surface this large</source>
+        <translation>%1: Kontaktradius: gefunden %2 mm, erwartet mindestens %3 mm auf einer so großen Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1: ratio: found %2, expected more than 0 and at most 10000</source>
+        <translation>%1: Verhältnis: gefunden %2, erwartet mehr als 0 und höchstens 10000</translation>
+    </message>
+    <message>
+        <source>%1: left out, its surface is open: it has no volume to be felt</source>
+        <translation>%1: weggelassen: die Oberfläche ist offen, es gibt kein Volumen zu fühlen</translation>
+    </message>
+    <message>
+        <source>%1: left out, its surface is inside out</source>
+        <translation>%1: weggelassen: die Oberfläche ist umgestülpt</translation>
+    </message>
+    <message>
+        <source>%1: left out, it lies outside %2</source>
+        <translation>%1: weggelassen: liegt außerhalb von %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 reach into each other: where both are felt is not judged</source>
+        <translation>%1 und %2 reichen ineinander: wo beide zu fühlen sind, wird nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>what can be felt was cancelled</source>
+        <translation>die Berechnung des Tastbaren wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1: its surface is open or inside out; expected a closed one, or it can&apos;t be told what lies in it</source>
+        <translation>%1: die Oberfläche ist offen oder umgestülpt; erwartet: eine geschlossene, sonst lässt sich nicht feststellen, was darin liegt</translation>
+    </message>
+    <message>
+        <source>%1: found no lump in it that can be judged</source>
+        <translation>%1: kein Knoten darin, der sich beurteilen lässt</translation>
+    </message>
+    <message>
+        <source>%1: its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %2 % from what is shown; a finer mesh mends it</source>
+        <translation>%1: seine Dreiecke sind breiter als die Kontaktfläche eines Fingers: was die Hand von seinen Knoten fühlt, weicht um bis zu %2 % vom Gezeigten ab; ein feineres Netz behebt das</translation>
+    </message>
+    <message>
+        <source>%1: reading was cancelled</source>
+        <translation>%1: das Lesen wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>no socket for the import server: %1</source>
+        <translation>kein Socket für den Importserver: %1</translation>
+    </message>
+    <message>
+        <source>no process for the import server: %1</source>
+        <translation>kein Prozess für den Importserver: %1</translation>
+    </message>
+    <message>
+        <source>%1: opening was cancelled</source>
+        <translation>%1: das Öffnen wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1: is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the marks in with File &gt; Import findings</source>
+        <translation>%1: ist eine Liste von Marken aus 3D Slicer, keine Szene von Palpate: erst die Anatomie öffnen, dann die Marken mit Datei &gt; Befunde einlesen dazunehmen</translation>
+    </message>
+    <message>
+        <source>%1: is not a Palpate scene: found neither `version` nor `structures`; expected a file that Palpate saved (.palpate.json)</source>
+        <translation>%1: ist keine Szene von Palpate: weder `version` noch `structures` ist darin; erwartet: eine Datei, die Palpate gespeichert hat (.palpate.json)</translation>
+    </message>
+    <message>
+        <source>%1: %2: found twice, expected it once</source>
+        <translation>%1: %2: zweimal gefunden, erwartet: einmal</translation>
+    </message>
+    <message>
+        <source>%1: version: found %2, expected at most %3: it was made by a newer Palpate</source>
+        <translation>%1: Version: gefunden %2, erwartet höchstens %3: eine neuere Fassung von Palpate hat sie geschrieben</translation>
+    </message>
+    <message>
+        <source>VTK could not write it: %1</source>
+        <translation>VTK konnte es nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>%1: not felt through an organ: %2</source>
+        <translation>%1: nicht durch ein Organ hindurch tastbar: %2</translation>
+    </message>
+    <message>
+        <source>%1 seems to lie in %2, whose surface is open or inside out</source>
+        <translation>%1 liegt wohl in %2, dessen Oberfläche offen oder umgestülpt ist</translation>
+    </message>
+    <message>
+        <source>ratio of &quot;%1&quot;: found no such lump, expected a structure that lies in another one</source>
+        <translation>Verhältnis von „%1“: kein solcher Knoten, erwartet: eine Struktur, die in einer anderen liegt</translation>
+    </message>
+    <message>
+        <source>found no lump, expected a palpable structure inside another one&apos;s closed surface, or one whose `inside` names its organ</source>
+        <translation>kein Knoten gefunden, erwartet: eine tastbare Struktur innerhalb der geschlossenen Oberfläche einer anderen oder eine, deren `inside` ihr Organ nennt</translation>
+    </message>
+    <message>
+        <source>the servo thread does not answer</source>
+        <translation>der Servo-Thread antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1: found more than 64 MiB, expected a list of points</source>
+        <translation>%1: mehr als 64 MiB gefunden, erwartet: eine Liste von Punkten</translation>
+    </message>
+    <message>
+        <source>%1: byte %2: found %3, expected markups of 3D Slicer (.mrk.json)</source>
+        <translation>%1: Byte %2: gefunden %3, erwartet: Markups von 3D Slicer (.mrk.json)</translation>
+    </message>
+    <message>
+        <source>no JSON object</source>
+        <translation>kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>%1: markups: found nothing, expected lists of points: is this a .mrk.json of 3D Slicer?</source>
+        <translation>%1: markups: nichts gefunden, erwartet: Listen von Punkten: ist das eine .mrk.json von 3D Slicer?</translation>
+    </message>
+    <message>
+        <source>the recording does not say what scene it was made on</source>
+        <translation>die Aufzeichnung sagt nicht, auf welcher Szene sie gemacht wurde</translation>
+    </message>
+    <message>
+        <source>%1: no such file</source>
+        <translation>%1: die Datei ist nicht da</translation>
+    </message>
+    <message>
+        <source>%1: not written: cancelled</source>
+        <translation>%1: nicht geschrieben: abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1: not written: found no tick with a hand, expected at least one</source>
+        <translation>%1: nicht geschrieben: kein Augenblick mit einer Hand darin, erwartet: mindestens einer</translation>
+    </message>
+    <message>
+        <source>%1: not written: no surface that is there was touched</source>
+        <translation>%1: nicht geschrieben: keine vorhandene Oberfläche wurde berührt</translation>
+    </message>
+    <message>
+        <source>%1: the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
+        <translation>%1: dorthin kommt die berührte Oberfläche; dort liegt eine andere Datei, erwartet wurde keine oder ein älterer Export. Wählen Sie einen anderen Namen</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::CoordinatesPart</name>

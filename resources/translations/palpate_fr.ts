@@ -41,15 +41,15 @@
     </message>
     <message>
         <source>File axes point left, posterior and superior, as in DICOM</source>
-        <translation>Axes des fichiers : gauche, arrière, tête, comme en DICOM</translation>
+        <translation>Axes des fichiers&#x202f;: gauche, arrière, tête, comme en DICOM</translation>
     </message>
     <message>
         <source>File axes point right, anterior and superior, as in older 3D Slicer models</source>
-        <translation>Axes des fichiers : droite, avant, tête, comme dans les anciens modèles de 3D Slicer</translation>
+        <translation>Axes des fichiers&#x202f;: droite, avant, tête, comme dans les anciens modèles de 3D Slicer</translation>
     </message>
     <message>
         <source>File axes point left, superior and anterior, as in 3D modelling programs</source>
-        <translation>Axes des fichiers : gauche, tête, avant, comme dans les modeleurs 3D</translation>
+        <translation>Axes des fichiers&#x202f;: gauche, tête, avant, comme dans les modeleurs 3D</translation>
     </message>
     <message>
         <source>The files use %1 coordinates.</source>
@@ -57,7 +57,7 @@
     </message>
     <message>
         <source>Some files do not state their axes. %1 is assumed; left and right may be swapped. Click to choose the axes.</source>
-        <translation>Certains fichiers n’indiquent pas leurs axes. %1 est supposé ; gauche et droite peuvent être inversées. Cliquer pour choisir les axes.</translation>
+        <translation>Certains fichiers n’indiquent pas leurs axes. %1 est supposé&#x202f;; gauche et droite peuvent être inversées. Cliquer pour choisir les axes.</translation>
     </message>
     <message>
         <source>The surfaces belong to a recording and keep their recorded coordinates.</source>
@@ -157,11 +157,11 @@
     </message>
     <message>
         <source>%1: the recording with %2 was not found.</source>
-        <translation>%1 : l’enregistrement avec %2 est introuvable.</translation>
+        <translation>%1&#x202f;: l’enregistrement avec %2 est introuvable.</translation>
     </message>
     <message>
         <source>%1: this is not the recording in which %2 was marked.</source>
-        <translation>%1 : ce n’est pas l’enregistrement dans lequel %2 a été marqué.</translation>
+        <translation>%1&#x202f;: ce n’est pas l’enregistrement dans lequel %2 a été marqué.</translation>
     </message>
     <message numerus="yes">
         <source>%n finding(s) exported to %1</source>
@@ -186,11 +186,11 @@
     </message>
     <message>
         <source>%1: inside %2, %3 × as stiff (%4), felt through %2</source>
-        <translation>%1 : dans %2, %3 × plus raide (%4), palpable à travers %2</translation>
+        <translation>%1&#x202f;: dans %2, %3 × plus raide (%4), palpable à travers %2</translation>
     </message>
     <message>
         <source>%1: inside %2, felt as a layer below %2 (%3)</source>
-        <translation>%1 : dans %2, palpable comme une couche sous %2 (%3)</translation>
+        <translation>%1&#x202f;: dans %2, palpable comme une couche sous %2 (%3)</translation>
     </message>
     <message>
         <source>surface open or inside out</source>
@@ -214,7 +214,7 @@
     </message>
     <message>
         <source>stiffness ratio to %1 unknown: enter a ratio under What can be felt (B)</source>
-        <translation>rapport de raideur à %1 inconnu : à saisir sous « Ce qui se sent » (B)</translation>
+        <translation>rapport de raideur à %1 inconnu&#x202f;: à saisir sous «&#x202f;Ce qui se sent&#x202f;» (B)</translation>
     </message>
     <message>
         <source>same stiffness as %1</source>
@@ -356,15 +356,15 @@
     </message>
     <message>
         <source>Nothing was written: %1 already exists. Enter the full file name to replace the file.</source>
-        <translation>Rien n’a été écrit : %1 existe déjà. Pour remplacer le fichier, saisir le nom complet.</translation>
+        <translation>Rien n’a été écrit&#x202f;: %1 existe déjà. Pour remplacer le fichier, saisir le nom complet.</translation>
     </message>
     <message>
         <source>Nothing was written: %1 ends in %2. For %3, enter a name that ends in %4.</source>
-        <translation>Rien n’a été écrit : %1 finit par %2. Pour %3, saisir un nom qui finit par %4.</translation>
+        <translation>Rien n’a été écrit&#x202f;: %1 finit par %2. Pour %3, saisir un nom qui finit par %4.</translation>
     </message>
     <message>
         <source>The path was written to %1, but the surface was not: %2</source>
-        <translation>Le trajet a été écrit dans %1, mais pas la surface : %2</translation>
+        <translation>Le trajet a été écrit dans %1, mais pas la surface&#x202f;: %2</translation>
     </message>
 </context>
 <context>
@@ -383,11 +383,11 @@
     </message>
     <message>
         <source>Length of the recording [min:s]. Late samples (1 ms each): the computer was too busy and nothing was felt. Lost samples: felt, but not recorded because the disk was too slow.</source>
-        <translation>Durée de l’enregistrement [min:s]. Échantillons en retard (1 ms chacun) : l’ordinateur était surchargé, rien n’a été senti. Échantillons perdus : sentis, mais non enregistrés car le disque était trop lent.</translation>
+        <translation>Durée de l’enregistrement [min:s]. Échantillons en retard (1 ms chacun)&#x202f;: l’ordinateur était surchargé, rien n’a été senti. Échantillons perdus&#x202f;: sentis, mais non enregistrés car le disque était trop lent.</translation>
     </message>
     <message>
         <source>Recording in progress. Stop recording and close?</source>
-        <translation>Enregistrement en cours. L’arrêter et fermer ?</translation>
+        <translation>Enregistrement en cours. L’arrêter et fermer&#x202f;?</translation>
     </message>
     <message>
         <source>The recording so far is kept in %1.</source>
@@ -407,7 +407,7 @@
     </message>
     <message>
         <source>%1 stopped: write error</source>
-        <translation>%1 arrêté : erreur d’écriture</translation>
+        <translation>%1 arrêté&#x202f;: erreur d’écriture</translation>
     </message>
 </context>
 <context>
@@ -606,7 +606,7 @@
     </message>
     <message>
         <source>Lumps: recorded response and model prediction (estimate)</source>
-        <translation>Nodules : réponse enregistrée et prédiction du modèle (estimation)</translation>
+        <translation>Nodules&#x202f;: réponse enregistrée et prédiction du modèle (estimation)</translation>
     </message>
     <message>
         <source>Organ</source>
@@ -630,7 +630,7 @@
     </message>
     <message>
         <source>95th percentile: the force stayed below this value for 95 % of the contact time. Research measures, not a diagnosis.</source>
-        <translation>95ᵉ centile : la force est restée sous cette valeur pendant 95 % du temps de contact. Mesures de recherche, pas un diagnostic.</translation>
+        <translation>95ᵉ centile&#x202f;: la force est restée sous cette valeur pendant 95 % du temps de contact. Mesures de recherche, pas un diagnostic.</translation>
     </message>
 </context>
 <context>
@@ -908,151 +908,151 @@
     </message>
     <message>
         <source>%1: no such file, expected a mesh, a scene or a recording</source>
-        <translation>%1 : fichier introuvable, attendu un maillage, une scène ou un enregistrement</translation>
+        <translation>%1&#x202f;: fichier introuvable, attendu un maillage, une scène ou un enregistrement</translation>
     </message>
     <message>
         <source>--size: found &quot;%1&quot;, expected width x height, as 1280x800</source>
-        <translation>--size : trouvé « %1 », attendu largeur x hauteur, comme 1280x800</translation>
+        <translation>--size&#x202f;: trouvé «&#x202f;%1&#x202f;», attendu largeur x hauteur, comme 1280x800</translation>
     </message>
     <message>
         <source>%1: found nothing palpable, expected a surface to touch</source>
-        <translation>%1 : rien de palpable trouvé, une surface à toucher était attendue</translation>
+        <translation>%1&#x202f;: rien de palpable trouvé, une surface à toucher était attendue</translation>
     </message>
     <message>
         <source>%1: %2; expected a recording as it was written, or what session recover makes of it</source>
-        <translation>%1 : %2 ; attendu un enregistrement tel qu’il a été écrit, ou sa copie par session recover</translation>
+        <translation>%1&#x202f;: %2&#x202f;; attendu un enregistrement tel qu’il a été écrit, ou sa copie par session recover</translation>
     </message>
     <message>
         <source>evaluate: found no SCENE and no bundled phantom, expected a mesh or a scene file</source>
-        <translation>evaluate : ni SCENE ni fantôme fourni trouvés, attendu un maillage ou un fichier de scène</translation>
+        <translation>evaluate&#x202f;: ni SCENE ni fantôme fourni trouvés, attendu un maillage ou un fichier de scène</translation>
     </message>
     <message>
         <source>--out: %1 cannot be made: %2</source>
-        <translation>--out : %1 ne peut pas être créé : %2</translation>
+        <translation>--out&#x202f;: %1 ne peut pas être créé&#x202f;: %2</translation>
     </message>
     <message>
         <source>--felt: found %1, expected no SCENE</source>
-        <translation>--felt : trouvé %1, aucune SCENE n’était attendue</translation>
+        <translation>--felt&#x202f;: trouvé %1, aucune SCENE n’était attendue</translation>
     </message>
     <message>
         <source>found &quot;%1&quot;, expected a whole number from %2 to %3</source>
-        <translation>trouvé « %1 », attendu un entier de %2 à %3</translation>
+        <translation>trouvé «&#x202f;%1&#x202f;», attendu un entier de %2 à %3</translation>
     </message>
     <message>
         <source>--ratio: found &quot;%1&quot;, expected NAME=R, as &quot;lump 12 mm=4.4&quot;</source>
-        <translation>--ratio : trouvé « %1 », attendu NAME=R, comme « lump 12 mm=4.4 »</translation>
+        <translation>--ratio&#x202f;: trouvé «&#x202f;%1&#x202f;», attendu NAME=R, comme «&#x202f;lump 12 mm=4.4&#x202f;»</translation>
     </message>
     <message>
         <source>--ratio: found %1 twice, expected once</source>
-        <translation>--ratio : %1 trouvé deux fois, attendu une fois</translation>
+        <translation>--ratio&#x202f;: %1 trouvé deux fois, attendu une fois</translation>
     </message>
     <message>
         <source>%1: found neither a scene nor a recording, expected a file that keeps findings (.palpate.json or .palpate)</source>
-        <translation>%1 : ni une scène ni un enregistrement, attendu un fichier qui contient des points repérés (.palpate.json ou .palpate)</translation>
+        <translation>%1&#x202f;: ni une scène ni un enregistrement, attendu un fichier qui contient des points repérés (.palpate.json ou .palpate)</translation>
     </message>
     <message>
         <source>stdout: the findings could not be written</source>
-        <translation>stdout : les points repérés n’ont pas pu être écrits</translation>
+        <translation>stdout&#x202f;: les points repérés n’ont pas pu être écrits</translation>
     </message>
     <message>
         <source>findings --import: found %1, expected a scene (.palpate.json)</source>
-        <translation>findings --import : trouvé %1, attendu une scène (.palpate.json)</translation>
+        <translation>findings --import&#x202f;: trouvé %1, attendu une scène (.palpate.json)</translation>
     </message>
     <message>
         <source>findings: found one of --import and --out, expected both: the scene with what is taken is another file</source>
-        <translation>findings : une seule des options --import et --out trouvée, les deux étaient attendues : la scène avec les points repris est un autre fichier</translation>
+        <translation>findings&#x202f;: une seule des options --import et --out trouvée, les deux étaient attendues&#x202f;: la scène avec les points repris est un autre fichier</translation>
     </message>
     <message>
         <source>findings: found - for --csv and --markups, expected it for one</source>
-        <translation>findings : - trouvé pour --csv et --markups, attendu pour une seule</translation>
+        <translation>findings&#x202f;: - trouvé pour --csv et --markups, attendu pour une seule</translation>
     </message>
     <message>
         <source>findings --import: found --csv or --markups too, expected --out alone: export from there</source>
-        <translation>findings --import : --csv ou --markups aussi trouvé, attendu --out seul ; exportez depuis la nouvelle scène</translation>
+        <translation>findings --import&#x202f;: --csv ou --markups aussi trouvé, attendu --out seul&#x202f;; exportez depuis la nouvelle scène</translation>
     </message>
     <message>
         <source>%1: %2, expected the program that does `palpate %3`: install it beside palpate, or build all of Palpate</source>
-        <translation>%1 : %2, attendu le programme de `palpate %3` : installez-le à côté de palpate, ou construisez tout Palpate</translation>
+        <translation>%1&#x202f;: %2, attendu le programme de `palpate %3`&#x202f;: installez-le à côté de palpate, ou construisez tout Palpate</translation>
     </message>
     <message>
         <source>%1: found after an option, expected as the first word after palpate</source>
-        <translation>%1 : trouvé après une option, attendu comme premier mot après palpate</translation>
+        <translation>%1&#x202f;: trouvé après une option, attendu comme premier mot après palpate</translation>
     </message>
     <message>
         <source>%1: no such file, expected a mesh, a scene or a folder</source>
-        <translation>%1 : fichier introuvable, attendu un maillage, une scène ou un dossier</translation>
+        <translation>%1&#x202f;: fichier introuvable, attendu un maillage, une scène ou un dossier</translation>
     </message>
     <message>
         <source>%1: found a recording, expected a mesh (palpate session info reads recordings)</source>
-        <translation>%1 : enregistrement trouvé, attendu un maillage (palpate session info lit les enregistrements)</translation>
+        <translation>%1&#x202f;: enregistrement trouvé, attendu un maillage (palpate session info lit les enregistrements)</translation>
     </message>
     <message>
         <source>%1: no such file, expected a mesh, a scene or a folder of meshes</source>
-        <translation>%1 : fichier introuvable, attendu un maillage, une scène ou un dossier de maillages</translation>
+        <translation>%1&#x202f;: fichier introuvable, attendu un maillage, une scène ou un dossier de maillages</translation>
     </message>
     <message>
         <source>%1: no such file, expected a motion CSV or a recording</source>
-        <translation>%1 : fichier introuvable, attendu un mouvement en CSV ou un enregistrement</translation>
+        <translation>%1&#x202f;: fichier introuvable, attendu un mouvement en CSV ou un enregistrement</translation>
     </message>
     <message>
         <source>%1: cannot be written: not a file; a recording is one, expected its name</source>
-        <translation>%1 : écriture impossible : n’est pas un fichier ; attendu le nom d’un fichier pour l’enregistrement</translation>
+        <translation>%1&#x202f;: écriture impossible&#x202f;: n’est pas un fichier&#x202f;; attendu le nom d’un fichier pour l’enregistrement</translation>
     </message>
     <message>
         <source>%1: found a file of this name, expected a new one for the recording, or --force to replace it</source>
-        <translation>%1 : un fichier de ce nom existe, attendu un nouveau nom pour l’enregistrement, ou --force pour le remplacer</translation>
+        <translation>%1&#x202f;: un fichier de ce nom existe, attendu un nouveau nom pour l’enregistrement, ou --force pour le remplacer</translation>
     </message>
     <message>
         <source>%1: found nothing palpable, expected a structure that is</source>
-        <translation>%1 : rien de palpable trouvé, attendu une structure palpable</translation>
+        <translation>%1&#x202f;: rien de palpable trouvé, attendu une structure palpable</translation>
     </message>
     <message>
         <source>%1: %2: this version does not know this field; it is kept, but not used</source>
-        <translation>%1 : %2 : ce champ est inconnu de cette version ; il est conservé, mais pas utilisé</translation>
+        <translation>%1&#x202f;: %2&#x202f;: ce champ est inconnu de cette version&#x202f;; il est conservé, mais pas utilisé</translation>
     </message>
     <message>
         <source>%1: structure &quot;%2&quot; was touched by itself in the recording (layer %3), here it is felt through the structure around it; expected the scene that was recorded, or --force to replay the motion alone</source>
-        <translation>%1 : la structure « %2 » a été touchée elle-même dans l’enregistrement (couche %3), ici elle se sent à travers la structure qui l’entoure ; attendu la scène enregistrée, ou --force pour rejouer le mouvement seul</translation>
+        <translation>%1&#x202f;: la structure «&#x202f;%2&#x202f;» a été touchée elle-même dans l’enregistrement (couche %3), ici elle se sent à travers la structure qui l’entoure&#x202f;; attendu la scène enregistrée, ou --force pour rejouer le mouvement seul</translation>
     </message>
     <message>
         <source>%1: structure &quot;%2&quot; was touched by itself in the recording (layer %3), here it is not palpable; expected the scene that was recorded, or --force to replay the motion alone</source>
-        <translation>%1 : la structure « %2 » a été touchée elle-même dans l’enregistrement (couche %3), ici elle n’est pas palpable ; attendu la scène enregistrée, ou --force pour rejouer le mouvement seul</translation>
+        <translation>%1&#x202f;: la structure «&#x202f;%2&#x202f;» a été touchée elle-même dans l’enregistrement (couche %3), ici elle n’est pas palpable&#x202f;; attendu la scène enregistrée, ou --force pour rejouer le mouvement seul</translation>
     </message>
     <message>
         <source>%1: %2; expected the scene that was recorded, or --force</source>
-        <translation>%1 : %2 ; attendu la scène enregistrée, ou --force</translation>
+        <translation>%1&#x202f;: %2&#x202f;; attendu la scène enregistrée, ou --force</translation>
     </message>
     <message>
         <source>%1: %2 ticks skipped: ticks before them are missing in the recording</source>
-        <translation>%1 : %2 instants ignorés : des instants qui les précèdent manquent dans l’enregistrement</translation>
+        <translation>%1&#x202f;: %2 instants ignorés&#x202f;: des instants qui les précèdent manquent dans l’enregistrement</translation>
     </message>
     <message>
         <source>%1: %2 of %3 ticks were lost</source>
-        <translation>%1 : %2 instants sur %3 ont été perdus</translation>
+        <translation>%1&#x202f;: %2 instants sur %3 ont été perdus</translation>
     </message>
     <message>
         <source>the safety gate took the force away: %1</source>
-        <translation>la sécurité a coupé la force : %1</translation>
+        <translation>la sécurité a coupé la force&#x202f;: %1</translation>
     </message>
     <message>
         <source>not computed again: %1; say where the scene is with --scene</source>
-        <translation>non recalculé : %1 ; indiquez où est la scène par --scene</translation>
+        <translation>non recalculé&#x202f;: %1&#x202f;; indiquez où est la scène par --scene</translation>
     </message>
     <message>
         <source>%1: %2 ticks are missing and %3 after them could not be computed again</source>
-        <translation>%1 : %2 instants manquent et %3 qui les suivent n’ont pas pu être recalculés</translation>
+        <translation>%1&#x202f;: %2 instants manquent et %3 qui les suivent n’ont pas pu être recalculés</translation>
     </message>
     <message>
         <source>%1: found a file that is no recording, expected another name for the copy, or --force to replace it</source>
-        <translation>%1 : un fichier qui n’est pas un enregistrement, attendu un autre nom pour la copie, ou --force pour le remplacer</translation>
+        <translation>%1&#x202f;: un fichier qui n’est pas un enregistrement, attendu un autre nom pour la copie, ou --force pour le remplacer</translation>
     </message>
     <message>
         <source>%1: missing in the copy: %2</source>
-        <translation>%1 : manque dans la copie : %2</translation>
+        <translation>%1&#x202f;: manque dans la copie&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1: no coverage of %2: %3; say where the scene is with --scene</source>
-        <translation>%1 : pas de couverture de %2 : %3 ; indiquez où est la scène par --scene</translation>
+        <translation>%1&#x202f;: pas de couverture de %2&#x202f;: %3&#x202f;; indiquez où est la scène par --scene</translation>
     </message>
     <message>
         <source>its surface is another one now</source>
@@ -1060,95 +1060,95 @@
     </message>
     <message>
         <source>session export: found no output, expected --csv or --vtp</source>
-        <translation>session export : aucune sortie trouvée, attendu --csv ou --vtp</translation>
+        <translation>session export&#x202f;: aucune sortie trouvée, attendu --csv ou --vtp</translation>
     </message>
     <message>
         <source>--device: found &quot;%1&quot;, expected one of %2</source>
-        <translation>--device : trouvé « %1 », attendu l’un de %2</translation>
+        <translation>--device&#x202f;: trouvé «&#x202f;%1&#x202f;», attendu l’un de %2</translation>
     </message>
     <message>
         <source>%1: found nothing to press, expected a palpable surface</source>
-        <translation>%1 : rien à presser trouvé, attendu une surface palpable</translation>
+        <translation>%1&#x202f;: rien à presser trouvé, attendu une surface palpable</translation>
     </message>
     <message>
         <source>%1: a hand on %2 slips off it wherever it presses; is it the size it should be (--unit)?</source>
-        <translation>%1 : une main avec %2 en glisse partout où elle presse ; sa taille est-elle juste (--unit) ?</translation>
+        <translation>%1&#x202f;: une main avec %2 en glisse partout où elle presse&#x202f;; sa taille est-elle juste (--unit)&#x202f;?</translation>
     </message>
     <message>
         <source>%1: DAMAGED, or changed after it was recorded, in 1 place: ticks that do not match their checksum were left out, and figures are those of the rest</source>
-        <translation>%1 : ENDOMMAGÉ, ou changé après l’enregistrement, à 1 endroit : les instants qui ne correspondent pas à leur somme de contrôle sont omis, et les chiffres sont ceux du reste</translation>
+        <translation>%1&#x202f;: ENDOMMAGÉ, ou changé après l’enregistrement, à 1 endroit&#x202f;: les instants qui ne correspondent pas à leur somme de contrôle sont omis, et les chiffres sont ceux du reste</translation>
     </message>
     <message>
         <source>%1: DAMAGED, or changed after it was recorded, in %2 places: ticks that do not match their checksum were left out, and figures are those of the rest</source>
-        <translation>%1 : ENDOMMAGÉ, ou changé après l’enregistrement, à %2 endroits : les instants qui ne correspondent pas à leur somme de contrôle sont omis, et les chiffres sont ceux du reste</translation>
+        <translation>%1&#x202f;: ENDOMMAGÉ, ou changé après l’enregistrement, à %2 endroits&#x202f;: les instants qui ne correspondent pas à leur somme de contrôle sont omis, et les chiffres sont ceux du reste</translation>
     </message>
     <message>
         <source>%1: and %2 more</source>
-        <translation>%1 : et %2 de plus</translation>
+        <translation>%1&#x202f;: et %2 de plus</translation>
     </message>
     <message>
         <source>%1: %2; recorded by this build (%3)</source>
-        <translation>%1 : %2 ; enregistré par cette version (%3)</translation>
+        <translation>%1&#x202f;: %2&#x202f;; enregistré par cette version (%3)</translation>
     </message>
     <message>
         <source>%1: %2; recorded by another build (%3), this one is %4</source>
-        <translation>%1 : %2 ; enregistré par une autre version (%3), celle-ci est %4</translation>
+        <translation>%1&#x202f;: %2&#x202f;; enregistré par une autre version (%3), celle-ci est %4</translation>
     </message>
     <message>
         <source>%1: %2; recorded by this build (%3), which should give the same bits</source>
-        <translation>%1 : %2 ; enregistré par cette version (%3), qui devrait donner les mêmes bits</translation>
+        <translation>%1&#x202f;: %2&#x202f;; enregistré par cette version (%3), qui devrait donner les mêmes bits</translation>
     </message>
     <message>
         <source>%1: cannot be written</source>
-        <translation>%1 : ne peut pas être écrit</translation>
+        <translation>%1&#x202f;: ne peut pas être écrit</translation>
     </message>
     <message>
         <source>%1: found &quot;%2&quot;, expected a number above %3</source>
-        <translation>%1 : trouvé « %2 », attendu un nombre supérieur à %3</translation>
+        <translation>%1&#x202f;: trouvé «&#x202f;%2&#x202f;», attendu un nombre supérieur à %3</translation>
     </message>
     <message>
         <source>%1: found &quot;%2&quot;, expected a number of at least %3</source>
-        <translation>%1 : trouvé « %2 », attendu un nombre d’au moins %3</translation>
+        <translation>%1&#x202f;: trouvé «&#x202f;%2&#x202f;», attendu un nombre d’au moins %3</translation>
     </message>
     <message>
         <source>%1: found &quot;%2&quot;, expected a number above %3 and at most %4</source>
-        <translation>%1 : trouvé « %2 », attendu un nombre supérieur à %3 et d’au plus %4</translation>
+        <translation>%1&#x202f;: trouvé «&#x202f;%2&#x202f;», attendu un nombre supérieur à %3 et d’au plus %4</translation>
     </message>
     <message>
         <source>%1: found &quot;%2&quot;, expected a number of at least %3 and at most %4</source>
-        <translation>%1 : trouvé « %2 », attendu un nombre d’au moins %3 et d’au plus %4</translation>
+        <translation>%1&#x202f;: trouvé «&#x202f;%2&#x202f;», attendu un nombre d’au moins %3 et d’au plus %4</translation>
     </message>
     <message>
         <source>--unit: found &quot;%1&quot;, expected m, cm or mm</source>
-        <translation>--unit : trouvé « %1 », attendu m, cm ou mm</translation>
+        <translation>--unit&#x202f;: trouvé «&#x202f;%1&#x202f;», attendu m, cm ou mm</translation>
     </message>
     <message>
         <source>--frame: found &quot;%1&quot;, expected LPS, RAS or Y-up</source>
-        <translation>--frame : trouvé « %1 », attendu LPS, RAS ou Y-up</translation>
+        <translation>--frame&#x202f;: trouvé «&#x202f;%1&#x202f;», attendu LPS, RAS ou Y-up</translation>
     </message>
     <message>
         <source>%1: found it as input and output, expected another name for the output</source>
-        <translation>%1 : trouvé comme entrée et sortie, attendu un autre nom pour la sortie</translation>
+        <translation>%1&#x202f;: trouvé comme entrée et sortie, attendu un autre nom pour la sortie</translation>
     </message>
     <message>
         <source>%1: found it as output and a file of %2, expected another name for the output</source>
-        <translation>%1 : trouvé comme sortie et fichier de %2, attendu un autre nom pour la sortie</translation>
+        <translation>%1&#x202f;: trouvé comme sortie et fichier de %2, attendu un autre nom pour la sortie</translation>
     </message>
     <message>
         <source>%1: found it as two outputs, expected a name for each</source>
-        <translation>%1 : trouvé pour deux sorties, attendu un nom pour chacune</translation>
+        <translation>%1&#x202f;: trouvé pour deux sorties, attendu un nom pour chacune</translation>
     </message>
     <message>
         <source>--plugin-path: %1: expected a folder</source>
-        <translation>--plugin-path : %1 : un dossier était attendu</translation>
+        <translation>--plugin-path&#x202f;: %1&#x202f;: un dossier était attendu</translation>
     </message>
     <message>
         <source>--layers: found &quot;%1&quot;, expected auto</source>
-        <translation>--layers : trouvé « %1 », attendu auto</translation>
+        <translation>--layers&#x202f;: trouvé «&#x202f;%1&#x202f;», attendu auto</translation>
     </message>
     <message>
         <source>%1; meshes are read in this process</source>
-        <translation>%1 ; les maillages sont lus dans ce processus</translation>
+        <translation>%1&#x202f;; les maillages sont lus dans ce processus</translation>
     </message>
     <message>
         <source>out of memory</source>
@@ -1172,15 +1172,15 @@
     </message>
     <message>
         <source>%1: found a link, pipe or other special file, expected a file of settings; they are not kept. Remove it</source>
-        <translation>%1 : un lien, un tube ou un autre fichier spécial, attendu un fichier de réglages ; ils ne sont pas gardés. Supprimez ce fichier</translation>
+        <translation>%1&#x202f;: un lien, un tube ou un autre fichier spécial, attendu un fichier de réglages&#x202f;; ils ne sont pas gardés. Supprimez ce fichier</translation>
     </message>
     <message>
         <source>found no display (DISPLAY is not set), expected one for the window; app/run.sh draws without</source>
-        <translation>aucun écran trouvé (DISPLAY n’est pas défini), la fenêtre en demande un ; app/run.sh dessine sans écran</translation>
+        <translation>aucun écran trouvé (DISPLAY n’est pas défini), la fenêtre en demande un&#x202f;; app/run.sh dessine sans écran</translation>
     </message>
     <message>
         <source>the display (%1) has no OpenGL, expected one that has; app/run.sh draws without a display</source>
-        <translation>l’écran (%1) n’a pas OpenGL, attendu un écran qui l’a ; app/run.sh dessine sans écran</translation>
+        <translation>l’écran (%1) n’a pas OpenGL, attendu un écran qui l’a&#x202f;; app/run.sh dessine sans écran</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -1284,7 +1284,7 @@
     </message>
     <message>
         <source>%1: cannot be made: %2</source>
-        <translation>%1 : ne peut pas être créé : %2</translation>
+        <translation>%1&#x202f;: ne peut pas être créé&#x202f;: %2</translation>
     </message>
     <message>
         <source>The device gave a position that is not a number. Check its driver, then re-arm.</source>
@@ -1332,15 +1332,15 @@
     </message>
     <message>
         <source>SCHED_FIFO %1 was refused: %2</source>
-        <translation>SCHED_FIFO %1 a été refusé : %2</translation>
+        <translation>SCHED_FIFO %1 a été refusé&#x202f;: %2</translation>
     </message>
     <message>
         <source>mlockall was refused: %1</source>
-        <translation>mlockall a été refusé : %1</translation>
+        <translation>mlockall a été refusé&#x202f;: %1</translation>
     </message>
     <message>
         <source>only %1 KiB may be locked: %2</source>
-        <translation>seuls %1 KiB peuvent être verrouillés : %2</translation>
+        <translation>seuls %1 KiB peuvent être verrouillés&#x202f;: %2</translation>
     </message>
     <message>
         <source>pages stay in memory once touched</source>
@@ -1348,11 +1348,11 @@
     </message>
     <message>
         <source>CPU %1: the program may not run on it (see taskset -p, or the container&apos;s settings), expected one of %2</source>
-        <translation>CPU %1 : le programme ne peut pas y tourner (voir taskset -p, ou les réglages du conteneur), attendu l’un de %2</translation>
+        <translation>CPU %1&#x202f;: le programme ne peut pas y tourner (voir taskset -p, ou les réglages du conteneur), attendu l’un de %2</translation>
     </message>
     <message>
         <source>CPU %1: this machine has no such CPU, expected one of %2</source>
-        <translation>CPU %1 : cette machine n’a pas ce CPU, attendu l’un de %2</translation>
+        <translation>CPU %1&#x202f;: cette machine n’a pas ce CPU, attendu l’un de %2</translation>
     </message>
     <message>
         <source>thread name</source>
@@ -1360,7 +1360,7 @@
     </message>
     <message>
         <source>&quot;%1&quot;</source>
-        <translation>« %1 »</translation>
+        <translation>«&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>not asked for</source>
@@ -1384,7 +1384,7 @@
     </message>
     <message>
         <source>CPU %1 was refused: %2</source>
-        <translation>le CPU %1 a été refusé : %2</translation>
+        <translation>le CPU %1 a été refusé&#x202f;: %2</translation>
     </message>
     <message>
         <source>floating point</source>
@@ -1392,7 +1392,7 @@
     </message>
     <message>
         <source>default environment, denormals kept: a replay gives the same bits</source>
-        <translation>environnement par défaut, nombres dénormalisés gardés : une relecture donne les mêmes bits</translation>
+        <translation>environnement par défaut, nombres dénormalisés gardés&#x202f;: une relecture donne les mêmes bits</translation>
     </message>
     <message>
         <source>the default environment could not be set</source>
@@ -1412,11 +1412,11 @@
     </message>
     <message>
         <source>the device could not be started: %1</source>
-        <translation>l’appareil n’a pas pu démarrer : %1</translation>
+        <translation>l’appareil n’a pas pu démarrer&#x202f;: %1</translation>
     </message>
     <message>
         <source>the device could not be started: its driver failed</source>
-        <translation>l’appareil n’a pas pu démarrer : son pilote a échoué</translation>
+        <translation>l’appareil n’a pas pu démarrer&#x202f;: son pilote a échoué</translation>
     </message>
     <message>
         <source>the servo loop is not running</source>
@@ -1424,7 +1424,7 @@
     </message>
     <message>
         <source>the device or the servo thread could not be started: %1</source>
-        <translation>l’appareil ou la boucle d’asservissement n’a pas pu démarrer : %1</translation>
+        <translation>l’appareil ou la boucle d’asservissement n’a pas pu démarrer&#x202f;: %1</translation>
     </message>
     <message>
         <source>the servo thread could not be set up</source>
@@ -1456,7 +1456,7 @@
     </message>
     <message>
         <source>%1: found a database with a write-ahead log, expected one with a rollback journal, as Palpate writes it: another program changed it</source>
-        <translation>%1 : une base à journal anticipé (WAL), une base à journal de retour était attendue, comme Palpate l’écrit : un autre programme l’a modifiée</translation>
+        <translation>%1&#x202f;: une base à journal anticipé (WAL), une base à journal de retour était attendue, comme Palpate l’écrit&#x202f;: un autre programme l’a modifiée</translation>
     </message>
     <message>
         <source>the disk is full</source>
@@ -1468,19 +1468,19 @@
     </message>
     <message>
         <source>%1: cannot be read: %2</source>
-        <translation>%1 : ne peut pas être lu : %2</translation>
+        <translation>%1&#x202f;: ne peut pas être lu&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1: cannot be written: %2</source>
-        <translation>%1 : ne peut pas être écrit : %2</translation>
+        <translation>%1&#x202f;: ne peut pas être écrit&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1: found something else than a file, expected the journal of a recording; nothing was opened. Move it away to read the recording as it is</source>
-        <translation>%1 : autre chose qu’un fichier, le journal d’un enregistrement était attendu ; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
+        <translation>%1&#x202f;: autre chose qu’un fichier, le journal d’un enregistrement était attendu&#x202f;; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
     </message>
     <message>
         <source>%1: found the journal of several databases, which names another file to be deleted; Palpate writes none, so this was not made by Palpate; nothing was opened. Move it away to read the recording as it is</source>
-        <translation>%1 : le journal de plusieurs bases, qui nomme un autre fichier à supprimer ; Palpate n’en écrit pas, il ne vient donc pas de Palpate ; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
+        <translation>%1&#x202f;: le journal de plusieurs bases, qui nomme un autre fichier à supprimer&#x202f;; Palpate n’en écrit pas, il ne vient donc pas de Palpate&#x202f;; rien n’a été ouvert. Déplacez-le pour lire l’enregistrement tel quel</translation>
     </message>
     <message>
         <source>a temporary file</source>
@@ -1500,7 +1500,7 @@
     </message>
     <message>
         <source>distance: found %1 mm, expected at least %2 mm for surfaces this large</source>
-        <translation>distance : trouvé %1 mm, attendu au moins %2 mm pour des surfaces aussi grandes</translation>
+        <translation>distance&#x202f;: trouvé %1 mm, attendu au moins %2 mm pour des surfaces aussi grandes</translation>
     </message>
     <message>
         <source>measuring was cancelled</source>
@@ -1512,47 +1512,47 @@
     </message>
     <message>
         <source>%1: the recording ended at %2 s because %3; what was felt after is not in it</source>
-        <translation>%1 : l’enregistrement a fini à %2 s car %3 ; ce qui a été senti ensuite n’y est pas</translation>
+        <translation>%1&#x202f;: l’enregistrement a fini à %2 s car %3&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
     </message>
     <message>
         <source>%1: nothing was recorded because %2</source>
-        <translation>%1 : rien n’a été enregistré car %2</translation>
+        <translation>%1&#x202f;: rien n’a été enregistré car %2</translation>
     </message>
     <message>
         <source>%1: recording ended: %2</source>
-        <translation>%1 : l’enregistrement a pris fin : %2</translation>
+        <translation>%1&#x202f;: l’enregistrement a pris fin&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1: is still being recorded</source>
-        <translation>%1 : est encore en cours d’enregistrement</translation>
+        <translation>%1&#x202f;: est encore en cours d’enregistrement</translation>
     </message>
     <message>
         <source>%1: cannot be recorded: the servo loop is not running</source>
-        <translation>%1 : impossible d’enregistrer : la boucle d’asservissement ne tourne pas</translation>
+        <translation>%1&#x202f;: impossible d’enregistrer&#x202f;: la boucle d’asservissement ne tourne pas</translation>
     </message>
     <message>
         <source>%1: cannot be recorded: the servo loop does not answer</source>
-        <translation>%1 : impossible d’enregistrer : la boucle d’asservissement ne répond pas</translation>
+        <translation>%1&#x202f;: impossible d’enregistrer&#x202f;: la boucle d’asservissement ne répond pas</translation>
     </message>
     <message>
         <source>%1: %2 ticks were lost</source>
-        <translation>%1 : %2 instants ont été perdus</translation>
+        <translation>%1&#x202f;: %2 instants ont été perdus</translation>
     </message>
     <message>
         <source>%1: no such file, expected a recording</source>
-        <translation>%1 : fichier introuvable, attendu un enregistrement</translation>
+        <translation>%1&#x202f;: fichier introuvable, attendu un enregistrement</translation>
     </message>
     <message>
         <source>%1: cannot be opened: %2</source>
-        <translation>%1 : ne peut pas être ouvert : %2</translation>
+        <translation>%1&#x202f;: ne peut pas être ouvert&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1: found no SQLite database, expected a recording</source>
-        <translation>%1 : trouvé autre chose qu’une base SQLite, attendu un enregistrement</translation>
+        <translation>%1&#x202f;: trouvé autre chose qu’une base SQLite, attendu un enregistrement</translation>
     </message>
     <message>
         <source>%1: found no tick with a hand, expected at least one</source>
-        <translation>%1 : aucun instant avec une main, attendu au moins un</translation>
+        <translation>%1&#x202f;: aucun instant avec une main, attendu au moins un</translation>
     </message>
     <message>
         <source>%1 (and %2 more places)</source>
@@ -1560,7 +1560,7 @@
     </message>
     <message>
         <source>%1: damaged: %2</source>
-        <translation>%1 : endommagé : %2</translation>
+        <translation>%1&#x202f;: endommagé&#x202f;: %2</translation>
     </message>
     <message>
         <source>complete</source>
@@ -1568,27 +1568,27 @@
     </message>
     <message>
         <source>ended at %1 s because the disk was full; what was felt after is not in it</source>
-        <translation>fini à %1 s car le disque était plein ; ce qui a été senti ensuite n’y est pas</translation>
+        <translation>fini à %1&#xa0;s car le disque était plein&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
     </message>
     <message>
         <source>ended at %1 s because the disk could not be written; what was felt after is not in it</source>
-        <translation>fini à %1 s car le disque ne pouvait pas être écrit ; ce qui a été senti ensuite n’y est pas</translation>
+        <translation>fini à %1&#xa0;s car le disque ne pouvait pas être écrit&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
     </message>
     <message>
         <source>ended at %1 s without being closed (a crash, or a full disk); what was felt after is not in it</source>
-        <translation>fini à %1 s sans être fermé (un arrêt brutal ou un disque plein) ; ce qui a été senti ensuite n’y est pas</translation>
+        <translation>fini à %1&#xa0;s sans être fermé (un arrêt brutal ou un disque plein)&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
     </message>
     <message>
         <source>structure &quot;%1&quot;: a map of its tissue is not there, or damaged</source>
-        <translation>structure « %1 » : une carte de son tissu manque ou est endommagée</translation>
+        <translation>structure «&#x202f;%1&#x202f;»&#x202f;: une carte de son tissu manque ou est endommagée</translation>
     </message>
     <message>
         <source>tick %1 after tick %2: ticks must ascend</source>
-        <translation>instant %1 après l’instant %2 : les instants doivent être croissants</translation>
+        <translation>instant %1 après l’instant %2&#x202f;: les instants doivent être croissants</translation>
     </message>
     <message>
         <source>the disk takes no more: %1 ticks lost</source>
-        <translation>le disque n’accepte plus rien : %1 instants perdus</translation>
+        <translation>le disque n’accepte plus rien&#x202f;: %1 instants perdus</translation>
     </message>
     <message>
         <source>scene %1 is described already</source>
@@ -1600,11 +1600,11 @@
     </message>
     <message>
         <source>%1: is the recording itself, expected another name</source>
-        <translation>%1 : est l’enregistrement lui-même, attendu un autre nom</translation>
+        <translation>%1&#x202f;: est l’enregistrement lui-même, attendu un autre nom</translation>
     </message>
     <message>
         <source>%1: cannot be written: not a file</source>
-        <translation>%1 : ne peut pas être écrit : n’est pas un fichier</translation>
+        <translation>%1&#x202f;: ne peut pas être écrit&#x202f;: n’est pas un fichier</translation>
     </message>
     <message>
         <source>found no SQLite database, expected a recording</source>
@@ -1612,43 +1612,43 @@
     </message>
     <message>
         <source>%1: %2 rows were gathered from the file&apos;s %3 pages one by one</source>
-        <translation>%1 : %2 lignes ont été récupérées une à une dans les %3 pages du fichier</translation>
+        <translation>%1&#x202f;: %2 lignes ont été récupérées une à une dans les %3 pages du fichier</translation>
     </message>
     <message>
         <source>%1: %2: nothing can be recovered</source>
-        <translation>%1 : %2 : rien ne peut être récupéré</translation>
+        <translation>%1&#x202f;: %2&#x202f;: rien ne peut être récupéré</translation>
     </message>
     <message>
         <source>metadata: %1 cannot be read; set to their defaults</source>
-        <translation>métadonnées : %1 illisibles ; remises à leurs valeurs par défaut</translation>
+        <translation>métadonnées&#x202f;: %1 illisibles&#x202f;; remises à leurs valeurs par défaut</translation>
     </message>
     <message>
         <source>scene %1: kept without a checksum to hold it against</source>
-        <translation>scène %1 : gardée sans somme de contrôle pour la vérifier</translation>
+        <translation>scène %1&#x202f;: gardée sans somme de contrôle pour la vérifier</translation>
     </message>
     <message>
         <source>scene %1: left out</source>
-        <translation>scène %1 : omise</translation>
+        <translation>scène %1&#x202f;: omise</translation>
     </message>
     <message>
         <source>event %1: kept without a checksum to hold it against</source>
-        <translation>événement %1 : gardé sans somme de contrôle pour le vérifier</translation>
+        <translation>événement %1&#x202f;: gardé sans somme de contrôle pour le vérifier</translation>
     </message>
     <message>
         <source>tick %1: found a time before the first tick&apos;s: left out</source>
-        <translation>instant %1 : un temps antérieur au premier : omis</translation>
+        <translation>instant %1&#x202f;: un temps antérieur au premier&#x202f;: omis</translation>
     </message>
     <message>
         <source>up to tick %1: %2 ticks kept without a checksum to hold them against</source>
-        <translation>jusqu’à l’instant %1 : %2 instants gardés sans somme de contrôle pour les vérifier</translation>
+        <translation>jusqu’à l’instant %1&#x202f;: %2 instants gardés sans somme de contrôle pour les vérifier</translation>
     </message>
     <message>
         <source>%1: left out</source>
-        <translation>%1 : omis</translation>
+        <translation>%1&#x202f;: omis</translation>
     </message>
     <message>
         <source>the end: the recording was not closed; nothing is known after tick %1</source>
-        <translation>la fin : l’enregistrement n’a pas été fermé ; rien n’est connu après l’instant %1</translation>
+        <translation>la fin&#x202f;: l’enregistrement n’a pas été fermé&#x202f;; rien n’est connu après l’instant %1</translation>
     </message>
     <message>
         <source>scene generation %1 is not described in the recording</source>
@@ -1656,23 +1656,23 @@
     </message>
     <message>
         <source>the state before the first tick: found contact with triangle %1 of structure %2, expected one of the scene&apos;s layer %3</source>
-        <translation>l’état avant le premier instant : contact avec le triangle %1 de la structure %2 trouvé, attendu un triangle de la couche %3 de la scène</translation>
+        <translation>l’état avant le premier instant&#x202f;: contact avec le triangle %1 de la structure %2 trouvé, attendu un triangle de la couche %3 de la scène</translation>
     </message>
     <message>
         <source>tick %1: god-object recorded at %2, now %3, %4 mm apart</source>
-        <translation>instant %1 : point de contact enregistré en %2, maintenant %3, écart de %4 mm</translation>
+        <translation>instant %1&#x202f;: point de contact enregistré en %2, maintenant %3, écart de %4 mm</translation>
     </message>
     <message>
         <source>tick %1: force recorded as %2, now %3, %4 N apart</source>
-        <translation>instant %1 : force enregistrée %2, maintenant %3, écart de %4 N</translation>
+        <translation>instant %1&#x202f;: force enregistrée %2, maintenant %3, écart de %4 N</translation>
     </message>
     <message>
         <source>tick %1: structure, triangle and constraints recorded as %2, now %3</source>
-        <translation>instant %1 : structure, triangle et contraintes enregistrés %2, maintenant %3</translation>
+        <translation>instant %1&#x202f;: structure, triangle et contraintes enregistrés %2, maintenant %3</translation>
     </message>
     <message>
         <source>tick %1: layers (structure, triangle, friction) recorded as %2, now %3</source>
-        <translation>instant %1 : couches (structure, triangle, frottement) enregistrées %2, maintenant %3</translation>
+        <translation>instant %1&#x202f;: couches (structure, triangle, frottement) enregistrées %2, maintenant %3</translation>
     </message>
     <message>
         <source>none</source>
@@ -1688,15 +1688,15 @@
     </message>
     <message>
         <source>structure &quot;%1&quot; of the recording: law_table: %2</source>
-        <translation>structure « %1 » de l’enregistrement : law_table : %2</translation>
+        <translation>structure «&#x202f;%1&#x202f;» de l’enregistrement&#x202f;: law_table&#x202f;: %2</translation>
     </message>
     <message>
         <source>structure &quot;%1&quot; of the recording: its geometry (SHA-256 %2...) is not in the scene</source>
-        <translation>structure « %1 » de l’enregistrement : sa géométrie (SHA-256 %2...) n’est pas dans la scène</translation>
+        <translation>structure «&#x202f;%1&#x202f;» de l’enregistrement&#x202f;: sa géométrie (SHA-256 %2...) n’est pas dans la scène</translation>
     </message>
     <message>
         <source>structure &quot;%1&quot; of the recording: %2</source>
-        <translation>structure « %1 » de l’enregistrement : %2</translation>
+        <translation>structure «&#x202f;%1&#x202f;» de l’enregistrement&#x202f;: %2</translation>
     </message>
     <message>
         <source>found a fingertip radius of %1 mm in the recording, expected 0 to %2</source>
@@ -1704,11 +1704,11 @@
     </message>
     <message>
         <source>found %1, expected an ascending range from 0 to 2^53</source>
-        <translation>trouvé : %1, attendu une plage croissante de 0 à 2^53</translation>
+        <translation>trouvé&#x202f;: %1, attendu une plage croissante de 0 à 2^53</translation>
     </message>
     <message>
         <source>%1: found a checksum of %2 rows, expected at least one and at most one a tick</source>
-        <translation>%1 : une somme de contrôle sur %2 lignes, attendu au moins une et au plus une par instant</translation>
+        <translation>%1&#x202f;: une somme de contrôle sur %2 lignes, attendu au moins une et au plus une par instant</translation>
     </message>
     <message>
         <source>found %1 rows, expected %2</source>
@@ -1716,11 +1716,11 @@
     </message>
     <message>
         <source>%1: found rows without a checksum</source>
-        <translation>%1 : lignes sans somme de contrôle trouvées</translation>
+        <translation>%1&#x202f;: lignes sans somme de contrôle trouvées</translation>
     </message>
     <message>
         <source>%1: found without a checksum</source>
-        <translation>%1 : sans somme de contrôle</translation>
+        <translation>%1&#x202f;: sans somme de contrôle</translation>
     </message>
     <message>
         <source>scene %1</source>
@@ -1732,7 +1732,7 @@
     </message>
     <message>
         <source>checks: found line %1, expected %2: a part of the recording was taken out</source>
-        <translation>sommes de contrôle : ligne %1 trouvée, %2 était attendue : une partie de l’enregistrement a été retirée</translation>
+        <translation>sommes de contrôle&#x202f;: ligne %1 trouvée, %2 était attendue&#x202f;: une partie de l’enregistrement a été retirée</translation>
     </message>
     <message>
         <source>metadata</source>
@@ -1740,7 +1740,7 @@
     </message>
     <message>
         <source>checks: found a line of kind &quot;%1&quot;, expected one of this version</source>
-        <translation>sommes de contrôle : une ligne de sorte « %1 », attendu une sorte de cette version</translation>
+        <translation>sommes de contrôle&#x202f;: une ligne de sorte «&#x202f;%1&#x202f;», attendu une sorte de cette version</translation>
     </message>
     <message>
         <source>events %1 to %2</source>
@@ -1748,15 +1748,15 @@
     </message>
     <message>
         <source>%1: found a second checksum, expected one</source>
-        <translation>%1 : une deuxième somme de contrôle trouvée, une seule était attendue</translation>
+        <translation>%1&#x202f;: une deuxième somme de contrôle trouvée, une seule était attendue</translation>
     </message>
     <message>
         <source>checks: %1</source>
-        <translation>sommes de contrôle : %1</translation>
+        <translation>sommes de contrôle&#x202f;: %1</translation>
     </message>
     <message>
         <source>checks: %1: found behind %2, expected ascending ranges</source>
-        <translation>sommes de contrôle : %1 : trouvé derrière %2, des plages croissantes étaient attendues</translation>
+        <translation>sommes de contrôle&#x202f;: %1&#x202f;: trouvé derrière %2, des plages croissantes étaient attendues</translation>
     </message>
     <message>
         <source>event %1</source>
@@ -1764,11 +1764,11 @@
     </message>
     <message>
         <source>tick %1: found a row without a checksum, expected ticks from 0</source>
-        <translation>instant %1 : une ligne sans somme de contrôle, des instants à partir de 0 étaient attendus</translation>
+        <translation>instant %1&#x202f;: une ligne sans somme de contrôle, des instants à partir de 0 étaient attendus</translation>
     </message>
     <message>
         <source>%1: found other bits than were written (checksum)</source>
-        <translation>%1 : d’autres bits que ceux écrits (somme de contrôle)</translation>
+        <translation>%1&#x202f;: d’autres bits que ceux écrits (somme de contrôle)</translation>
     </message>
     <message>
         <source>metadata or %1</source>
@@ -1776,27 +1776,27 @@
     </message>
     <message>
         <source>found %1 there</source>
-        <translation>trouvé là : %1</translation>
+        <translation>trouvé là&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1: cannot be read</source>
-        <translation>%1 : ne peut pas être lu</translation>
+        <translation>%1&#x202f;: ne peut pas être lu</translation>
     </message>
     <message>
         <source>there is a file of this name; choose another name</source>
-        <translation>un fichier de ce nom existe ; choisissez un autre nom</translation>
+        <translation>un fichier de ce nom existe&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>the file %1 would be taken for a part of it; move that away or choose another name</source>
-        <translation>le fichier %1 serait pris pour une partie de celui-ci ; déplacez-le ou choisissez un autre nom</translation>
+        <translation>le fichier %1 serait pris pour une partie de celui-ci&#x202f;; déplacez-le ou choisissez un autre nom</translation>
     </message>
     <message>
         <source>another program is recording into it; choose another name</source>
-        <translation>un autre programme y enregistre ; choisissez un autre nom</translation>
+        <translation>un autre programme y enregistre&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>another program wrote a file of this name meanwhile; kept as %1</source>
-        <translation>un autre programme a écrit entre-temps un fichier de ce nom ; gardé sous %1</translation>
+        <translation>un autre programme a écrit entre-temps un fichier de ce nom&#x202f;; gardé sous %1</translation>
     </message>
     <message>
         <source>found more than %1 %2, or more bytes of them than the file has, expected what a recorder writes</source>
@@ -1808,11 +1808,11 @@
     </message>
     <message>
         <source>found a recording of version %1, expected 1 to %2: damaged</source>
-        <translation>trouvé un enregistrement de version %1, attendu de 1 à %2 : endommagé</translation>
+        <translation>trouvé un enregistrement de version %1, attendu de 1 à %2&#x202f;: endommagé</translation>
     </message>
     <message>
         <source>found a recording of version %1, expected at most %2: a newer Palpate made it</source>
-        <translation>trouvé un enregistrement de version %1, attendu au plus %2 : fait par un Palpate plus récent</translation>
+        <translation>trouvé un enregistrement de version %1, attendu au plus %2&#x202f;: fait par un Palpate plus récent</translation>
     </message>
     <message>
         <source>values of the metadata</source>
@@ -1820,7 +1820,7 @@
     </message>
     <message>
         <source>found %1 for %2, expected %3 to %4</source>
-        <translation>trouvé : %1 pour %2, attendu : de %3 à %4</translation>
+        <translation>trouvé&#x202f;: %1 pour %2, attendu&#x202f;: de %3 à %4</translation>
     </message>
     <message>
         <source>found the layer %1, expected one from 0</source>
@@ -1836,7 +1836,7 @@
     </message>
     <message>
         <source>scene %1: %2</source>
-        <translation>scène %1 : %2</translation>
+        <translation>scène %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>scenes</source>
@@ -1852,11 +1852,11 @@
     </message>
     <message>
         <source>scene %1, structure &quot;%2&quot;: %3</source>
-        <translation>scène %1, structure « %2 » : %3</translation>
+        <translation>scène %1, structure «&#x202f;%2&#x202f;»&#x202f;: %3</translation>
     </message>
     <message>
         <source>event %1: found values of another type or a tick out of range, expected a tick, a kind and its text: left out</source>
-        <translation>événement %1 : des valeurs d’un autre type ou un instant hors limites, attendu un instant, une sorte et son texte : omis</translation>
+        <translation>événement %1&#x202f;: des valeurs d’un autre type ou un instant hors limites, attendu un instant, une sorte et son texte&#x202f;: omis</translation>
     </message>
     <message>
         <source>events</source>
@@ -1868,27 +1868,27 @@
     </message>
     <message>
         <source>tick %1: found behind tick %2, expected ascending ticks: damaged</source>
-        <translation>instant %1 : trouvé derrière l’instant %2, des instants croissants étaient attendus : endommagé</translation>
+        <translation>instant %1&#x202f;: trouvé derrière l’instant %2, des instants croissants étaient attendus&#x202f;: endommagé</translation>
     </message>
     <message>
         <source>tick %1: %2</source>
-        <translation>instant %1 : %2</translation>
+        <translation>instant %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>embedded surface %1...: is not in the recording</source>
-        <translation>surface incluse %1... : n’est pas dans l’enregistrement</translation>
+        <translation>surface incluse %1...&#x202f;: n’est pas dans l’enregistrement</translation>
     </message>
     <message>
         <source>embedded surface %1...: found other bits than were written (checksum)</source>
-        <translation>surface incluse %1... : d’autres bits que ceux écrits (somme de contrôle)</translation>
+        <translation>surface incluse %1...&#x202f;: d’autres bits que ceux écrits (somme de contrôle)</translation>
     </message>
     <message>
         <source>embedded surface %1...: found indices or coordinates out of range, expected triangles of three vertices within 1e7 mm</source>
-        <translation>surface incluse %1... : indices ou coordonnées hors limites, attendu des triangles de trois sommets à moins de 1e7 mm</translation>
+        <translation>surface incluse %1...&#x202f;: indices ou coordonnées hors limites, attendu des triangles de trois sommets à moins de 1e7 mm</translation>
     </message>
     <message>
         <source>%1: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
-        <translation>%1 : pas créé par Palpate, ou endommagé (palpate session recover rassemble ce qui est intact)</translation>
+        <translation>%1&#x202f;: pas créé par Palpate, ou endommagé (palpate session recover rassemble ce qui est intact)</translation>
     </message>
     <message>
         <source>found more than %1 tables and views, expected the tables of a recording</source>
@@ -1896,39 +1896,39 @@
     </message>
     <message>
         <source>found &quot;%1&quot; for %2 &quot;%3&quot;, expected only the tables of version %4 and the view tick_values</source>
-        <translation>« %1 » trouvé pour %2 « %3 », attendu seulement les tables de la version %4 et la vue tick_values</translation>
+        <translation>«&#x202f;%1&#x202f;» trouvé pour %2 «&#x202f;%3&#x202f;», attendu seulement les tables de la version %4 et la vue tick_values</translation>
     </message>
     <message>
         <source>found no table &quot;%1&quot;, expected the tables of version %2</source>
-        <translation>aucune table « %1 » trouvée, attendu les tables de la version %2</translation>
+        <translation>aucune table «&#x202f;%1&#x202f;» trouvée, attendu les tables de la version %2</translation>
     </message>
     <message>
         <source>found other columns in the table &quot;%1&quot;, expected those of version %2</source>
-        <translation>d’autres colonnes trouvées dans la table « %1 », attendu celles de la version %2</translation>
+        <translation>d’autres colonnes trouvées dans la table «&#x202f;%1&#x202f;», attendu celles de la version %2</translation>
     </message>
     <message>
         <source>meta has no value &quot;%1&quot;</source>
-        <translation>meta n’a pas de valeur « %1 »</translation>
+        <translation>meta n’a pas de valeur «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>meta value &quot;%1&quot; is not a valid number, expected %2 to %3</source>
-        <translation>la valeur « %1 » de meta n’est pas un nombre valable, attendu de %2 à %3</translation>
+        <translation>la valeur «&#x202f;%1&#x202f;» de meta n’est pas un nombre valable, attendu de %2 à %3</translation>
     </message>
     <message>
         <source>meta value &quot;%1&quot; is not a whole number</source>
-        <translation>la valeur « %1 » de meta n’est pas un entier</translation>
+        <translation>la valeur «&#x202f;%1&#x202f;» de meta n’est pas un entier</translation>
     </message>
     <message>
         <source>meta value &quot;%1&quot; is %2, expected %3 to %4</source>
-        <translation>la valeur « %1 » de meta est %2, attendu de %3 à %4</translation>
+        <translation>la valeur «&#x202f;%1&#x202f;» de meta est %2, attendu de %3 à %4</translation>
     </message>
     <message>
         <source>meta value &quot;dt_s&quot; is not one period of &quot;rate_Hz&quot;</source>
-        <translation>la valeur « dt_s » de meta n’est pas une période de « rate_Hz »</translation>
+        <translation>la valeur «&#x202f;dt_s&#x202f;» de meta n’est pas une période de «&#x202f;rate_Hz&#x202f;»</translation>
     </message>
     <message>
         <source>meta value &quot;start&quot; is not a state of this version</source>
-        <translation>la valeur « start » de meta n’est pas un état de cette version</translation>
+        <translation>la valeur «&#x202f;start&#x202f;» de meta n’est pas un état de cette version</translation>
     </message>
     <message>
         <source>found more than %1 bytes without a line end, expected a CSV</source>
@@ -1940,11 +1940,11 @@
     </message>
     <message>
         <source>%1: line %2: %3</source>
-        <translation>%1 : ligne %2 : %3</translation>
+        <translation>%1&#x202f;: ligne %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>%1: line %2, column %3: %4</source>
-        <translation>%1 : ligne %2, colonne %3 : %4</translation>
+        <translation>%1&#x202f;: ligne %2, colonne %3&#x202f;: %4</translation>
     </message>
     <message>
         <source>found 1 field, expected %1 as in the header</source>
@@ -1968,19 +1968,19 @@
     </message>
     <message>
         <source>found more than %1 rows, expected at most a day at 1 kHz: split the file</source>
-        <translation>plus de %1 lignes trouvées, attendu au plus un jour à 1 kHz : divisez le fichier</translation>
+        <translation>plus de %1 lignes trouvées, attendu au plus un jour à 1 kHz&#x202f;: divisez le fichier</translation>
     </message>
     <message>
         <source>found %1, expected a number</source>
-        <translation>trouvé : %1, attendu un nombre</translation>
+        <translation>trouvé&#x202f;: %1, attendu un nombre</translation>
     </message>
     <message>
         <source>found %1, expected a finite number</source>
-        <translation>trouvé : %1, attendu un nombre fini</translation>
+        <translation>trouvé&#x202f;: %1, attendu un nombre fini</translation>
     </message>
     <message>
         <source>found %1, expected a coordinate within 1e9 mm</source>
-        <translation>trouvé : %1, attendu une coordonnée à moins de 1e9 mm</translation>
+        <translation>trouvé&#x202f;: %1, attendu une coordonnée à moins de 1e9 mm</translation>
     </message>
     <message>
         <source>found a time before the previous row&apos;s, expected ascending times</source>
@@ -1992,19 +1992,19 @@
     </message>
     <message>
         <source>found %1 s between rows on average, expected 1e-05 to 1 s: one row a servo tick</source>
-        <translation>%1 s entre les lignes en moyenne, attendu de 1e-05 à 1 s : une ligne par instant</translation>
+        <translation>%1 s entre les lignes en moyenne, attendu de 1e-05 à 1 s&#x202f;: une ligne par instant</translation>
     </message>
     <message>
         <source>%1: no such file, expected a motion CSV</source>
-        <translation>%1 : fichier introuvable, attendu un mouvement en CSV</translation>
+        <translation>%1&#x202f;: fichier introuvable, attendu un mouvement en CSV</translation>
     </message>
     <message>
         <source>%1: cannot be read: %2, expected a motion CSV</source>
-        <translation>%1 : ne peut pas être lu : %2, attendu un mouvement en CSV</translation>
+        <translation>%1&#x202f;: ne peut pas être lu&#x202f;: %2, attendu un mouvement en CSV</translation>
     </message>
     <message>
         <source>%1: found a directory, expected a motion CSV</source>
-        <translation>%1 : un dossier, attendu un mouvement en CSV</translation>
+        <translation>%1&#x202f;: un dossier, attendu un mouvement en CSV</translation>
     </message>
     <message>
         <source>a number within %1</source>
@@ -2024,7 +2024,7 @@
     </message>
     <message>
         <source>found %1 for %2, expected %3</source>
-        <translation>trouvé : %1 pour %2, attendu : %3</translation>
+        <translation>trouvé&#x202f;: %1 pour %2, attendu&#x202f;: %3</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -2044,7 +2044,7 @@
     </message>
     <message>
         <source>the scene has no structure &quot;%1&quot;, which it names as the organ</source>
-        <translation>la scène ne contient pas la structure « %1 », nommée comme organe</translation>
+        <translation>la scène ne contient pas la structure «&#x202f;%1&#x202f;», nommée comme organe</translation>
     </message>
     <message>
         <source>it lies in no closed surface that can be felt</source>
@@ -2060,19 +2060,19 @@
     </message>
     <message>
         <source>the SpaceMouse is the hand now; choose another device for it first</source>
-        <translation>la SpaceMouse est la main ; choisir d’abord un autre appareil pour celle-ci</translation>
+        <translation>la SpaceMouse est la main&#x202f;; choisir d’abord un autre appareil pour celle-ci</translation>
     </message>
     <message>
         <source>the SpaceMouse moves the view or presses; switch that off first</source>
-        <translation>la SpaceMouse déplace la vue ou appuie ; désactivez d’abord cela</translation>
+        <translation>la SpaceMouse déplace la vue ou appuie&#x202f;; désactivez d’abord cela</translation>
     </message>
     <message>
         <source>no device is called &quot;%1&quot;</source>
-        <translation>aucun appareil ne s’appelle « %1 »</translation>
+        <translation>aucun appareil ne s’appelle «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>the simulated hand palpates what is in the middle of the view: found nothing palpable there</source>
-        <translation>la main simulée palpe ce qui est au milieu de la vue : rien de palpable trouvé là</translation>
+        <translation>la main simulée palpe ce qui est au milieu de la vue&#x202f;: rien de palpable trouvé là</translation>
     </message>
     <message>
         <source>found no open recording, expected one whose motion the device repeats</source>
@@ -2080,27 +2080,27 @@
     </message>
     <message>
         <source>rate and CPU cannot be changed while a recording runs; stop it first</source>
-        <translation>fréquence et CPU ne changent pas pendant un enregistrement ; l’arrêter d’abord</translation>
+        <translation>fréquence et CPU ne changent pas pendant un enregistrement&#x202f;; l’arrêter d’abord</translation>
     </message>
     <message>
         <source>the device cannot be changed while a recording runs; stop it first</source>
-        <translation>l’appareil ne change pas pendant un enregistrement ; l’arrêter d’abord</translation>
+        <translation>l’appareil ne change pas pendant un enregistrement&#x202f;; l’arrêter d’abord</translation>
     </message>
     <message>
         <source>%1 may not be opened: install Palpate&apos;s udev rule (in lib/udev/rules.d) and plug the device in anew</source>
-        <translation>%1 ne peut pas être ouvert : installez la règle udev de Palpate (dans lib/udev/rules.d) et rebranchez l’appareil</translation>
+        <translation>%1 ne peut pas être ouvert&#x202f;: installez la règle udev de Palpate (dans lib/udev/rules.d) et rebranchez l’appareil</translation>
     </message>
     <message>
         <source>%1: could not be opened: %2</source>
-        <translation>%1 : n’a pas pu être ouvert : %2</translation>
+        <translation>%1&#x202f;: n’a pas pu être ouvert&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1: already started</source>
-        <translation>%1 : déjà démarré</translation>
+        <translation>%1&#x202f;: déjà démarré</translation>
     </message>
     <message>
         <source>%1: %2: found %3, expected %4 to %5</source>
-        <translation>%1 : %2 : trouvé : %3, attendu : de %4 à %5</translation>
+        <translation>%1&#x202f;: %2&#x202f;: trouvé&#x202f;: %3, attendu&#x202f;: de %4 à %5</translation>
     </message>
     <message>
         <source>no number</source>
@@ -2108,15 +2108,15 @@
     </message>
     <message>
         <source>no 6-axis mouse is connected: plug one in</source>
-        <translation>aucune souris à 6 axes n’est connectée : branchez-en une</translation>
+        <translation>aucune souris à 6 axes n’est connectée&#x202f;: branchez-en une</translation>
     </message>
     <message>
         <source>%1: expected an object, as {&quot;dead_zone&quot;: 0.06}</source>
-        <translation>%1 : attendu un objet, comme {&quot;dead_zone&quot;: 0.06}</translation>
+        <translation>%1&#x202f;: attendu un objet, comme {&quot;dead_zone&quot;: 0.06}</translation>
     </message>
     <message>
         <source>%1: at byte %2: %3, expected an object of numbers, {&quot;length_body_a&quot;: 0.080, ...}</source>
-        <translation>%1 : à l’octet %2 : %3, attendu un objet de nombres, {&quot;length_body_a&quot;: 0.080, ...}</translation>
+        <translation>%1&#x202f;: à l’octet %2&#x202f;: %3, attendu un objet de nombres, {&quot;length_body_a&quot;: 0.080, ...}</translation>
     </message>
     <message>
         <source>too large for a device&apos;s configuration</source>
@@ -2124,26 +2124,178 @@
     </message>
     <message>
         <source>%1: could not be read</source>
-        <translation>%1 : n’a pas pu être lu</translation>
+        <translation>%1&#x202f;: n’a pas pu être lu</translation>
     </message>
     <message>
         <source>no WoodenHaptics arm is connected (USB 1234:0006): plug it in and switch it on</source>
-        <translation>aucun bras WoodenHaptics n’est connecté (USB 1234:0006) : branchez-le et allumez-le</translation>
+        <translation>aucun bras WoodenHaptics n’est connecté (USB 1234:0006)&#x202f;: branchez-le et allumez-le</translation>
     </message>
     <message>
         <source>woodenhaptics: %1: its reports have %2 bytes, expected 14 or 8: another device with mbed&apos;s ids</source>
-        <translation>woodenhaptics : %1 : ses rapports ont %2 octets, 14 ou 8 étaient attendus : un autre appareil avec les identifiants de mbed</translation>
+        <translation>woodenhaptics&#x202f;: %1&#x202f;: ses rapports ont %2 octets, 14 ou 8 étaient attendus&#x202f;: un autre appareil avec les identifiants de mbed</translation>
     </message>
     <message>
         <source>woodenhaptics: %1: it does not answer; is it switched on?</source>
-        <translation>woodenhaptics : %1 : ne répond pas ; est-il allumé ?</translation>
+        <translation>woodenhaptics&#x202f;: %1&#x202f;: ne répond pas&#x202f;; est-il allumé&#x202f;?</translation>
+    </message>
+    <message>
+        <source>ticks are missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contact radius: found %1 mm, expected more than 0 and at most 30 mm</source>
+        <translation>rayon de contact : trouvé %1 mm, attendu plus de 0 et au plus 30 mm</translation>
+    </message>
+    <message>
+        <source>press depths: found %1, expected 1 to %2</source>
+        <translation>profondeurs d’appui : trouvé %1, attendu 1 à %2</translation>
+    </message>
+    <message>
+        <source>press depths: found %1 mm, expected 0 to 30 mm, ascending</source>
+        <translation>profondeurs d’appui : trouvé %1 mm, attendu 0 à 30 mm, en ordre croissant</translation>
+    </message>
+    <message>
+        <source>%1: contact radius: found %2 mm, expected at least %3 mm on a surface this large</source>
+        <translation>%1 : rayon de contact : trouvé %2 mm, attendu au moins %3 mm sur une surface aussi grande</translation>
+    </message>
+    <message>
+        <source>%1: ratio: found %2, expected more than 0 and at most 10000</source>
+        <translation>%1 : rapport : trouvé %2, attendu plus de 0 et au plus 10000</translation>
+    </message>
+    <message>
+        <source>%1: left out, its surface is open: it has no volume to be felt</source>
+        <translation>%1 : laissé de côté, sa surface est ouverte : il n’a pas de volume à sentir</translation>
+    </message>
+    <message>
+        <source>%1: left out, its surface is inside out</source>
+        <translation>%1 : laissé de côté, sa surface est retournée</translation>
+    </message>
+    <message>
+        <source>%1: left out, it lies outside %2</source>
+        <translation>%1 : laissé de côté, il est hors de %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 reach into each other: where both are felt is not judged</source>
+        <translation>%1 et %2 s’interpénètrent : là où les deux se sentent, rien n’est jugé</translation>
+    </message>
+    <message>
+        <source>what can be felt was cancelled</source>
+        <translation>le calcul de ce qui se sent a été annulé</translation>
+    </message>
+    <message>
+        <source>%1: its surface is open or inside out; expected a closed one, or it can&apos;t be told what lies in it</source>
+        <translation>%1 : sa surface est ouverte ou retournée ; attendu une surface fermée, sans quoi on ne peut savoir ce qu’elle contient</translation>
+    </message>
+    <message>
+        <source>%1: found no lump in it that can be judged</source>
+        <translation>%1 : aucun nodule à l’intérieur qui puisse être jugé</translation>
+    </message>
+    <message>
+        <source>%1: its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %2 % from what is shown; a finer mesh mends it</source>
+        <translation>%1 : ses triangles sont plus larges que le contact d’un doigt : ce que la main sent de ses nodules diffère de %2 % au plus de ce qui est montré ; un maillage plus fin y remédie</translation>
+    </message>
+    <message>
+        <source>%1: reading was cancelled</source>
+        <translation>%1 : la lecture a été annulée</translation>
+    </message>
+    <message>
+        <source>no socket for the import server: %1</source>
+        <translation>pas de socket pour le serveur d’importation : %1</translation>
+    </message>
+    <message>
+        <source>no process for the import server: %1</source>
+        <translation>pas de processus pour le serveur d’importation : %1</translation>
+    </message>
+    <message>
+        <source>%1: opening was cancelled</source>
+        <translation>%1 : l’ouverture a été annulée</translation>
+    </message>
+    <message>
+        <source>%1: is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the marks in with File &gt; Import findings</source>
+        <translation>%1 : est une liste de marques de 3D Slicer, non une scène de Palpate : ouvrir l’anatomie, puis reprendre les marques par Fichier &gt; Importer des points repérés</translation>
+    </message>
+    <message>
+        <source>%1: is not a Palpate scene: found neither `version` nor `structures`; expected a file that Palpate saved (.palpate.json)</source>
+        <translation>%1 : n’est pas une scène de Palpate : ni `version` ni `structures` trouvés ; attendu un fichier enregistré par Palpate (.palpate.json)</translation>
+    </message>
+    <message>
+        <source>%1: %2: found twice, expected it once</source>
+        <translation>%1 : %2 : trouvé deux fois, attendu une seule</translation>
+    </message>
+    <message>
+        <source>%1: version: found %2, expected at most %3: it was made by a newer Palpate</source>
+        <translation>%1 : version : trouvé %2, attendu au plus %3 : elle vient d’un Palpate plus récent</translation>
+    </message>
+    <message>
+        <source>VTK could not write it: %1</source>
+        <translation>VTK n’a pas pu l’écrire : %1</translation>
+    </message>
+    <message>
+        <source>%1: not felt through an organ: %2</source>
+        <translation>%1 : non palpable à travers un organe : %2</translation>
+    </message>
+    <message>
+        <source>%1 seems to lie in %2, whose surface is open or inside out</source>
+        <translation>%1 semble être dans %2, dont la surface est ouverte ou retournée</translation>
+    </message>
+    <message>
+        <source>ratio of &quot;%1&quot;: found no such lump, expected a structure that lies in another one</source>
+        <translation>rapport de « %1 » : nodule introuvable, attendu une structure contenue dans une autre</translation>
+    </message>
+    <message>
+        <source>found no lump, expected a palpable structure inside another one&apos;s closed surface, or one whose `inside` names its organ</source>
+        <translation>aucun nodule trouvé, attendu une structure palpable dans la surface fermée d’une autre, ou une dont `inside` nomme l’organe</translation>
+    </message>
+    <message>
+        <source>the servo thread does not answer</source>
+        <translation>le fil servo ne répond pas</translation>
+    </message>
+    <message>
+        <source>%1: found more than 64 MiB, expected a list of points</source>
+        <translation>%1 : plus de 64 MiB trouvés, attendu une liste de points</translation>
+    </message>
+    <message>
+        <source>%1: byte %2: found %3, expected markups of 3D Slicer (.mrk.json)</source>
+        <translation>%1 : octet %2 : trouvé %3, attendu des annotations 3D Slicer (.mrk.json)</translation>
+    </message>
+    <message>
+        <source>no JSON object</source>
+        <translation>aucun objet JSON</translation>
+    </message>
+    <message>
+        <source>%1: markups: found nothing, expected lists of points: is this a .mrk.json of 3D Slicer?</source>
+        <translation>%1 : markups : rien trouvé, attendu des listes de points : est-ce un .mrk.json de 3D Slicer ?</translation>
+    </message>
+    <message>
+        <source>the recording does not say what scene it was made on</source>
+        <translation>l’enregistrement ne dit pas sur quelle scène il a été fait</translation>
+    </message>
+    <message>
+        <source>%1: no such file</source>
+        <translation>%1 : fichier introuvable</translation>
+    </message>
+    <message>
+        <source>%1: not written: cancelled</source>
+        <translation>%1 : non écrit : annulé</translation>
+    </message>
+    <message>
+        <source>%1: not written: found no tick with a hand, expected at least one</source>
+        <translation>%1 : non écrit : aucun instant avec une main, attendu au moins un</translation>
+    </message>
+    <message>
+        <source>%1: not written: no surface that is there was touched</source>
+        <translation>%1 : non écrit : aucune surface présente n’a été touchée</translation>
+    </message>
+    <message>
+        <source>%1: the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
+        <translation>%1 : la surface touchée va là ; un autre fichier s’y trouve, aucun ou un export antérieur était attendu. Choisissez un autre nom</translation>
     </message>
 </context>
 <context>
     <name>palpate::app::CoordinatesPart</name>
     <message>
         <source>Stop the recording first: it uses the current coordinates.</source>
-        <translation>Arrêtez d’abord l’enregistrement : il utilise les coordonnées actuelles.</translation>
+        <translation>Arrêtez d’abord l’enregistrement&#x202f;: il utilise les coordonnées actuelles.</translation>
     </message>
 </context>
 <context>
@@ -2154,7 +2306,7 @@
     </message>
     <message>
         <source>The pointer sets the place, the SpaceMouse the force: push its cap down. P palpate, wheel for the force limit</source>
-        <translation>Le pointeur choisit l’endroit, la SpaceMouse la force : poussez son palet vers le bas. P palpe, la molette règle la force maximale</translation>
+        <translation>Le pointeur choisit l’endroit, la SpaceMouse la force&#x202f;: poussez son palet vers le bas. P palpe, la molette règle la force maximale</translation>
     </message>
     <message>
         <source>Press by effort</source>
@@ -2162,7 +2314,7 @@
     </message>
     <message>
         <source>Press with a set force: it rises while the button is held, or follows the pressure of a pen, and stiff tissue yields less. Off: the wheel sets the depth</source>
-        <translation>Appuyer avec une force réglée : elle croît tant que le bouton est tenu, ou suit la pression d’un stylet, et un tissu raide cède moins. Désactivé : la molette règle la profondeur</translation>
+        <translation>Appuyer avec une force réglée&#x202f;: elle croît tant que le bouton est tenu, ou suit la pression d’un stylet, et un tissu raide cède moins. Désactivé&#x202f;: la molette règle la profondeur</translation>
     </message>
     <message>
         <source>Lift the hand</source>
@@ -2170,7 +2322,7 @@
     </message>
     <message>
         <source>Move the device without moving the hand in the scene, like lifting a mouse; press again to continue</source>
-        <translation>Déplacer l’appareil sans déplacer la main dans la scène, comme on lève une souris ; encore une fois pour continuer</translation>
+        <translation>Déplacer l’appareil sans déplacer la main dans la scène, comme on lève une souris&#x202f;; encore une fois pour continuer</translation>
     </message>
     <message>
         <source>Fit the workspace to the scene</source>
@@ -2202,7 +2354,7 @@
     </message>
     <message>
         <source>Touch with the device; O or L fits the workspace to the organ or lump, C lifts the hand</source>
-        <translation>Toucher avec l’appareil ; O ou L ajuste l’espace de travail à l’organe ou au nodule, C lève la main</translation>
+        <translation>Toucher avec l’appareil&#x202f;; O ou L ajuste l’espace de travail à l’organe ou au nodule, C lève la main</translation>
     </message>
     <message>
         <source>P palpate, hold to press harder, wheel for the force limit</source>
@@ -2442,7 +2594,7 @@
     </message>
     <message>
         <source>in the findings: play the recording from the marked moment</source>
-        <translation>points repérés : lire l’enregistrement depuis le marquage</translation>
+        <translation>points repérés&#x202f;: lire l’enregistrement depuis le marquage</translation>
     </message>
     <message>
         <source>Findings and measures</source>
@@ -2485,7 +2637,7 @@
     </message>
     <message>
         <source>Contact shape: a point feels every facet; a ball slides over small pits like a finger</source>
-        <translation>Forme du contact : un point sent chaque facette ; une boule glisse sur les petits creux comme un doigt</translation>
+        <translation>Forme du contact&#x202f;: un point sent chaque facette&#x202f;; une boule glisse sur les petits creux comme un doigt</translation>
     </message>
 </context>
 <context>
@@ -2504,7 +2656,7 @@
     </message>
     <message>
         <source>Open the documentation folder: keys, recordings, measures, glossary, devices</source>
-        <translation>Ouvrir le dossier de documentation : raccourcis, enregistrements, mesures, glossaire, appareils</translation>
+        <translation>Ouvrir le dossier de documentation&#x202f;: raccourcis, enregistrements, mesures, glossaire, appareils</translation>
     </message>
     <message>
         <source>Version, build and licences, for bug reports</source>
@@ -2569,7 +2721,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <name>palpate::app::LayerOffers</name>
     <message>
         <source>%1; %2 more are listed in the panel.</source>
-        <translation>%1 ; %2 de plus figurent dans le panneau.</translation>
+        <translation>%1&#x202f;; %2 de plus figurent dans le panneau.</translation>
     </message>
     <message>
         <source>Feel inner structures below outer ones</source>
@@ -2589,7 +2741,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>%1 lies in %2, but all structures of this scene are in one layer: %1 cannot be felt through %2.</source>
-        <translation>%1 est dans %2, mais toutes les structures de cette scène sont en une seule couche : %1 ne se sent pas à travers %2.</translation>
+        <translation>%1 est dans %2, mais toutes les structures de cette scène sont en une seule couche&#x202f;: %1 ne se sent pas à travers %2.</translation>
     </message>
     <message>
         <source>Feel it below</source>
@@ -2759,7 +2911,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>The meshes were read again with coordinates %1. Tissue and findings are kept; earlier changes cannot be undone.</source>
-        <translation>Les maillages ont été relus avec les coordonnées %1. Tissus et points repérés sont gardés ; les changements antérieurs ne peuvent plus être annulés.</translation>
+        <translation>Les maillages ont été relus avec les coordonnées %1. Tissus et points repérés sont gardés&#x202f;; les changements antérieurs ne peuvent plus être annulés.</translation>
     </message>
     <message>
         <source>%1: %2 (%3)</source>
@@ -2940,11 +3092,11 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>The list shows all structures. The eye shows or hides a structure; the hand makes a structure palpable or not. Below the list you set how the structure feels.</source>
-        <translation>La liste contient toutes les structures. L’œil affiche ou masque une structure ; la main la rend palpable ou non. Sous la liste, on règle comment la structure se sent.</translation>
+        <translation>La liste contient toutes les structures. L’œil affiche ou masque une structure&#x202f;; la main la rend palpable ou non. Sous la liste, on règle comment la structure se sent.</translation>
     </message>
     <message>
         <source>Press P, then drag on the anatomy to press and slide; the wheel sets the depth. With the keyboard: Ctrl and the arrow keys move the press point, Enter presses, Page Down goes deeper. Esc releases.</source>
-        <translation>Taper P, puis glisser sur l’anatomie pour appuyer et glisser ; la molette règle la profondeur. Au clavier : Ctrl et les flèches déplacent le point d’appui, Entrée appuie, Page suivante va plus profond. Échap relâche.</translation>
+        <translation>Taper P, puis glisser sur l’anatomie pour appuyer et glisser&#x202f;; la molette règle la profondeur. Au clavier&#x202f;: Ctrl et les flèches déplacent le point d’appui, Entrée appuie, Page suivante va plus profond. Échap relâche.</translation>
     </message>
     <message>
         <source>Force in newtons, touched structure, depth in millimetres and a chart of the last ten seconds. At the same depth, stiffer tissue pushes back harder.</source>
@@ -2956,7 +3108,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>R starts and stops a recording. M marks the touched place as a finding, listed here with force and depth; F2 renames the finding. File › Export findings… saves the list.</source>
-        <translation>R démarre et arrête un enregistrement. M marque l’endroit touché comme point repéré, listé ici avec force et profondeur ; F2 le renomme. Fichier › Exporter les points repérés… enregistre la liste.</translation>
+        <translation>R démarre et arrête un enregistrement. M marque l’endroit touché comme point repéré, listé ici avec force et profondeur&#x202f;; F2 le renomme. Fichier › Exporter les points repérés… enregistre la liste.</translation>
     </message>
 </context>
 <context>
@@ -2967,11 +3119,11 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Play a tone: higher pitch for stiffer tissue, louder for more force</source>
-        <translation>Jouer un son : plus aigu pour un tissu plus raide, plus fort pour une force plus grande</translation>
+        <translation>Jouer un son&#x202f;: plus aigu pour un tissu plus raide, plus fort pour une force plus grande</translation>
     </message>
     <message>
         <source>Touch sound stopped: the loudspeaker was disconnected.</source>
-        <translation>Son du toucher arrêté : le haut-parleur a été déconnecté.</translation>
+        <translation>Son du toucher arrêté&#x202f;: le haut-parleur a été déconnecté.</translation>
     </message>
     <message>
         <source>Touch sound (%1)</source>
@@ -2990,7 +3142,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Cancel; the open scene does not change</source>
-        <translation>Interrompre ; la scène ouverte ne change pas</translation>
+        <translation>Interrompre&#x202f;; la scène ouverte ne change pas</translation>
     </message>
 </context>
 <context>
@@ -3017,7 +3169,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Remove the selected structures from the scene; their files are kept</source>
-        <translation>Retirer les structures choisies de la scène ; leurs fichiers sont conservés</translation>
+        <translation>Retirer les structures choisies de la scène&#x202f;; leurs fichiers sont conservés</translation>
     </message>
     <message>
         <source>Ctrl+E  Ctrl+H</source>
@@ -3060,17 +3212,17 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <name>palpate::app::TissueOffer</name>
     <message>
         <source>The tissue of %1 was chosen by its name.</source>
-        <translation>%1 : tissu choisi d’après le nom.</translation>
+        <translation>%1&#x202f;: tissu choisi d’après le nom.</translation>
     </message>
     <message>
         <source>The tissue of %1 structures was chosen by their names.</source>
-        <translation>%1 structures : tissu choisi d’après leur nom.</translation>
+        <translation>%1 structures&#x202f;: tissu choisi d’après leur nom.</translation>
     </message>
     <message numerus="yes">
         <source>No preset matches the name of %n: “Firm organ”, 0.5 N/mm.</source>
         <translation>
-            <numerusform>Aucun préréglage d’après le nom pour %n : « organe ferme », 0,5 N/mm.</numerusform>
-            <numerusform>Aucun préréglage d’après le nom pour %n : « organe ferme », 0,5 N/mm.</numerusform>
+            <numerusform>Aucun préréglage d’après le nom pour %n&#x202f;: «&#x202f;organe ferme&#x202f;», 0,5 N/mm.</numerusform>
+            <numerusform>Aucun préréglage d’après le nom pour %n&#x202f;: «&#x202f;organe ferme&#x202f;», 0,5 N/mm.</numerusform>
         </translation>
     </message>
     <message>
@@ -3094,7 +3246,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>The pointer turns the view, or presses this far along the line of sight [mm] or with this force [N]. The wheel sets the value; P switches between the two</source>
-        <translation>Le pointeur tourne la vue, ou appuie de tant le long du regard [mm] ou avec cette force [N]. La molette règle la valeur ; P passe de l’un à l’autre</translation>
+        <translation>Le pointeur tourne la vue, ou appuie de tant le long du regard [mm] ou avec cette force [N]. La molette règle la valeur&#x202f;; P passe de l’un à l’autre</translation>
     </message>
     <message>
         <source>Palpate</source>
@@ -3126,7 +3278,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>camera: select the structure (with Ctrl: add to the selection)</source>
-        <translation>caméra : choisir la structure (avec Ctrl : ajouter à la sélection)</translation>
+        <translation>caméra&#x202f;: choisir la structure (avec Ctrl&#x202f;: ajouter à la sélection)</translation>
     </message>
     <message>
         <source>right drag</source>
@@ -3290,7 +3442,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Mouse pointer over the view; the force is displayed, not felt</source>
-        <translation>Pointeur de la souris sur la vue ; la force est affichée, non sentie</translation>
+        <translation>Pointeur de la souris sur la vue&#x202f;; la force est affichée, non sentie</translation>
     </message>
     <message>
         <source>Virtual hand that palpates the centre of the view and responds to the force</source>
@@ -3318,7 +3470,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>The pointer sets the place, the puck sets the force: the further down, the more newtons</source>
-        <translation>Le pointeur fixe l’endroit, le palet la force : plus il est enfoncé, plus il y a de newtons</translation>
+        <translation>Le pointeur fixe l’endroit, le palet la force&#x202f;: plus il est enfoncé, plus il y a de newtons</translation>
     </message>
     <message>
         <source>replayed recording</source>
@@ -3326,15 +3478,15 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Input device: %1</source>
-        <translation>Appareil d’entrée : %1</translation>
+        <translation>Appareil d’entrée&#x202f;: %1</translation>
     </message>
     <message>
         <source>No force feedback: forces up to %1 N are displayed only.</source>
-        <translation>Sans retour d’effort : les forces sont seulement affichées, jusqu’à %1 N.</translation>
+        <translation>Sans retour d’effort&#x202f;: les forces sont seulement affichées, jusqu’à %1 N.</translation>
     </message>
     <message>
         <source>%1: requires %2.</source>
-        <translation>%1 : nécessite %2.</translation>
+        <translation>%1&#x202f;: nécessite %2.</translation>
     </message>
     <message>
         <source>No haptic device or 6-axis mouse is connected.</source>
@@ -4448,11 +4600,11 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Touch runs at %1 updates per second instead of %2, so forces may stutter. Close other programs.</source>
-        <translation>Le toucher est calculé %1 fois par seconde au lieu de %2 ; la force peut saccader. Fermez d’autres programmes.</translation>
+        <translation>Le toucher est calculé %1 fois par seconde au lieu de %2&#x202f;; la force peut saccader. Fermez d’autres programmes.</translation>
     </message>
     <message>
         <source>Touch has no real-time priority, so other programs may make the force stutter. The list of messages (F4) explains how to allow real-time priority.</source>
-        <translation>Le toucher n’a pas de priorité temps réel ; d’autres programmes peuvent faire saccader la force. La liste des messages (F4) explique comment l’autoriser.</translation>
+        <translation>Le toucher n’a pas de priorité temps réel&#x202f;; d’autres programmes peuvent faire saccader la force. La liste des messages (F4) explique comment l’autoriser.</translation>
     </message>
     <message>
         <source>Touch runs at the full rate of %1 updates per second.</source>
@@ -4461,8 +4613,8 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Energy observer: energy that the hand has put into the touched tissue and not recovered [mJ].
 A negative value means that the simulation adds energy; damping then removes the surplus.</source>
-        <translation>Bilan d’énergie : énergie que la main a fournie au tissu touché sans la récupérer [mJ].
-Une valeur négative signifie que la simulation ajoute de l’énergie ; l’amortissement retire alors l’excédent.</translation>
+        <translation>Bilan d’énergie&#x202f;: énergie que la main a fournie au tissu touché sans la récupérer [mJ].
+Une valeur négative signifie que la simulation ajoute de l’énergie&#x202f;; l’amortissement retire alors l’excédent.</translation>
     </message>
     <message>
         <source>Real-time settings of the servo thread</source>
@@ -4470,7 +4622,7 @@ Une valeur négative signifie que la simulation ajoute de l’énergie ; l’a
     </message>
     <message>
         <source>Active constraints: surface planes that hold the hand back (at most 3)</source>
-        <translation>Contraintes actives : plans de la surface qui retiennent la main (3 au plus)</translation>
+        <translation>Contraintes actives&#x202f;: plans de la surface qui retiennent la main (3 au plus)</translation>
     </message>
     <message>
         <source>Solver time per tick, for ticks with a hand</source>
@@ -4482,7 +4634,7 @@ Une valeur négative signifie que la simulation ajoute de l’énergie ; l’a
     </message>
     <message>
         <source>Deviation of the tick interval from the period; 99.9 % of the ticks stay below this value</source>
-        <translation>Écart de l’intervalle entre deux pas à la période ; 99,9 % des pas restent sous cette valeur</translation>
+        <translation>Écart de l’intervalle entre deux pas à la période&#x202f;; 99,9 % des pas restent sous cette valeur</translation>
     </message>
     <message>
         <source>Ticks that finished late, out of all ticks since the loop started, and the periods skipped as a result</source>
@@ -4494,7 +4646,7 @@ Une valeur négative signifie que la simulation ajoute de l’énergie ; l’a
     </message>
     <message>
         <source>Energy observer: energy that the hand has put into the touched tissue and not recovered [mJ]</source>
-        <translation>Bilan d’énergie : énergie que la main a fournie au tissu touché sans la récupérer [mJ]</translation>
+        <translation>Bilan d’énergie&#x202f;: énergie que la main a fournie au tissu touché sans la récupérer [mJ]</translation>
     </message>
     <message>
         <source>Force that the passivity controller adds against the motion [N]</source>
@@ -4506,7 +4658,7 @@ Une valeur négative signifie que la simulation ajoute de l’énergie ; l’a
     </message>
     <message>
         <source>Assumed delay until the force acts; limits the stable stiffness</source>
-        <translation>Retard supposé avant que la force agisse ; limite la raideur stable</translation>
+        <translation>Retard supposé avant que la force agisse&#x202f;; limite la raideur stable</translation>
     </message>
     <message>
         <source>Reports received, reports rejected as implausible, and connection losses</source>
@@ -4514,7 +4666,7 @@ Une valeur négative signifie que la simulation ajoute de l’énergie ; l’a
     </message>
     <message>
         <source>Ticks per second. A faster loop keeps stiffer tissue stable if the device keeps up; check the jitter.</source>
-        <translation>Pas par seconde. Une boucle plus rapide garde stable un tissu plus raide si l’appareil suit ; surveiller la gigue.</translation>
+        <translation>Pas par seconde. Une boucle plus rapide garde stable un tissu plus raide si l’appareil suit&#x202f;; surveiller la gigue.</translation>
     </message>
     <message>
         <source>CPU %1 only</source>
@@ -4523,12 +4675,12 @@ Une valeur négative signifie que la simulation ajoute de l’énergie ; l’a
     <message>
         <source>CPU for the servo loop. A single CPU helps only if no other program uses that CPU;
 otherwise choose &quot;Any&quot;.</source>
-        <translation>CPU de la boucle d’asservissement. Un seul CPU n’aide que si aucun autre programme ne l’utilise ;
-sinon choisir « Libre ».</translation>
+        <translation>CPU de la boucle d’asservissement. Un seul CPU n’aide que si aucun autre programme ne l’utilise&#x202f;;
+sinon choisir «&#x202f;Libre&#x202f;».</translation>
     </message>
     <message>
         <source>%1 of %2, %3 skipped</source>
-        <translation>%1 sur %2, sautés : %3</translation>
+        <translation>%1 sur %2, sautés&#x202f;: %3</translation>
     </message>
 </context>
 <context>
@@ -4561,15 +4713,15 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>7 %: not noticed</source>
-        <translation>7 % : non remarqué</translation>
+        <translation>7 %&#x202f;: non remarqué</translation>
     </message>
     <message>
         <source>14 %: by a trained hand</source>
-        <translation>14 % : par une main exercée</translation>
+        <translation>14 %&#x202f;: par une main exercée</translation>
     </message>
     <message>
         <source>%1 %: maximum here</source>
-        <translation>%1 % : maximum ici</translation>
+        <translation>%1 %&#x202f;: maximum ici</translation>
     </message>
 </context>
 <context>
@@ -4644,11 +4796,11 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>Colours: pressed %1 mm</source>
-        <translation>Couleurs : appui de %1 mm</translation>
+        <translation>Couleurs&#x202f;: appui de %1 mm</translation>
     </message>
     <message>
         <source>Colours: touched lightly</source>
-        <translation>Couleurs : toucher léger</translation>
+        <translation>Couleurs&#x202f;: toucher léger</translation>
     </message>
     <message>
         <source>Show the best place</source>
@@ -4668,7 +4820,7 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>Published: %1, %2</source>
-        <translation>Publié : %1, %2</translation>
+        <translation>Publié&#x202f;: %1, %2</translation>
     </message>
     <message>
         <source>to</source>
@@ -4688,11 +4840,11 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>Stiffness ratio to the organ:</source>
-        <translation>Rapport de raideur à l’organe :</translation>
+        <translation>Rapport de raideur à l’organe&#x202f;:</translation>
     </message>
     <message>
         <source>%1, stiffness ratio to %2:</source>
-        <translation>%1, rapport de raideur à %2 :</translation>
+        <translation>%1, rapport de raideur à %2&#x202f;:</translation>
     </message>
     <message>
         <source>No place above this lump can be judged.</source>
@@ -4956,7 +5108,7 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>Size: found “%1”, expected millimetres such as %2.</source>
-        <translation>Taille : « %1 » trouvé, millimètres attendus comme %2.</translation>
+        <translation>Taille&#x202f;: «&#x202f;%1&#x202f;» trouvé, millimètres attendus comme %2.</translation>
     </message>
 </context>
 <context>
@@ -4971,7 +5123,7 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>No findings yet. Press on a place and mark a finding with M; N adds a note without a place.</source>
-        <translation>Aucun point repéré. Appuyer à un endroit et marquer un point par M ; N ajoute une note sans endroit.</translation>
+        <translation>Aucun point repéré. Appuyer à un endroit et marquer un point par M&#x202f;; N ajoute une note sans endroit.</translation>
     </message>
     <message>
         <source>Write a note (N), Enter saves</source>
@@ -5033,7 +5185,7 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>Force [N] during the recording. Click or drag to seek; ← and → step by 0.1 s, Home and End jump to the ends.</source>
-        <translation>Force [N] pendant l’enregistrement. Cliquer ou glisser pour s’y placer ; ← et → avancent de 0,1 s, Début et Fin vont aux extrémités.</translation>
+        <translation>Force [N] pendant l’enregistrement. Cliquer ou glisser pour s’y placer&#x202f;; ← et → avancent de 0,1 s, Début et Fin vont aux extrémités.</translation>
     </message>
 </context>
 <context>
@@ -5044,7 +5196,7 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>%1; using any CPU</source>
-        <translation>%1 ; CPU libre</translation>
+        <translation>%1&#x202f;; CPU libre</translation>
     </message>
     <message>
         <source>First touch a place, point at one or mark a finding (M).</source>
@@ -5056,11 +5208,11 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>%1 fills the workspace. The hand stays in contact; Centre moves the hand to the middle.</source>
-        <translation>L’espace de travail est rempli par : %1. La main reste en contact ; Centrer la ramène au milieu.</translation>
+        <translation>L’espace de travail est rempli par&#x202f;: %1. La main reste en contact&#x202f;; Centrer la ramène au milieu.</translation>
     </message>
     <message>
         <source>%1 fills the workspace.</source>
-        <translation>L’espace de travail est rempli par : %1.</translation>
+        <translation>L’espace de travail est rempli par&#x202f;: %1.</translation>
     </message>
     <message>
         <source>10 mm around the contact</source>
@@ -5143,7 +5295,7 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>No motors: forces are displayed, not felt. Any stiffness is possible.</source>
-        <translation>Pas de moteurs : les forces sont affichées, non senties. Toute raideur est possible.</translation>
+        <translation>Pas de moteurs&#x202f;: les forces sont affichées, non senties. Toute raideur est possible.</translation>
     </message>
     <message>
         <source>This device can render tissue up to %1 N/mm.</source>
@@ -5151,11 +5303,11 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>Edge of the workspace: move the device back to the middle. Until then, the hand in the scene does not move.</source>
-        <translation>Bord de l’espace de travail : ramenez l’appareil au milieu. D’ici là, la main ne bouge pas dans la scène.</translation>
+        <translation>Bord de l’espace de travail&#x202f;: ramenez l’appareil au milieu. D’ici là, la main ne bouge pas dans la scène.</translation>
     </message>
     <message>
         <source>Lifted: the device moves, the hand in the scene does not.</source>
-        <translation>Levée : l’appareil bouge, la main dans la scène non.</translation>
+        <translation>Levée&#x202f;: l’appareil bouge, la main dans la scène non.</translation>
     </message>
     <message>
         <source>The hand is inside %1, which is only felt from outside. Move the hand out towards you first.</source>
@@ -5163,11 +5315,11 @@ sinon choisir « Libre ».</translation>
     </message>
     <message>
         <source>Unscaled: 1 mm of the device is 1 mm of the scene.</source>
-        <translation>Sans échelle : 1 mm de l’appareil vaut 1 mm de la scène.</translation>
+        <translation>Sans échelle&#x202f;: 1 mm de l’appareil vaut 1 mm de la scène.</translation>
     </message>
     <message>
         <source>%1 fills the workspace: 1 mm of the device is %2 mm of the scene.</source>
-        <translation>L’espace de travail est rempli par : %1. 1 mm de l’appareil vaut %2 mm de la scène.</translation>
+        <translation>L’espace de travail est rempli par&#x202f;: %1. 1 mm de l’appareil vaut %2 mm de la scène.</translation>
     </message>
     <message>
         <source>Maximum tissue stiffness</source>
@@ -5217,9 +5369,9 @@ sinon choisir « Libre ».</translation>
         <source>View: right is right on screen, however the view is rotated.
 Patient: right is the patient&apos;s left, up is towards the head.
 Scene axes: device coordinates equal scene coordinates, without scaling; the hand cannot be lifted.</source>
-        <translation>Vue : la droite est à droite à l’écran, quelle que soit l’orientation de la vue.
-Patient : la droite est la gauche du patient, le haut va vers la tête.
-Axes de la scène : les coordonnées de l’appareil sont celles de la scène, sans échelle ; la main ne peut être levée.</translation>
+        <translation>Vue&#x202f;: la droite est à droite à l’écran, quelle que soit l’orientation de la vue.
+Patient&#x202f;: la droite est la gauche du patient, le haut va vers la tête.
+Axes de la scène&#x202f;: les coordonnées de l’appareil sont celles de la scène, sans échelle&#x202f;; la main ne peut être levée.</translation>
     </message>
     <message>
         <source>Aligned with</source>
@@ -5235,7 +5387,7 @@ Axes de la scène : les coordonnées de l’appareil sont celles de la scène,
     </message>
     <message>
         <source>While held, the device moves and the hand in the scene does not; C switches lifting on and off</source>
-        <translation>Tant qu’il est tenu, l’appareil bouge et la main dans la scène non ; C active ou désactive</translation>
+        <translation>Tant qu’il est tenu, l’appareil bouge et la main dans la scène non&#x202f;; C active ou désactive</translation>
     </message>
     <message>
         <source>Centres the device range on the fitted region</source>
@@ -5252,8 +5404,8 @@ Axes de la scène : les coordonnées de l’appareil sont celles de la scène,
     <message>
         <source>Depth: the same depth everywhere; a stiff place pushes back harder.
 Force: the same force everywhere; a stiff place yields less. The force rises by 1 N per second while the button is held; with a pen, the pen pressure sets the force. (E)</source>
-        <translation>Profondeur : la même partout ; un endroit raide repousse plus fort.
-Force : la même partout ; un endroit raide cède moins. La force croît de 1 N par seconde tant que le bouton est tenu ; avec un stylet, sa pression fixe la force. (E)</translation>
+        <translation>Profondeur&#x202f;: la même partout&#x202f;; un endroit raide repousse plus fort.
+Force&#x202f;: la même partout&#x202f;; un endroit raide cède moins. La force croît de 1 N par seconde tant que le bouton est tenu&#x202f;; avec un stylet, sa pression fixe la force. (E)</translation>
     </message>
     <message>
         <source>Maximum force</source>
@@ -5261,7 +5413,7 @@ Force : la même partout ; un endroit raide cède moins. La force croît de 
     </message>
     <message>
         <source>Force limit of a press and force at full pen pressure; the wheel changes the value by 0.5 N</source>
-        <translation>Limite de force d’un appui et force à pleine pression du stylet ; la molette change la valeur de 0,5 N</translation>
+        <translation>Limite de force d’un appui et force à pleine pression du stylet&#x202f;; la molette change la valeur de 0,5 N</translation>
     </message>
     <message>
         <source>Maximum</source>
@@ -5272,7 +5424,7 @@ Force : la même partout ; un endroit raide cède moins. La force croît de 
     <name>palpate::ui::HintLine</name>
     <message>
         <source>Latest message; F4 shows all</source>
-        <translation>Dernier message ; F4 les affiche tous</translation>
+        <translation>Dernier message&#x202f;; F4 les affiche tous</translation>
     </message>
     <message>
         <source>%1
@@ -5402,11 +5554,11 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source> The force is delayed by %1 ms; stiffer tissue could make the device vibrate.</source>
-        <translation> La force est retardée de %1 ms ; un tissu plus raide pourrait faire vibrer l’appareil.</translation>
+        <translation> La force est retardée de %1 ms&#x202f;; un tissu plus raide pourrait faire vibrer l’appareil.</translation>
     </message>
     <message>
         <source> 1 mm of the device is %1 mm of the scene; a smaller scale (Device panel) allows stiffer tissue.</source>
-        <translation> 1 mm de l’appareil vaut %1 mm de la scène ; une échelle plus petite (panneau Appareil) permet un tissu plus raide.</translation>
+        <translation> 1 mm de l’appareil vaut %1 mm de la scène&#x202f;; une échelle plus petite (panneau Appareil) permet un tissu plus raide.</translation>
     </message>
     <message>
         <source>%1 is set to %2 N/mm but feels like %3 N/mm, the maximum that %4 can render here%5.</source>
@@ -5480,7 +5632,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>Computing how lumps in %1 feel; simulated as layers until then</source>
-        <translation>Calcul des nodules dans %1 ; simulés comme couches d’ici là</translation>
+        <translation>Calcul des nodules dans %1&#x202f;; simulés comme couches d’ici là</translation>
     </message>
     <message>
         <source>Palpability of %1</source>
@@ -5488,7 +5640,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>The stiffness ratio of %2 to %1 is unknown, so palpability is not judged. Enter a ratio under What can be felt (B) or choose a published one.</source>
-        <translation>Le rapport de raideur de %2 à %1 est inconnu, la palpabilité n’est donc pas jugée. Saisir une valeur sous « Ce qui se sent » (B) ou en choisir une publiée.</translation>
+        <translation>Le rapport de raideur de %2 à %1 est inconnu, la palpabilité n’est donc pas jugée. Saisir une valeur sous «&#x202f;Ce qui se sent&#x202f;» (B) ou en choisir une publiée.</translation>
     </message>
     <message>
         <source>The computation of buried lumps was cancelled. Lumps are simulated as layers until the scene changes.</source>
@@ -5531,7 +5683,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>%1: no data</source>
-        <translation>%1 : pas de données</translation>
+        <translation>%1&#x202f;: pas de données</translation>
     </message>
     <message>
         <source>no data</source>
@@ -5650,7 +5802,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>Meaning of the numbers. Shear modulus and Young&apos;s modulus differ by a factor of three; check the scanner manual</source>
-        <translation>Signification des nombres. Module de cisaillement et module d’Young diffèrent d’un facteur trois ; voir le manuel de l’imageur</translation>
+        <translation>Signification des nombres. Module de cisaillement et module d’Young diffèrent d’un facteur trois&#x202f;; voir le manuel de l’imageur</translation>
     </message>
     <message>
         <source>choose…</source>
@@ -5666,7 +5818,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>Radius of the finger contact; stiffness = 8 × radius × shear modulus</source>
-        <translation>Rayon du contact du doigt ; raideur = 8 × rayon × module de cisaillement</translation>
+        <translation>Rayon du contact du doigt&#x202f;; raideur = 8 × rayon × module de cisaillement</translation>
     </message>
     <message>
         <source>Limit the values</source>
@@ -5694,11 +5846,11 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>Choose the unit of %1: shear modulus and Young&apos;s modulus differ by a factor of three.</source>
-        <translation>Choisissez l’unité de %1 : module de cisaillement et module d’Young diffèrent d’un facteur trois.</translation>
+        <translation>Choisissez l’unité de %1&#x202f;: module de cisaillement et module d’Young diffèrent d’un facteur trois.</translation>
     </message>
     <message>
         <source>%1: %2 of %3 places have no value. The tissue value is used there.</source>
-        <translation>%1 : %2 endroits sur %3 n’ont pas de valeur. La valeur du tissu y est utilisée.</translation>
+        <translation>%1&#x202f;: %2 endroits sur %3 n’ont pas de valeur. La valeur du tissu y est utilisée.</translation>
     </message>
 </context>
 <context>
@@ -5709,11 +5861,11 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>%1: the effect of the lumps below changes too abruptly for the %2 at %3.</source>
-        <translation>%1 : l’effet des nodules dessous change trop brusquement pour « %2 » en %3.</translation>
+        <translation>%1&#x202f;: l’effet des nodules dessous change trop brusquement pour «&#x202f;%2&#x202f;» en %3.</translation>
     </message>
     <message>
         <source>%1: the stiffness map changes too abruptly for the %2 at %3.</source>
-        <translation>%1 : la carte de raideur change trop brusquement pour « %2 » en %3.</translation>
+        <translation>%1&#x202f;: la carte de raideur change trop brusquement pour «&#x202f;%2&#x202f;» en %3.</translation>
     </message>
     <message>
         <source>The sideways force jumps by %1 N there and can make the hand oscillate by %2 mm.</source>
@@ -5766,7 +5918,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>Close this message; still listed under Messages (F4)</source>
-        <translation>Fermer ce message ; il reste dans la liste des messages (F4)</translation>
+        <translation>Fermer ce message&#x202f;; il reste dans la liste des messages (F4)</translation>
     </message>
 </context>
 <context>
@@ -5858,13 +6010,13 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>%1: %2 samples were lost during recording because the disk was too slow.</source>
-        <translation>%1 : %2 échantillons ont été perdus à l’enregistrement car le disque était trop lent.</translation>
+        <translation>%1&#x202f;: %2 échantillons ont été perdus à l’enregistrement car le disque était trop lent.</translation>
     </message>
     <message numerus="yes">
         <source>%1 is damaged or was changed after recording: %n part(s) do not match their checksums and are left out. &quot;palpate session verify&quot; names the first part.</source>
         <translation>
-            <numerusform>%1 est endommagé ou a été modifié après l’enregistrement : %n partie ne correspond pas à sa somme de contrôle et est omise. « palpate session verify » nomme la première partie.</numerusform>
-            <numerusform>%1 est endommagé ou a été modifié après l’enregistrement : %n parties ne correspondent pas à leurs sommes de contrôle et sont omises. « palpate session verify » nomme la première partie.</numerusform>
+            <numerusform>%1 est endommagé ou a été modifié après l’enregistrement&#x202f;: %n partie ne correspond pas à sa somme de contrôle et est omise. «&#x202f;palpate session verify&#x202f;» nomme la première partie.</numerusform>
+            <numerusform>%1 est endommagé ou a été modifié après l’enregistrement&#x202f;: %n parties ne correspondent pas à leurs sommes de contrôle et sont omises. «&#x202f;palpate session verify&#x202f;» nomme la première partie.</numerusform>
         </translation>
     </message>
 </context>
@@ -5896,7 +6048,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>%1: opened together with another scene; not imported: %2</source>
-        <translation>%1 : ouvert avec une autre scène ; non repris : %2</translation>
+        <translation>%1&#x202f;: ouvert avec une autre scène&#x202f;; non repris&#x202f;: %2</translation>
     </message>
 </context>
 <context>
@@ -5931,7 +6083,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>Playback speed; 1 × is real time</source>
-        <translation>Vitesse de lecture ; 1 × est le temps réel</translation>
+        <translation>Vitesse de lecture&#x202f;; 1 × est le temps réel</translation>
     </message>
 </context>
 <context>
@@ -5990,7 +6142,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>List only structures with these words in the name (Ctrl+F); Esc lists all</source>
-        <translation>Ne lister que les structures dont le nom contient ces mots (Ctrl+F) ; Échap liste tout</translation>
+        <translation>Ne lister que les structures dont le nom contient ces mots (Ctrl+F)&#x202f;; Échap liste tout</translation>
     </message>
     <message>
         <source>By layer</source>
@@ -6077,7 +6229,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>The mesh is inside out: palpable only from inside</source>
-        <translation>Le maillage est retourné : palpable seulement de l’intérieur</translation>
+        <translation>Le maillage est retourné&#x202f;: palpable seulement de l’intérieur</translation>
     </message>
     <message>
         <source>Mesh defects were repaired</source>
@@ -6089,7 +6241,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>%1 is visible. Click to hide; hidden structures cannot be felt.</source>
-        <translation>%1 est visible. Cliquer pour masquer ; les structures masquées ne sont pas palpables.</translation>
+        <translation>%1 est visible. Cliquer pour masquer&#x202f;; les structures masquées ne sont pas palpables.</translation>
     </message>
     <message>
         <source>%1 is hidden. Click to show.</source>
@@ -6105,13 +6257,13 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
 Depth order: %3</source>
         <translation>%1
 %2 triangles
-Ordre en profondeur : %3</translation>
+Ordre en profondeur&#x202f;: %3</translation>
     </message>
     <message>
         <source>Mesh of %1:
 • %2
 See the list of messages (F4) for details.</source>
-        <translation>Maillage de %1 :
+        <translation>Maillage de %1&#x202f;:
 • %2
 Voir les détails dans la liste des messages (F4).</translation>
     </message>
@@ -6328,11 +6480,11 @@ Voir les détails dans la liste des messages (F4).</translation>
     </message>
     <message>
         <source>Opacity [%]; at lower values, structures behind show through</source>
-        <translation>Opacité [%] ; aux valeurs basses, les structures derrière transparaissent</translation>
+        <translation>Opacité [%]&#x202f;; aux valeurs basses, les structures derrière transparaissent</translation>
     </message>
     <message>
         <source>%1 [%2]: %3</source>
-        <translation>%1 [%2] : %3</translation>
+        <translation>%1 [%2]&#x202f;: %3</translation>
     </message>
     <message>
         <source>Tissue preset</source>
@@ -6384,19 +6536,19 @@ Voir les détails dans la liste des messages (F4).</translation>
     </message>
     <message>
         <source>limited to at most %1 N/mm: the device can render %2 N/mm in total%3</source>
-        <translation>limité à %1 N/mm au plus : l’appareil peut rendre %2 N/mm au total%3</translation>
+        <translation>limité à %1 N/mm au plus&#x202f;: l’appareil peut rendre %2 N/mm au total%3</translation>
     </message>
     <message>
         <source>limited to %1 N/mm: the device can render %2 N/mm in total%3</source>
-        <translation>limité à %1 N/mm : l’appareil peut rendre %2 N/mm au total%3</translation>
+        <translation>limité à %1 N/mm&#x202f;: l’appareil peut rendre %2 N/mm au total%3</translation>
     </message>
     <message>
         <source>Invalid force law: %1.</source>
-        <translation>Loi de force non valide : %1.</translation>
+        <translation>Loi de force non valide&#x202f;: %1.</translation>
     </message>
     <message>
         <source>%1 N·s/mm is too much: the device can render at most %2 N·s/mm. Enter %2 N·s/mm or less.</source>
-        <translation>%1 N·s/mm est trop : l’appareil peut rendre au plus %2 N·s/mm. Saisissez %2 N·s/mm ou moins.</translation>
+        <translation>%1 N·s/mm est trop&#x202f;: l’appareil peut rendre au plus %2 N·s/mm. Saisissez %2 N·s/mm ou moins.</translation>
     </message>
     <message>
         <source>%1 Of this, %2.</source>
@@ -6408,7 +6560,7 @@ Voir les détails dans la liste des messages (F4).</translation>
     </message>
     <message>
         <source>The force law is too steep: up to %1 N/mm. %2 Enter values with a slope of at most %3 N/mm.</source>
-        <translation>La loi de force est trop raide : jusqu’à %1 N/mm. %2 Saisissez des valeurs dont la pente est d’au plus %3 N/mm.</translation>
+        <translation>La loi de force est trop raide&#x202f;: jusqu’à %1 N/mm. %2 Saisissez des valeurs dont la pente est d’au plus %3 N/mm.</translation>
     </message>
     <message>
         <source>Show only the selection</source>
@@ -6452,7 +6604,7 @@ Voir les détails dans la liste des messages (F4).</translation>
     </message>
     <message>
         <source>Demo: ball on soft ground</source>
-        <translation>Démo : boule sur fond mou</translation>
+        <translation>Démo&#x202f;: boule sur fond mou</translation>
     </message>
     <message>
         <source>shape after Hertz 1882, assumed values</source>
@@ -6460,7 +6612,7 @@ Voir les détails dans la liste des messages (F4).</translation>
     </message>
     <message>
         <source>Demo: clicking button</source>
-        <translation>Démo : bouton à déclic</translation>
+        <translation>Démo&#x202f;: bouton à déclic</translation>
     </message>
     <message>
         <source>Wet (0.05, assumed)</source>
@@ -6507,7 +6659,7 @@ Voir les détails dans la liste des messages (F4).</translation>
     </message>
     <message>
         <source>Make all of %1 palpable</source>
-        <translation>Tout rendre palpable : %1</translation>
+        <translation>Tout rendre palpable&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -6550,7 +6702,7 @@ Voir les détails dans la liste des messages (F4).</translation>
     </message>
     <message>
         <source>now %1 N, %2 mm deep; maximum %3 N, %4 mm</source>
-        <translation>à présent %1 N, prof. %2 mm ; maximum %3 N, %4 mm</translation>
+        <translation>à présent %1 N, prof. %2 mm&#x202f;; maximum %3 N, %4 mm</translation>
     </message>
 </context>
 <context>
@@ -6622,12 +6774,12 @@ Voir les détails dans la liste des messages (F4).</translation>
     <message>
         <source>Touched layers from outside in: share of the total force [N], measured along
 the total force, and depth of the hand in each layer [mm]</source>
-        <translation>Couches touchées de dehors en dedans : part de la force totale [N], mesurée le long
+        <translation>Couches touchées de dehors en dedans&#x202f;: part de la force totale [N], mesurée le long
 de celle-ci, et profondeur de la main dans chaque couche [mm]</translation>
     </message>
     <message>
         <source>Depth of the hand below the outermost surface [mm]; stiffness of all touched layers together [N/mm]</source>
-        <translation>Profondeur de la main sous la surface la plus externe [mm] ; raideur de toutes les couches touchées ensemble [N/mm]</translation>
+        <translation>Profondeur de la main sous la surface la plus externe [mm]&#x202f;; raideur de toutes les couches touchées ensemble [N/mm]</translation>
     </message>
     <message>
         <source>The mesh has more triangles here than can be evaluated in time</source>
@@ -6635,7 +6787,7 @@ de celle-ci, et profondeur de la main dans chaque couche [mm]</translation>
     </message>
     <message>
         <source>very fine mesh here: force delayed</source>
-        <translation>maillage très fin ici : force retardée</translation>
+        <translation>maillage très fin ici&#x202f;: force retardée</translation>
     </message>
 </context>
 <context>
@@ -6704,7 +6856,7 @@ de celle-ci, et profondeur de la main dans chaque couche [mm]</translation>
     </message>
     <message>
         <source>rotate the camera by 15°; with Shift: pan</source>
-        <translation>tourner la caméra de 15° ; avec Maj : la déplacer</translation>
+        <translation>tourner la caméra de 15°&#x202f;; avec Maj&#x202f;: la déplacer</translation>
     </message>
     <message>
         <source>move the press point by 2 mm on screen</source>
@@ -6766,7 +6918,7 @@ de celle-ci, et profondeur de la main dans chaque couche [mm]</translation>
     </message>
     <message>
         <source>Open the bundled phantom: a liver with two lumps and a recorded palpation</source>
-        <translation>Ouvrir le fantôme fourni : un foie avec deux nodules et une palpation enregistrée</translation>
+        <translation>Ouvrir le fantôme fourni&#x202f;: un foie avec deux nodules et une palpation enregistrée</translation>
     </message>
 </context>
 </TS>
