@@ -97,7 +97,8 @@ class TickCsv : public QObject
         tick.flags = servo::kNoHand;
         csv.value().write(tick, kNames, std::span(events).last(1));
         tick.flags = 0;
-        tick.felt = {};
+        static const haptics::TickResult kNothing{};
+        tick.felt = kNothing;
         csv.value().write(tick, kNames);
         QVERIFY(plain.value().finish().isOk());
         QVERIFY(csv.value().finish().isOk());

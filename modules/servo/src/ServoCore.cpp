@@ -7,9 +7,15 @@
 
 namespace palpate::servo {
 
+namespace {
+
+const haptics::TickResult kNothingFelt{};
+
+} // namespace
+
 void feelTick(haptics::Palpator& palpator, double dt_s, TickRecord& tick) noexcept PALPATE_NONBLOCKING
 {
-    tick.felt = {};
+    tick.felt = kNothingFelt;
     tick.solve_ns = 0;
     if ((tick.flags & kNoHand) != 0) {
         return;
