@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/Commands.h"
+#include "commands/ReplayRun.h"
 #include "shared/Console.h"
 #include "shared/LayersOption.h"
-#include "commands/ReplayRun.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "scenes/HandPath.h"
 #include "palpate/evaluation/HardCases.h"
+#include "scenes/HandPath.h"
 
 #include <cstdio>
 

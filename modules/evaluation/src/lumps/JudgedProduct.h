@@ -18,8 +18,9 @@ struct CheckedTick
     double forceError = 0.0; ///< |f - k (g - p)| relative to k |g - p|; for two structures, the distance of f from the
                              ///< range between the forces of either alone
     bool differsAfterRestore = false; ///< different bits after restoring a recorded state
-    double outsideCone_mm = 0.0; ///< for one constraining facet: |g - g*| - mu lambda, the definition in goal/CoulombFriction.h
-    double layersError_N = 0.0;  ///< force of both layers minus the sum of the forces of each alone
+    double outsideCone_mm =
+        0.0; ///< for one constraining facet: |g - g*| - mu lambda, the definition in goal/CoulombFriction.h
+    double layersError_N = 0.0; ///< force of both layers minus the sum of the forces of each alone
 };
 
 /// Runs the product on a hard case like the servo thread does, with a second instance that is restored from its state

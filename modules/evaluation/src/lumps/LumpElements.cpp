@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/evaluation/LumpElements.h"
 
-#include "reference/GaussLegendre.h"
 #include "lumps/LumpGrid.h"
+#include "reference/GaussLegendre.h"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>

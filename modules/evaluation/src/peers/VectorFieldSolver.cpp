@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/evaluation/VectorFieldSolver.h"
 
-#include "reference/ClosestPoint.h"
 #include "palpate/evaluation/Shapes.h"
+#include "reference/ClosestPoint.h"
 
 #include <limits>
 

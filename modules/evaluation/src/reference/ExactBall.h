@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "reference/Orientation.h"
 #include "palpate/evaluation/Surface.h"
+#include "reference/Orientation.h"
 
 #include <vector>
 

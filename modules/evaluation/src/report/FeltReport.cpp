@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/evaluation/FeltComparison.h"
 #include "report/FeltCharts.h"
 #include "report/HtmlStyle.h"
 #include "report/SvgChart.h"
-#include "palpate/evaluation/FeltComparison.h"
 
 #include <palpate/core/AtomicFile.h>
 #include <palpate/core/Numbers.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/evaluation/LagrangeElimination.h"
+#include "palpate/evaluation/Report.h"
 #include "report/Advice.h"
 #include "report/HtmlStyle.h"
 #include "report/ReportCharts.h"
 #include "report/SvgChart.h"
-#include "palpate/evaluation/LagrangeElimination.h"
-#include "palpate/evaluation/Report.h"
 
 #include <palpate/core/Text.h>
 

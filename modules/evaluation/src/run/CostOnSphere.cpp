@@ -2,11 +2,11 @@
 #include "run/CostOnSphere.h"
 
 #include "cases/Interruptions.h"
-#include "run/TrialRun.h"
 #include "palpate/evaluation/PaperSolver.h"
 #include "palpate/evaluation/ProductSolver.h"
 #include "palpate/evaluation/RaySolver.h"
 #include "palpate/evaluation/Shapes.h"
+#include "run/TrialRun.h"
 
 #include <palpate/core/Clock.h>
 

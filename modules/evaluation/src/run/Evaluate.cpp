@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/Advice.h"
-#include "report/ChartAxis.h"
-#include "run/CostOnSphere.h"
-#include "run/Evaluator.h"
-#include "run/Machine.h"
-#include "peers/VtkMesh.h"
 #include "palpate/evaluation/LagrangeElimination.h"
 #include "palpate/evaluation/PaperBody.h"
 #include "palpate/evaluation/PaperSolver.h"
 #include "palpate/evaluation/ProductSolver.h"
 #include "palpate/evaluation/RaySolver.h"
+#include "peers/VtkMesh.h"
+#include "report/Advice.h"
+#include "report/ChartAxis.h"
+#include "run/CostOnSphere.h"
+#include "run/Evaluator.h"
+#include "run/Machine.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "run/TrialRun.h"
 #include "palpate/evaluation/Evaluation.h"
+#include "run/TrialRun.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/evaluation/Subject.h"
 #include "reference/ClosestPoint.h"
 #include "scenes/HandPath.h"
-#include "palpate/evaluation/Subject.h"
 
 #include <limits>
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/evaluation/Stability.h"
 #include "report/HtmlStyle.h"
 #include "report/SvgChart.h"
-#include "palpate/evaluation/Stability.h"
 
 #include <palpate/core/AtomicFile.h>
 #include <palpate/core/CsvCell.h>

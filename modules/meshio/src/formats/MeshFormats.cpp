@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/MeshFormats.h"
 
-#include "text/Fault.h"
 #include "formats/MeshFormat.h"
+#include "text/Fault.h"
 
 #include <algorithm>
 #include <array>

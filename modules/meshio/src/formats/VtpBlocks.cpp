@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/VtpBlocks.h"
 
+#include "guard/VtkMessages.h"
 #include "text/Fault.h"
 #include "text/TextScan.h"
-#include "guard/VtkMessages.h"
 
 #include <vtkLZ4DataCompressor.h>
 #include <vtkLZMADataCompressor.h>

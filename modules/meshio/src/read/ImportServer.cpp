@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/ImportServer.h"
 
-#include "text/Fault.h"
 #include "read/MeshWire.h"
 #include "read/ReadMesh.h"
+#include "text/Fault.h"
 
 #include <algorithm>
 #include <cerrno>

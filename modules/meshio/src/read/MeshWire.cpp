@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/MeshWire.h"
 
-#include "text/Fault.h"
 #include "guard/PreScan.h"
 #include "read/Wire.h"
+#include "text/Fault.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/TriangleSoup.h"
 
-#include "text/Fault.h"
 #include "formats/PolygonCutter.h"
 #include "guard/VtkMessages.h"
+#include "text/Fault.h"
 
 #include <palpate/core/TissueMapping.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text/Fault.h"
 #include "read/VolumeFile.h"
 #include "read/Wire.h"
+#include "text/Fault.h"
 
 #include <cmath>
 #include <string>

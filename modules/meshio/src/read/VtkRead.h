@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "formats/MeshFormat.h"
 #include "guard/FileImage.h"
 #include "guard/PreScan.h"
-#include "formats/MeshFormat.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/CurveFile.h"
 
-#include "text/Fault.h"
 #include "guard/FileImage.h"
+#include "text/Fault.h"
 
 #include <palpate/core/Numbers.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/SurfaceMaps.h"
 
-#include "text/Fault.h"
 #include "scene/SampleVolume.h"
+#include "text/Fault.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/MeshFile.h"
 
+#include "palpate/meshio/VtpFile.h"
 #include "text/Fault.h"
 #include "text/TextScan.h"
-#include "palpate/meshio/VtpFile.h"
 
 #include <palpate/core/AtomicFile.h>
 

@@ -2,8 +2,8 @@
 #include "tables/Packing.h"
 
 #include "database/Bytes.h"
-#include "tables/Contacts.h"
 #include "database/LawText.h"
+#include "tables/Contacts.h"
 #include "tables/MetaTable.h"
 #include "tables/Schema.h"
 #include "tables/TickColumns.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tables/TickTable.h"
 #include "palpate/session/Recording.h"
+#include "tables/TickTable.h"
 
 #include <palpate/core/Tissue.h>
 

@@ -13,8 +13,8 @@
 
 namespace palpate::session {
 
-/// Writes ticks as CSV with the columns of session/src/tables/TickColumns.h. Numbers have 17 significant digits and read back
-/// bit-exactly. Atomic like core::AtomicFile.
+/// Writes ticks as CSV with the columns of session/src/tables/TickColumns.h. Numbers have 17 significant digits and
+/// read back bit-exactly. Atomic like core::AtomicFile.
 class TickCsv
 {
   public:
