@@ -270,7 +270,7 @@ class Report : public QObject
         QCOMPARE(last.trials[1].pathPosition_mm.values[0], e.trials[1].pathPosition_mm.values[3]);
         QCOMPARE(last.trials[3].pathPosition_mm.values[0], e.trials[3].pathPosition_mm.values[3]);
         QVERIFY(e.trials[3].pathPosition_mm.values[0] != e.trials[3].pathPosition_mm.values[3]);
-        QVERIFY(reportHtml(last).find("from one path of the hand") != std::string::npos);
+        QVERIFY(reportHtml(last).find("from a single path of the hand") != std::string::npos);
     }
 
     void thePapersOwnRowIsTheFirst()

@@ -205,7 +205,7 @@ class Shell : public QObject
         QVERIFY(!dock.isVisible());
         PALPATE_TRY_VERIFY(!the<ui::Chip>("running").said().isEmpty());
         const QRegularExpression numbers(
-            QStringLiteral("constraint|solver|jitter|\\bkHz\\b|µs|\\bmJ\\b|damping|latency"),
+            QStringLiteral("constraint|solver|jitter|\\bkHz\\b|µs|\\bmJ\\b|damping added|latency"),
             QRegularExpression::CaseInsensitiveOption);
         for (const QLabel* label : window().findChildren<QLabel*>()) {
             QVERIFY2(dock.isAncestorOf(label) || !label->text().contains(numbers), qPrintable(label->text()));

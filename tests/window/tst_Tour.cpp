@@ -130,7 +130,7 @@ class Tour : public QObject
         QSignalSpy opened(&window(), &MainWindow::ready);
         m_desk->command("show-around").trigger();
         QVERIFY(tour().isVisible()); // at once, without a question
-        QVERIFY(tour().accessibleDescription().startsWith(QStringLiteral("Shown on what is open")));
+        QVERIFY(tour().accessibleDescription().startsWith(QStringLiteral("The tour uses the open scene")));
         walk();
         QCOMPARE(opened.count(), 0);
         QVERIFY(window().isWindowModified());

@@ -44,10 +44,7 @@ bool LumpRule::isCandidate(std::size_t structure) const
 LumpRule::Organ LumpRule::organAround(std::size_t structure) const
 {
     const meshio::SceneStructure& one = *m_structures[structure].description;
-    if (!isThere(structure)) {
-        return {{}, notFelt(one)};
-    }
-    if (!one.inside.empty()) {
+    if (!one.inside.empty() && m_structures[structure].surface != nullptr) {
         for (std::size_t i = 0; i < m_structures.size(); ++i) {
             const meshio::SceneStructure& other = *m_structures[i].description;
             if (i != structure && m_structures[i].surface != nullptr && other.name == one.inside) {
@@ -55,6 +52,9 @@ LumpRule::Organ LumpRule::organAround(std::size_t structure) const
             }
         }
         return {{}, {PALPATE_TEXT("the scene has no structure \"%1\", which it names as the organ"), one.inside}};
+    }
+    if (!isThere(structure)) {
+        return {{}, notFelt(one)};
     }
     std::optional<std::size_t> organ;
     for (std::optional<std::size_t> in = m_structures[structure].in; in; in = m_structures[*in].in) {
@@ -78,6 +78,9 @@ LumpRule::Organ LumpRule::organOf(std::size_t structure) const
 
 LumpRule::Organ LumpRule::feltThrough(std::size_t structure) const
 {
+    if (!isThere(structure)) {
+        return {{}, notFelt(*m_structures[structure].description)};
+    }
     if (m_areNamed && m_structures[structure].description->inside.empty()) {
         return {{}, {PALPATE_TEXT("the scene names the organs of other lumps, but not of this one")}};
     }

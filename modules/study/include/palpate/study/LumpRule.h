@@ -25,8 +25,9 @@ struct PlacedStructure
 /// Decides which structures of a scene are lumps and through which organ each of them is felt. Window and command line
 /// use this one rule.
 ///
-/// A structure that is hidden, not palpable or removed is neither a lump nor an organ. The organ of a structure is the
-/// one that its entry in the scene names (`inside`). Without such an entry it is the innermost structure around it that
+/// A structure that is hidden, not palpable or removed is neither felt through an organ nor an organ. (`palpate felt`
+/// predicts lumps that name their organ even so.) The organ of a structure is the one that its entry in the scene names
+/// (`inside`). Without such an entry it is the innermost structure around it that
 /// has a reliable interior (closed, normals outwards) and is no lump candidate itself; if all of them are candidates,
 /// the outermost one.
 /// @par Thread A value; the structures must outlive it.
