@@ -2140,7 +2140,7 @@
     </message>
     <message>
         <source>ticks are missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Ticks fehlen</translation>
     </message>
     <message>
         <source>contact radius: found %1 mm, expected more than 0 and at most 30 mm</source>

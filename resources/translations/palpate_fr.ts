@@ -2140,43 +2140,43 @@
     </message>
     <message>
         <source>ticks are missing</source>
-        <translation type="unfinished"></translation>
+        <translation>des ticks manquent</translation>
     </message>
     <message>
         <source>contact radius: found %1 mm, expected more than 0 and at most 30 mm</source>
-        <translation>rayon de contact : trouvé %1 mm, attendu plus de 0 et au plus 30 mm</translation>
+        <translation>rayon de contact&#x202f;: trouvé %1 mm, attendu plus de 0 et au plus 30 mm</translation>
     </message>
     <message>
         <source>press depths: found %1, expected 1 to %2</source>
-        <translation>profondeurs d’appui : trouvé %1, attendu 1 à %2</translation>
+        <translation>profondeurs d’appui&#x202f;: trouvé %1, attendu 1 à %2</translation>
     </message>
     <message>
         <source>press depths: found %1 mm, expected 0 to 30 mm, ascending</source>
-        <translation>profondeurs d’appui : trouvé %1 mm, attendu 0 à 30 mm, en ordre croissant</translation>
+        <translation>profondeurs d’appui&#x202f;: trouvé %1 mm, attendu 0 à 30 mm, en ordre croissant</translation>
     </message>
     <message>
         <source>%1: contact radius: found %2 mm, expected at least %3 mm on a surface this large</source>
-        <translation>%1 : rayon de contact : trouvé %2 mm, attendu au moins %3 mm sur une surface aussi grande</translation>
+        <translation>%1&#x202f;: rayon de contact&#x202f;: trouvé %2 mm, attendu au moins %3 mm sur une surface aussi grande</translation>
     </message>
     <message>
         <source>%1: ratio: found %2, expected more than 0 and at most 10000</source>
-        <translation>%1 : rapport : trouvé %2, attendu plus de 0 et au plus 10000</translation>
+        <translation>%1&#x202f;: rapport&#x202f;: trouvé %2, attendu plus de 0 et au plus 10000</translation>
     </message>
     <message>
         <source>%1: left out, its surface is open: it has no volume to be felt</source>
-        <translation>%1 : laissé de côté, sa surface est ouverte : il n’a pas de volume à sentir</translation>
+        <translation>%1&#x202f;: laissé de côté, sa surface est ouverte&#x202f;: il n’a pas de volume à sentir</translation>
     </message>
     <message>
         <source>%1: left out, its surface is inside out</source>
-        <translation>%1 : laissé de côté, sa surface est retournée</translation>
+        <translation>%1&#x202f;: laissé de côté, sa surface est retournée</translation>
     </message>
     <message>
         <source>%1: left out, it lies outside %2</source>
-        <translation>%1 : laissé de côté, il est hors de %2</translation>
+        <translation>%1&#x202f;: laissé de côté, il est hors de %2</translation>
     </message>
     <message>
         <source>%1 and %2 reach into each other: where both are felt is not judged</source>
-        <translation>%1 et %2 s’interpénètrent : là où les deux se sentent, rien n’est jugé</translation>
+        <translation>%1 et %2 s’interpénètrent&#x202f;: là où les deux se sentent, rien n’est jugé</translation>
     </message>
     <message>
         <source>what can be felt was cancelled</source>
@@ -2184,55 +2184,55 @@
     </message>
     <message>
         <source>%1: its surface is open or inside out; expected a closed one, or it can&apos;t be told what lies in it</source>
-        <translation>%1 : sa surface est ouverte ou retournée ; attendu une surface fermée, sans quoi on ne peut savoir ce qu’elle contient</translation>
+        <translation>%1&#x202f;: sa surface est ouverte ou retournée&#x202f;; attendu une surface fermée, sans quoi on ne peut savoir ce qu’elle contient</translation>
     </message>
     <message>
         <source>%1: found no lump in it that can be judged</source>
-        <translation>%1 : aucun nodule à l’intérieur qui puisse être jugé</translation>
+        <translation>%1&#x202f;: aucun nodule à l’intérieur qui puisse être jugé</translation>
     </message>
     <message>
         <source>%1: its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %2 % from what is shown; a finer mesh mends it</source>
-        <translation>%1 : ses triangles sont plus larges que le contact d’un doigt : ce que la main sent de ses nodules diffère de %2 % au plus de ce qui est montré ; un maillage plus fin y remédie</translation>
+        <translation>%1&#x202f;: ses triangles sont plus larges que le contact d’un doigt&#x202f;: ce que la main sent de ses nodules diffère de %2&#xa0;% au plus de ce qui est montré&#x202f;; un maillage plus fin y remédie</translation>
     </message>
     <message>
         <source>%1: reading was cancelled</source>
-        <translation>%1 : la lecture a été annulée</translation>
+        <translation>%1&#x202f;: la lecture a été annulée</translation>
     </message>
     <message>
         <source>no socket for the import server: %1</source>
-        <translation>pas de socket pour le serveur d’importation : %1</translation>
+        <translation>pas de socket pour le serveur d’importation&#x202f;: %1</translation>
     </message>
     <message>
         <source>no process for the import server: %1</source>
-        <translation>pas de processus pour le serveur d’importation : %1</translation>
+        <translation>pas de processus pour le serveur d’importation&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1: opening was cancelled</source>
-        <translation>%1 : l’ouverture a été annulée</translation>
+        <translation>%1&#x202f;: l’ouverture a été annulée</translation>
     </message>
     <message>
         <source>%1: is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the marks in with File &gt; Import findings</source>
-        <translation>%1 : est une liste de marques de 3D Slicer, non une scène de Palpate : ouvrir l’anatomie, puis reprendre les marques par Fichier &gt; Importer des points repérés</translation>
+        <translation>%1&#x202f;: est une liste de marques de 3D Slicer, non une scène de Palpate&#x202f;: ouvrir l’anatomie, puis reprendre les marques par Fichier &gt; Importer des points repérés</translation>
     </message>
     <message>
         <source>%1: is not a Palpate scene: found neither `version` nor `structures`; expected a file that Palpate saved (.palpate.json)</source>
-        <translation>%1 : n’est pas une scène de Palpate : ni `version` ni `structures` trouvés ; attendu un fichier enregistré par Palpate (.palpate.json)</translation>
+        <translation>%1&#x202f;: n’est pas une scène de Palpate&#x202f;: ni `version` ni `structures` trouvés&#x202f;; attendu un fichier enregistré par Palpate (.palpate.json)</translation>
     </message>
     <message>
         <source>%1: %2: found twice, expected it once</source>
-        <translation>%1 : %2 : trouvé deux fois, attendu une seule</translation>
+        <translation>%1&#x202f;: %2&#x202f;: trouvé deux fois, attendu une seule</translation>
     </message>
     <message>
         <source>%1: version: found %2, expected at most %3: it was made by a newer Palpate</source>
-        <translation>%1 : version : trouvé %2, attendu au plus %3 : elle vient d’un Palpate plus récent</translation>
+        <translation>%1&#x202f;: version&#x202f;: trouvé %2, attendu au plus %3&#x202f;: elle vient d’un Palpate plus récent</translation>
     </message>
     <message>
         <source>VTK could not write it: %1</source>
-        <translation>VTK n’a pas pu l’écrire : %1</translation>
+        <translation>VTK n’a pas pu l’écrire&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1: not felt through an organ: %2</source>
-        <translation>%1 : non palpable à travers un organe : %2</translation>
+        <translation>%1&#x202f;: non palpable à travers un organe&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1 seems to lie in %2, whose surface is open or inside out</source>
@@ -2240,7 +2240,7 @@
     </message>
     <message>
         <source>ratio of &quot;%1&quot;: found no such lump, expected a structure that lies in another one</source>
-        <translation>rapport de « %1 » : nodule introuvable, attendu une structure contenue dans une autre</translation>
+        <translation>rapport de «&#x202f;%1&#x202f;»&#x202f;: nodule introuvable, attendu une structure contenue dans une autre</translation>
     </message>
     <message>
         <source>found no lump, expected a palpable structure inside another one&apos;s closed surface, or one whose `inside` names its organ</source>
@@ -2252,11 +2252,11 @@
     </message>
     <message>
         <source>%1: found more than 64 MiB, expected a list of points</source>
-        <translation>%1 : plus de 64 MiB trouvés, attendu une liste de points</translation>
+        <translation>%1&#x202f;: plus de 64 MiB trouvés, attendu une liste de points</translation>
     </message>
     <message>
         <source>%1: byte %2: found %3, expected markups of 3D Slicer (.mrk.json)</source>
-        <translation>%1 : octet %2 : trouvé %3, attendu des annotations 3D Slicer (.mrk.json)</translation>
+        <translation>%1&#x202f;: octet %2&#x202f;: trouvé %3, attendu des annotations 3D Slicer (.mrk.json)</translation>
     </message>
     <message>
         <source>no JSON object</source>
@@ -2264,7 +2264,7 @@
     </message>
     <message>
         <source>%1: markups: found nothing, expected lists of points: is this a .mrk.json of 3D Slicer?</source>
-        <translation>%1 : markups : rien trouvé, attendu des listes de points : est-ce un .mrk.json de 3D Slicer ?</translation>
+        <translation>%1&#x202f;: markups&#x202f;: rien trouvé, attendu des listes de points&#x202f;: est-ce un .mrk.json de 3D Slicer&#x202f;?</translation>
     </message>
     <message>
         <source>the recording does not say what scene it was made on</source>
@@ -2272,23 +2272,23 @@
     </message>
     <message>
         <source>%1: no such file</source>
-        <translation>%1 : fichier introuvable</translation>
+        <translation>%1&#x202f;: fichier introuvable</translation>
     </message>
     <message>
         <source>%1: not written: cancelled</source>
-        <translation>%1 : non écrit : annulé</translation>
+        <translation>%1&#x202f;: non écrit&#x202f;: annulé</translation>
     </message>
     <message>
         <source>%1: not written: found no tick with a hand, expected at least one</source>
-        <translation>%1 : non écrit : aucun instant avec une main, attendu au moins un</translation>
+        <translation>%1&#x202f;: non écrit&#x202f;: aucun instant avec une main, attendu au moins un</translation>
     </message>
     <message>
         <source>%1: not written: no surface that is there was touched</source>
-        <translation>%1 : non écrit : aucune surface présente n’a été touchée</translation>
+        <translation>%1&#x202f;: non écrit&#x202f;: aucune surface présente n’a été touchée</translation>
     </message>
     <message>
         <source>%1: the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
-        <translation>%1 : la surface touchée va là ; un autre fichier s’y trouve, aucun ou un export antérieur était attendu. Choisissez un autre nom</translation>
+        <translation>%1&#x202f;: la surface touchée va là&#x202f;; un autre fichier s’y trouve, aucun ou un export antérieur était attendu. Choisissez un autre nom</translation>
     </message>
 </context>
 <context>
