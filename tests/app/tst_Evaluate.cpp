@@ -163,6 +163,7 @@ class Evaluate : public QObject
     void withoutASceneThePhantomIsTakenAndCtrlCLeavesNothing()
     {
         QProcess process;
+        process.setReadChannel(QProcess::StandardError); // what waitForReadyRead waits for
         test::startProgram(process, m_folder->path(), {"evaluate", "--quick", "--out", "out"});
         QByteArray progress;
         while (!progress.contains("phantom") && process.waitForReadyRead(test::kPatience_ms)) {

@@ -53,7 +53,7 @@ class PluginHost : public QObject
     /// A plugin built before a layout changed would be misread: whoever changes one raises the number, then this.
     void versionStandsForTheLayouts()
     {
-        QCOMPARE(PALPATE_DEVICE_PLUGIN_IID, qPrintable(QStringLiteral("palpate.DevicePlugin/2")));
+        QCOMPARE(PALPATE_DEVICE_PLUGIN_IID, qPrintable(QStringLiteral("palpate.DevicePlugin/3")));
         QCOMPARE(device::kDeviceApiVersion, 3);
         if (sizeof(void*) != 8 || sizeof(std::string) != 32) {
             QSKIP("the sizes below are those of 64 bits and libstdc++");

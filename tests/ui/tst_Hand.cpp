@@ -195,7 +195,7 @@ class Hand : public QObject
         status.clutch = ui::HandStatus::Clutch::None;
         status.inside = QStringLiteral("liver");
         panel.show(status);
-        QVERIFY(mentions(panel, QStringLiteral("Inside liver")));
+        QVERIFY(mentions(panel, QStringLiteral("The hand is inside liver")));
         panel.resize(300, 420);
         if (const QByteArray to = qgetenv("PALPATE_HAND_PICTURE"); !to.isEmpty()) {
             panel.grab().save(QString::fromLocal8Bit(to)); // for visual inspection
@@ -273,7 +273,7 @@ class Hand : public QObject
         PALPATE_TRY_COMPARE(live.delayTicks(), 3);
         QVERIFY(live.heldStiffness_N_per_mm() < 3.0);
         QCOMPARE(changed.count(), 1);
-        for (const char* part : {"omega", "3 ms late", "tremble"}) {
+        for (const char* part : {"omega", "delayed by 3 ms", "vibrate"}) {
             QVERIFY2(live.limitText().contains(QLatin1String(part)), qPrintable(live.limitText()));
         }
         live.stop();

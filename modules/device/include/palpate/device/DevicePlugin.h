@@ -53,5 +53,5 @@ class DevicePlugin
 
 } // namespace palpate::device
 
-#define PALPATE_DEVICE_PLUGIN_IID "palpate.DevicePlugin/2"
+#define PALPATE_DEVICE_PLUGIN_IID "palpate.DevicePlugin/3"
 Q_DECLARE_INTERFACE(palpate::device::DevicePlugin, PALPATE_DEVICE_PLUGIN_IID)
