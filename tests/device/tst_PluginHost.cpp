@@ -59,10 +59,11 @@ class PluginHost : public QObject
             QSKIP("the sizes below are those of 64 bits and libstdc++");
         }
         QCOMPARE(sizeof(device::DeviceInfo), std::size_t{176});
-        QCOMPARE(sizeof(device::DeviceState), std::size_t{96});
+        QCOMPARE(sizeof(device::DeviceState), std::size_t{80});
         QCOMPARE(sizeof(device::DeviceReport), std::size_t{104});
         QCOMPARE(sizeof(device::FoundDevice), std::size_t{96});
         QCOMPARE(sizeof(device::PluginServices), std::size_t{32});
+        QCOMPARE(sizeof(core::Status), std::size_t{96});
     }
 
     void namesAndSkipsWhatCannotBeUsed()
@@ -77,7 +78,7 @@ class PluginHost : public QObject
         auto all = host({m_found, path, "/nowhere"});
         QCOMPARE(all.plugins().size(), std::size_t{12});
         for (const char* older : {"old", "copied"}) { // regardless of the metadata of the second
-            QVERIFY(problemOf(all, older).find("built for device API 1, this program has 2; rebuild it against") !=
+            QVERIFY(problemOf(all, older).find("built for device API 1, this program has 3; rebuild it against") !=
                     std::string::npos);
             QCOMPARE(all.make(older).status().message(), problemOf(all, older));
         }
