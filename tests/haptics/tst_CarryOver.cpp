@@ -137,6 +137,32 @@ class CarryOver : public QObject
         }
     }
 
+    /// A floor rises by 0.2 mm below an overhang of 10 degrees: a ball that touches both would have to move by 1.15 mm.
+    void isNotMovedFartherThanAMillimetre()
+    {
+        const double radius_mm = 8.0, angle = 10.0 * 3.14159265358979 / 180.0;
+        const auto overhang = transformed(box(Vec3(-200, -50, 0), Vec3(200, 50, 60), 8), [&](const Vec3& p) {
+            return Vec3(std::cos(angle) * p.x() + std::sin(angle) * p.z(), p.y(),
+                        20 - std::sin(angle) * p.x() + std::cos(angle) * p.z());
+        });
+        const auto floor = box(Vec3(-200, -50, -40), Vec3(200, 50, 0), 4);
+        const HapticStructure stays = structure(overhang, "overhang");
+        const Scene before = sceneOf({structure(floor, "floor"), stays}, radius_mm);
+        const Scene after = sceneOf({structure(transformed(floor, moved(Vec3(0, 0, 0.2))), "floor"), stays}, radius_mm);
+        Palpator palpator;
+        palpator.setScene(before.get());
+        for (int i = 0; i <= 100; ++i) {
+            (void)palpator.step(Vec3(-60 + 1.2 * i, 2, 9 - 0.02 * i), kTick_s);
+        }
+        const auto tick = palpator.step(Vec3(60, 2, 7), kTick_s);
+        QCOMPARE(tick.constraints, 2U);
+        QVERIFY(!palpator.setScene(after.get()));
+        const Vec3 by = palpator.state().layers[0].p_WG - tick.p_WG;
+        QVERIFY2(by.norm() <= 1.0 + 1e-6, qPrintable(QString::number(by.norm())));
+        const auto next = palpator.step(Vec3(60, 2, 7), kTick_s);
+        QVERIFY(next.f_W.allFinite() && (next.p_WG - tick.p_WG).norm() < 1.0 + 1e-6);
+    }
+
     /// A point in a groove of 60 degrees, whose faces' normals are 120 degrees apart, and the same triangles reversed.
     void aSharpGrooveKeepsItsSide()
     {

@@ -274,7 +274,7 @@ void ServoLoop::rearm() noexcept
     m_impl->isRearmRequested.store(true, std::memory_order_release);
 }
 
-FaultReport ServoLoop::fault() noexcept
+FaultReport ServoLoop::fault()
 {
     m_impl->fault.fetch();
     FaultReport report;

@@ -195,8 +195,8 @@ struct Before
     int side = 0; ///< +1: in front, -1: behind a two-sided surface, 0: not to be kept out, or unknown
     std::array<Vec3, kPlanes> normals{}; ///< of the touched facets, or of the facet that determined the side
     std::size_t count = 0;               ///< of these normals
-    double clearance_mm =
-        0.0; ///< distance to be kept: the fingertip's radius, or less where the ball was nearer already
+    /// Distance to be kept [mm]: the fingertip's radius, or less where the ball was nearer already.
+    double clearance_mm = 0.0;
 };
 
 Before beforeAt(const geometry::SurfaceIndex& surface, std::uint32_t structure, const GodObjectState& god,
@@ -335,12 +335,16 @@ LostContact lostContact(const HapticScene& before, const HapticScene* after, con
 Vec3 carryOverPosition(const HapticScene& before, const HapticScene& after, const HapticLayer& layer,
                        const GodObjectState& god, const Vec3& p_WH) noexcept PALPATE_NONBLOCKING
 {
-    Lift lift(ridden(before, after, god, p_WH, layer.fingertip_mm));
-    const bool isRidden = lift.p() != god.p_WG;
-    Vec3 best = lift.p(); // a position that violates the surfaces less than those before it
+    const Vec3 unlifted = ridden(before, after, god, p_WH, layer.fingertip_mm);
+    const bool isRidden = unlifted != god.p_WG;
+    Lift lift(unlifted);
+    Vec3 best = unlifted; // a position that violates the surfaces less than those before it
     double least_mm = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kRounds; ++round) {
         const Vec3 start = lift.p();
+        if ((start - unlifted).norm() > kFarthest_mm) {
+            break; // planes at a small angle meet farther away
+        }
         double worst_mm = 0.0;
         for (const std::uint32_t structure : layer.structures) {
             const geometry::SurfaceIndex* from = predecessor(before, after, structure);

@@ -307,7 +307,7 @@ std::vector<session::StructureSource> OpenScene::sources() const
     std::vector<session::StructureSource> sources;
     for (const OpenStructure& one : m_structures) {
         if (one.isRemoved) {
-            sources.emplace_back(); // placeholder that keeps the numbering
+            sources.emplace_back(); // keeps the numbers of the structures
             continue;
         }
         sources.push_back(sourceOf(one.loaded.description, one.sha256));

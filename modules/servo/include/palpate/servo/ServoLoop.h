@@ -108,7 +108,7 @@ class ServoLoop
 
     /// Re-enables the force after a fault, with easing.
     void rearm() noexcept;
-    [[nodiscard]] FaultReport fault() noexcept;
+    [[nodiscard]] FaultReport fault();
     /// Up to 100 ticks up to and including the tick that raised the latched fault, oldest first; empty without a fault.
     [[nodiscard]] std::vector<TickRecord> ticksBeforeFault();
 
