@@ -65,8 +65,9 @@ SceneEvents OpenScene::apply(const SceneEdit& edit)
     }
     std::vector<std::size_t> others;
     clearTransmittedMaps(others);
-    for (std::size_t i = 0; edit.buried && i < m_structures.size(); ++i) {
-        if (isTransmitted(i)) {
+    const std::vector<bool> isThrough = edit.buried ? transmitted() : std::vector<bool>();
+    for (std::size_t i = 0; i < isThrough.size(); ++i) {
+        if (isThrough[i]) {
             others.push_back(i);
         }
     }
@@ -157,10 +158,7 @@ void OpenScene::resolveMaps(std::size_t structure, SceneEvents& events)
 /// touch
 void OpenScene::clearTransmittedMaps(std::vector<std::size_t>& changed)
 {
-    std::vector<bool> isThrough;
-    for (std::size_t i = 0; i < m_structures.size(); ++i) {
-        isThrough.push_back(isTransmitted(i));
-    }
+    const std::vector<bool> isThrough = transmitted();
     const bool isAny = std::find(isThrough.begin(), isThrough.end(), true) != isThrough.end();
     for (std::size_t i = 0; i < m_structures.size(); ++i) {
         OpenStructure& one = m_structures[i];
@@ -275,11 +273,24 @@ bool OpenScene::isTransmitted(std::size_t structure) const
     return m_buried == meshio::BuriedTouch::Felt && lumpRule().feltThrough(structure);
 }
 
+std::vector<bool> OpenScene::transmitted() const
+{
+    std::vector<bool> isThrough(m_structures.size());
+    if (m_buried == meshio::BuriedTouch::Felt) {
+        const LumpRule rule = lumpRule();
+        for (std::size_t i = 0; i < m_structures.size(); ++i) {
+            isThrough[i] = static_cast<bool>(rule.feltThrough(i));
+        }
+    }
+    return isThrough;
+}
+
 std::vector<haptics::HapticStructure> OpenScene::hapticStructures(const haptics::Tissue& limit) const
 {
     std::vector<haptics::HapticStructure> structures;
     structures.reserve(m_structures.size());
     const LumpRule rule = lumpRule();
+    const std::vector<bool> isThrough = transmitted();
     for (std::size_t i = 0; i < m_structures.size(); ++i) {
         const OpenStructure& one = m_structures[i];
         const meshio::SceneStructure& from = one.loaded.description;
@@ -287,7 +298,7 @@ std::vector<haptics::HapticStructure> OpenScene::hapticStructures(const haptics:
         structures.push_back(hapticStructure(from, isTouched ? one.touch : nullptr));
         if (structures.back().surface != nullptr) {
             structures.back().maps = one.felt;
-            if (m_buried == meshio::BuriedTouch::Felt && rule.feltThrough(i)) {
+            if (isThrough[i]) {
                 structures.back().layer = rule.layerWithin(i); // map not computed yet, or the model does not apply
             }
         }

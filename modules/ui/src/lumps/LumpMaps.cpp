@@ -221,15 +221,6 @@ std::vector<LumpMaps::Cause> LumpMaps::causes() const
     return causes;
 }
 
-std::vector<bool> LumpMaps::transmittedLumps() const
-{
-    std::vector<bool> lumps;
-    for (int row = 0; row < m_model.rowCount(); ++row) {
-        lumps.push_back(m_model.isTransmitted(row));
-    }
-    return lumps;
-}
-
 bool LumpMaps::hasTransmittedLumps() const
 {
     return std::find(m_forHand.begin(), m_forHand.end(), true) != m_forHand.end();
@@ -242,7 +233,7 @@ void LumpMaps::reset()
     m_wait.stop();
     m_organs.clear();
     m_causes = causes();
-    m_forHand = transmittedLumps();
+    m_forHand = m_model.scene().transmitted();
     m_isUpToDate = m_isGivenUp = false;
     m_isHandUpToDate = true;
     for (std::size_t i = 0; i < m_forHand.size(); ++i) {
@@ -258,7 +249,7 @@ void LumpMaps::reset()
 void LumpMaps::follow()
 {
     std::vector<Cause> now = causes();
-    std::vector<bool> forHand = transmittedLumps();
+    std::vector<bool> forHand = m_model.scene().transmitted();
     const bool isOther = now != m_causes, isOtherHand = isOther || forHand != m_forHand;
     if (isOtherHand) {
         m_causes = std::move(now);

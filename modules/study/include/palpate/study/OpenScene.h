@@ -123,6 +123,8 @@ class OpenScene
     /// Returns true for a lump in transmitted mode, felt through its organ (see applyBuriedLumps). Until the map is
     /// computed, `loaded.isTransmitted` is false and the lump is a separate layer.
     [[nodiscard]] bool isTransmitted(std::size_t structure) const;
+    /// Returns isTransmitted for all structures, with one evaluation of the rule.
+    [[nodiscard]] std::vector<bool> transmitted() const;
 
     /// Returns the structures with parameters limited by the device's total stiffness (see DeviceLimit.h).
     [[nodiscard]] std::vector<haptics::HapticStructure> hapticStructures(const haptics::Tissue& limit) const;

@@ -86,7 +86,6 @@ class LumpMaps : public QObject
         friend bool operator==(const Cause&, const Cause&) = default;
     };
     [[nodiscard]] std::vector<Cause> causes() const;
-    [[nodiscard]] std::vector<bool> transmittedLumps() const;
     [[nodiscard]] bool hasTransmittedLumps() const;
     void reset();
     void follow();
