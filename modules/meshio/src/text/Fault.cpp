@@ -17,6 +17,25 @@ core::Status fault(core::StatusCode code, std::string_view file, std::string_vie
     return {code, std::move(line)};
 }
 
+core::Status fault(core::StatusCode code, std::string_view file, const core::Message& place, const core::Message& found,
+                   const core::Message& expected)
+{
+    const core::Message what =
+        expected.isEmpty() ? found : core::Message(PALPATE_TEXT("%1; expected %2"), found, expected);
+    return place.isEmpty() ? core::Status(code, PALPATE_TEXT("%1: %2"), file, what)
+                           : core::Status(code, PALPATE_TEXT("%1: %2: %3"), file, place, what);
+}
+
+core::Message onLine(std::uint64_t line)
+{
+    return {PALPATE_TEXT("line %1"), line};
+}
+
+core::Message onByte(std::uint64_t byte)
+{
+    return {PALPATE_TEXT("byte %1"), byte};
+}
+
 std::string atLine(std::uint64_t line)
 {
     return "line " + std::to_string(line);

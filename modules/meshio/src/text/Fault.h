@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/Text.h>
 
@@ -17,6 +18,17 @@ using core::inQuotes;
 /// @param place  where in the file, "line 12" or "byte 84"; may be empty
 [[nodiscard]] core::Status fault(core::StatusCode code, std::string_view file, std::string_view place,
                                  std::string_view found, std::string_view expected);
+
+/// Describes an error in a file by a message whose parts are translated separately.
+/// @param place     where in the file: `onLine`, `onByte` or a message of the format; may be empty
+/// @param expected  may be empty
+[[nodiscard]] core::Status fault(core::StatusCode code, std::string_view file, const core::Message& place,
+                                 const core::Message& found, const core::Message& expected = {});
+
+/// @return "line 48,634"
+[[nodiscard]] core::Message onLine(std::uint64_t line);
+/// @return "byte 84"
+[[nodiscard]] core::Message onByte(std::uint64_t byte);
 
 /// @return "line 48,634"
 [[nodiscard]] std::string atLine(std::uint64_t line);
