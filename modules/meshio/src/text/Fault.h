@@ -11,6 +11,7 @@
 
 namespace palpate::meshio::internal {
 
+using core::Count;
 using core::grouped;
 using core::inQuotes;
 
