@@ -101,8 +101,9 @@ core::Result<MeshFile> readMesh(const std::filesystem::path& path, const ReadOpt
 {
     const std::string name = path.filename().string();
     if (!(options.unit_mm > 0.0) || !std::isfinite(options.unit_mm)) {
-        return internal::fault(core::StatusCode::BadCommandLine, name, "unit", "a factor that is not positive",
-                               "mm per unit");
+        return internal::fault(core::StatusCode::BadCommandLine, name, {PALPATE_TEXT("unit")},
+                               {PALPATE_TEXT("found %1"), options.unit_mm},
+                               {PALPATE_TEXT("a positive number of millimetres per unit of the file")});
     }
     try {
         if (!internal::hasImportServer()) {
@@ -111,8 +112,8 @@ core::Result<MeshFile> readMesh(const std::filesystem::path& path, const ReadOpt
         const core::Result<internal::OpenFile> file = internal::openFile(path);
         return file.isOk() ? internal::readInChild(file.value(), path, options) : file.status();
     } catch (const std::bad_alloc&) {
-        return internal::fault(core::StatusCode::OutOfRange, name, "", "not enough memory to read it",
-                               "a mesh that fits");
+        return internal::fault(core::StatusCode::OutOfRange, name, {}, {PALPATE_TEXT("not enough memory to read it")},
+                               {PALPATE_TEXT("a smaller file, or more free memory")});
     }
 }
 
