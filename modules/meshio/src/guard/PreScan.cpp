@@ -54,13 +54,13 @@ void noteScaleTag(std::string_view text, PreScan& scan)
     }
 }
 
-std::string coordinateFault(double value, double unit_mm)
+core::Message coordinateFault(double value, double unit_mm)
 {
     if (!std::isfinite(value)) {
-        return "a coordinate is not a finite number";
+        return {PALPATE_TEXT("a coordinate is not a finite number (%1)"), value};
     }
     if (std::abs(value) * unit_mm > kMostMm) {
-        return "a coordinate is farther than 10 km from the origin";
+        return {PALPATE_TEXT("a coordinate is farther than 10 km from the origin (%1)"), value};
     }
     return {};
 }

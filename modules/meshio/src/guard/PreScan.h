@@ -5,6 +5,7 @@
 
 #include "palpate/meshio/MeshFile.h"
 
+#include <palpate/core/Message.h>
 #include <palpate/core/Types.h>
 
 #include <cstdint>
@@ -61,7 +62,7 @@ void noteScaleTag(std::string_view text, PreScan& scan);
 /// Same as `noteSpaceTag` for the value of the tag.
 void noteSpace(std::string_view value, PreScan& scan);
 
-/// @return empty text for a valid coordinate, or else the error
-[[nodiscard]] std::string coordinateFault(double value, double unit_mm);
+/// @return empty for a valid coordinate, or else the error
+[[nodiscard]] core::Message coordinateFault(double value, double unit_mm);
 
 } // namespace palpate::meshio::internal

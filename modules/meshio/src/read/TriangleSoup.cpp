@@ -91,15 +91,15 @@ class StructureIds
 Status checkCorners(const vtkIdType* corners, vtkIdType count, vtkIdType most, vtkIdType points, std::uint64_t cell,
                     const ScanContext& context)
 {
-    const std::string place = "polygon " + std::to_string(cell);
+    const core::Message place(PALPATE_TEXT("polygon %1"), cell);
     if (count < 3 || count > most) {
-        return fault(StatusCode::BadFormat, context.file, place, counted(static_cast<std::uint64_t>(count), "corner"),
-                     "3 to " + grouped(static_cast<std::uint64_t>(most)));
+        return fault(StatusCode::BadFormat, context.file, place, {PALPATE_TEXT("number of corners: %1"), Count(count)},
+                     {PALPATE_TEXT("%1 to %2"), 3, Count(most)});
     }
     for (vtkIdType k = 0; k < count; ++k) {
         if (corners[k] < 0 || corners[k] >= points) {
-            return fault(StatusCode::OutOfRange, context.file, place, "it uses point " + std::to_string(corners[k]),
-                         "0 to " + std::to_string(points - 1));
+            return fault(StatusCode::OutOfRange, context.file, place, {PALPATE_TEXT("it uses point %1"), corners[k]},
+                         {PALPATE_TEXT("%1 to %2"), 0, points - 1});
         }
     }
     return {};
