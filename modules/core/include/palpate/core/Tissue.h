@@ -3,6 +3,7 @@
 
 #include "palpate/core/ForceLaw.h"
 #include "palpate/core/Message.h"
+#include "palpate/core/Status.h"
 
 #include <array>
 #include <limits>
@@ -62,6 +63,11 @@ inline constexpr std::array kTissueTerms{
                PALPATE_TEXT("resisting force per mm/s of sliding"), "N·s/mm",
                PALPATE_TEXT("newton seconds per millimetre"), 1000.0, 4, 0.0005, "friction", "drag_Ns_per_mm"},
 };
+
+/// Validates a tissue from memory: every term finite and within 0 to TissueTerm::most, sliding friction at most static
+/// friction, and the force law (ForceLaw.h). Scene files have the same bounds.
+/// @return OutOfRange or NonFinite with the term, the value found and the value expected
+[[nodiscard]] Status check(const Tissue& tissue);
 
 /// @return upper bounds that do not limit any tissue.
 [[nodiscard]] inline Tissue unbounded()
