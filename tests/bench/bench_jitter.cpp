@@ -12,7 +12,7 @@
 
 #include <palpate/core/Clock.h>
 #include <palpate/device/SimulatedHand.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/servo/ServoLoop.h>
 #include <palpate/session/Recorder.h>

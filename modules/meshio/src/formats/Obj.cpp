@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/MeshFormat.h"
 
-#include "formats/PolygonCutter.h"
 #include "text/Fault.h"
 #include "text/TextScan.h"
 
@@ -168,9 +167,9 @@ Status ObjScan::readFace(std::string_view rest)
         ++corners;
     }
     m_plain += '\n';
-    if (corners < 3 || corners > PolygonCutter::kMostCorners) {
+    if (corners < 3 || corners > geometry::PolygonCutter::kMostCorners) {
         return wrong(StatusCode::BadFormat, "a face with " + counted(corners, "corner"),
-                     corners < 3 ? "at least 3" : "at most " + grouped(PolygonCutter::kMostCorners));
+                     corners < 3 ? "at least 3" : "at most " + grouped(geometry::PolygonCutter::kMostCorners));
     }
     m_object = m_object ? m_object : m_objects.idOf("");
     m_group = m_group ? m_group : m_groups.idOf("");

@@ -5,7 +5,7 @@
 
 #include <palpate/core/Parallel.h>
 #include <palpate/core/Status.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "palpate/geometry/BoxHierarchy.h"
-#include "palpate/geometry/MeshReport.h"
+#include "palpate/geometry/Repair.h"
 
 #include <palpate/core/Parallel.h>
 #include <palpate/core/Realtime.h>

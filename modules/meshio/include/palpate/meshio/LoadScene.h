@@ -5,7 +5,7 @@
 #include "palpate/meshio/SceneFile.h"
 #include "palpate/meshio/ShapeSurface.h"
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 
 #include <memory>
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include "palpate/meshio/SceneFile.h"
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/geometry/Staircase.h>
 
 #include <memory>

@@ -49,7 +49,7 @@ class ServoCore
 
     /// Sets the scene for the following ticks.
     /// @param scene  read-only; must outlive the use in this class; null: empty scene
-    void setScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING;
+    void borrowScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING;
 
     /// Applies from the next tick on.
     void setMap(const MapSettings& settings) noexcept PALPATE_NONBLOCKING { m_map.set(settings); }

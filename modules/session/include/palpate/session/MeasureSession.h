@@ -8,7 +8,7 @@
 #include "palpate/session/TouchedSurface.h"
 
 #include <palpate/core/Status.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 
 #include <atomic>
 #include <map>

@@ -4,7 +4,7 @@
 #include <palpate/core/FileFrame.h>
 #include <palpate/core/Types.h>
 #include <palpate/device/HapticDevice.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/haptics/Palpator.h>
 
@@ -38,7 +38,8 @@ struct StructureSource
     core::FileFrame frame =
         core::FileFrame::Untagged; ///< coordinate frame chosen for the file; Untagged: the file's tag, else LPS
     bool flipped = false;
-    std::string sha256;                                 ///< geometryHash of the repaired mesh in the world frame
+    /// geometryHash of the repaired mesh in the world frame; if empty, computed from `embed` when recorded
+    std::string sha256;
     core::Transform X_WM = core::Transform::Identity(); ///< pose
     /// Surface to embed in the recording; null stores only the name and the hash.
     std::shared_ptr<const geometry::RepairedMesh> embed;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <palpate/core/Message.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/meshio/LoadScene.h>
 
 #include <cstddef>

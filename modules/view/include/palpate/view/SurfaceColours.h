@@ -3,7 +3,7 @@
 
 #include "palpate/view/ColourMap.h"
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
