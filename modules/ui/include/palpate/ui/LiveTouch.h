@@ -4,7 +4,7 @@
 #include "palpate/ui/StructureModel.h"
 
 #include <palpate/device/PointerDevice.h>
-#include <palpate/study/LiveSession.h>
+#include <palpate/session/LiveSession.h>
 
 #include <QObject>
 #include <QTimer>
@@ -109,7 +109,7 @@ class LiveTouch : public QObject
     device::PointerDevice m_pointer;
     std::unique_ptr<device::HapticDevice> m_device; ///< null: the pointer
     device::DeviceInfo m_info;
-    study::LiveSession m_session;
+    session::LiveSession m_session;
     std::shared_ptr<const haptics::HapticScene> m_scene;
     QTimer m_meter;
     QTimer m_handOver; ///< coalesces the changes of one event into one new scene
@@ -119,7 +119,6 @@ class LiveTouch : public QObject
     std::int64_t m_measured_ns = 0;
     double m_rate_Hz = 0.0;
     int m_delayTicks = 1;
-    bool m_wasFaulted = false;
     servo::MapSettings m_map;
     servo::TickRecord m_newest;
     QString m_refused; ///< last message of `stiffnessRefused`
