@@ -3,7 +3,7 @@
 
 # palpate_add_components(MODULE ...) adds these modules and those they use (modules/layers.txt), and finds what they need.
 function(palpate_add_components)
-  set(all core geometry haptics device servo session buried meshio) # each after the modules it uses
+  set(all core geometry haptics device servo session vtk buried meshio) # each after the modules it uses
   foreach(module IN LISTS ARGN)
     if(NOT module IN_LIST all)
       list(JOIN all ", " known)
@@ -32,7 +32,7 @@ function(palpate_add_components)
   if("session" IN_LIST wanted)
     find_package(SQLite3 3.40 REQUIRED)
   endif()
-  if("buried" IN_LIST wanted OR "meshio" IN_LIST wanted)
+  if("vtk" IN_LIST wanted OR "meshio" IN_LIST wanted)
     find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonMisc CommonSystem
       CommonTransforms FiltersCore FiltersGeneral FiltersGeometry FiltersModeling IOCore IOGeometry IOImage IOLegacy IOPLY
       IOXML zlib)
