@@ -17,7 +17,7 @@ struct Tissue
     double stiffness_N_per_mm = 0.5; ///< k: force per penetration depth
     double damping_Ns_per_mm = 0.0;  ///< b: force per speed
     /// Coulomb coefficients of static and dynamic friction, relative to the normal force; dynamic is at most static.
-    /// See resources/docs/friction.md.
+    /// See docs/friction.md.
     double friction_static = 0.0, friction_dynamic = 0.0;
     double friction_drag_Ns_per_mm = 0.0; ///< viscous friction: force per sliding speed
     /// Force law; linear uses only the stiffness. Absolute stiffness maps are relative to `stiffness_N_per_mm`.

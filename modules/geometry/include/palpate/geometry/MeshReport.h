@@ -3,6 +3,8 @@
 
 #include "palpate/geometry/TriangleMesh.h"
 
+#include <palpate/core/Export.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -10,7 +12,7 @@
 namespace palpate::geometry {
 
 /// Mesh quality of one structure: defects found and changes made by `repair`. All counts refer to this structure only.
-struct MeshReport
+struct PALPATE_EXPORT MeshReport
 {
     std::size_t inputVertices = 0;
     std::size_t inputTriangles = 0;
@@ -70,6 +72,6 @@ struct RepairedMesh
 /// closed). A component is closed if every edge is traversed equally often in both directions.
 /// @pre all indices of `mesh` are in range and all coordinates are finite
 /// @par Cost O(n log n). Any thread.
-[[nodiscard]] RepairedMesh repair(const TriangleMesh& mesh);
+[[nodiscard]] PALPATE_EXPORT RepairedMesh repair(const TriangleMesh& mesh);
 
 } // namespace palpate::geometry

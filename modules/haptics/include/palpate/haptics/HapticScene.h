@@ -6,6 +6,7 @@
 #include "palpate/haptics/Tissue.h"
 #include "palpate/haptics/TissueMap.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/geometry/SurfaceIndex.h>
 
 #include <cstdint>
@@ -83,7 +84,7 @@ struct HapticLayer
 /// liver.tissue.stiffness_N_per_mm = 0.2; // typical of a liver: 0.1 to 0.3 N/mm
 /// const HapticScene scene({liver});
 /// @endcode
-class HapticScene
+class PALPATE_EXPORT HapticScene
 {
   public:
     static constexpr std::size_t kMaxLayers = haptics::kMaxLayers;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 
 #include <string>
@@ -35,12 +36,12 @@ struct RealtimeRequest
 };
 
 /// Lists the CPUs available to the calling thread, from 0, within the limits of taskset, container and cpuset.
-[[nodiscard]] std::vector<int> allowedCpus();
+[[nodiscard]] PALPATE_EXPORT std::vector<int> allowedCpus();
 
 /// Checks whether a thread can be pinned to a CPU.
 /// @param cpu  -1: any, always ok
 /// @return BadCommandLine when the CPU does not exist or is not in `allowedCpus`
-[[nodiscard]] core::Status checkCpu(int cpu);
+[[nodiscard]] PALPATE_EXPORT core::Status checkCpu(int cpu);
 
 /// Configures the calling thread for real-time work as far as permitted: SCHED_FIFO, memory locked on first touch, 1 ns
 /// timer slack, a name, a CPU, and the default floating-point environment.
@@ -49,9 +50,9 @@ struct RealtimeRequest
 /// same bits, but FTZ and DAZ on the servo thread alone would change them. The floating-point environment is set
 /// explicitly because a new thread inherits the creator's environment, which a library built with fast math changes on
 /// load. Never fails; each item reports the outcome. Do not call within a tick (allocates, makes system calls).
-[[nodiscard]] RealtimeReport makeThreadRealtime(const RealtimeRequest& request);
+[[nodiscard]] PALPATE_EXPORT RealtimeReport makeThreadRealtime(const RealtimeRequest& request);
 
 /// Unlocks the process memory that `makeThreadRealtime` locked.
-void releaseRealtime(const RealtimeReport& report) noexcept;
+PALPATE_EXPORT void releaseRealtime(const RealtimeReport& report) noexcept;
 
 } // namespace palpate::servo

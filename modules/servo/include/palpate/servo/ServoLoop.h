@@ -7,6 +7,7 @@
 #include "palpate/servo/TimingReport.h"
 #include "palpate/servo/WorkspaceMap.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/device/HapticDevice.h>
 #include <palpate/haptics/Palpator.h>
 
@@ -47,7 +48,7 @@ struct FaultReport
 /// publishes the record. All methods are wait-free except start, stop, setScene, collect and ticksBeforeFault, which
 /// must not run on the servo thread. One thread (the GUI) makes all calls, except that the recorder may call popTick,
 /// fetchRecordingStart and droppedTicks from a single separate thread.
-class ServoLoop
+class PALPATE_EXPORT ServoLoop
 {
   public:
     ServoLoop();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/device/HapticDevice.h>
 #include <palpate/haptics/HapticScene.h>
@@ -17,7 +18,7 @@ namespace palpate::study {
 
 /// Real-time haptic session: device, servo loop, haptic scene and recorder.
 /// @par Thread All functions from the same thread.
-class LiveSession
+class PALPATE_EXPORT LiveSession
 {
   public:
     LiveSession() = default;

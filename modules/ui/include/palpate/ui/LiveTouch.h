@@ -3,6 +3,7 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/device/PointerDevice.h>
 #include <palpate/study/LiveSession.h>
 
@@ -19,7 +20,7 @@ namespace palpate::ui {
 /// new scene to the servo loop after each change.
 ///
 /// @par Thread GUI thread only.
-class LiveTouch : public QObject
+class PALPATE_EXPORT LiveTouch : public QObject
 {
     Q_OBJECT
   public:
