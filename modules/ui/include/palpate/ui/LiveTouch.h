@@ -70,6 +70,9 @@ class PALPATE_EXPORT LiveTouch : public QObject
     /// Sets rate and CPU of the loop. When a value changes, a running loop restarts while the device stays open. Fails
     /// while a recording runs, when `servo::checkCpu` rejects the CPU, or as `start`.
     core::Status setLoop(double rate_Hz, int cpu);
+    /// Sets whether the loop locks the memory of the whole program, from the next start; off by default. See
+    /// `servo::makeThreadRealtime`.
+    void setLocksMemory(bool locks) noexcept { m_options.lockMemory = locks; }
     /// Measured tick rate over the last half second. [Hz]
     [[nodiscard]] double measuredRate_Hz() const noexcept { return m_rate_Hz; }
     [[nodiscard]] servo::RealtimeReport realtime() const { return m_session.loop().realtime(); }
