@@ -344,6 +344,7 @@ class RealtimeSafety : public QObject
         GuardedDevice device(palpate::test::palpatingMotion(3000));
         palpate::servo::ServoLoop loop;
         palpate::servo::ServoOptions options;
+        options.lockMemory = true;
         options.rate_Hz = 2000.0;
         options.ringCapacity = 256; // covers overflow as well
         loop.setScene(palpate::test::sphereScene(30.0, 0.5));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Export.h"
+
 #include <concepts>
 #include <cstdint>
 #include <string>
@@ -10,7 +12,7 @@
 namespace palpate::core {
 
 namespace internal {
-[[nodiscard]] std::string grouped(std::uint64_t magnitude, bool isNegative);
+[[nodiscard]] PALPATE_EXPORT std::string grouped(std::uint64_t magnitude, bool isNegative);
 }
 
 /// @return whole number with a comma every three digits: "1,234,567"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Export.h"
 #include "palpate/core/ForceLaw.h"
 #include "palpate/core/Message.h"
 #include "palpate/core/Status.h"
@@ -18,7 +19,7 @@ struct Tissue
     double stiffness_N_per_mm = 0.5; ///< k: force per penetration depth
     double damping_Ns_per_mm = 0.0;  ///< b: force per speed
     /// Coulomb coefficients of static and dynamic friction, relative to the normal force; dynamic is at most static.
-    /// See resources/docs/friction.md.
+    /// See docs/friction.md.
     double friction_static = 0.0, friction_dynamic = 0.0;
     double friction_drag_Ns_per_mm = 0.0; ///< viscous friction: force per sliding speed
     /// Force law; linear uses only the stiffness. Absolute stiffness maps are relative to `stiffness_N_per_mm`.
@@ -67,7 +68,7 @@ inline constexpr std::array kTissueTerms{
 /// Validates a tissue from memory: every term finite and within 0 to TissueTerm::most, sliding friction at most static
 /// friction, and the force law (ForceLaw.h). Scene files have the same bounds.
 /// @return OutOfRange or NonFinite with the term, the value found and the value expected
-[[nodiscard]] Status check(const Tissue& tissue);
+[[nodiscard]] PALPATE_EXPORT Status check(const Tissue& tissue);
 
 /// @return upper bounds that do not limit any tissue.
 [[nodiscard]] inline Tissue unbounded()

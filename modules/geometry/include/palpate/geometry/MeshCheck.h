@@ -3,6 +3,7 @@
 
 #include "palpate/geometry/TriangleMesh.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 
 #include <cstddef>
@@ -26,7 +27,7 @@ enum class MeshError : std::uint8_t
 };
 
 /// First error of a mesh.
-struct MeshCheck
+struct PALPATE_EXPORT MeshCheck
 {
     MeshError error = MeshError::None;
     std::size_t element = 0; ///< index of the triangle, vertex or array
@@ -41,6 +42,6 @@ struct MeshCheck
 /// Checks the preconditions of `repair`: at least one triangle, indices in range, finite coordinates within
 /// kMostCoordinate_mm, and arrays of matching size.
 /// @par Cost O(n). Any thread.
-[[nodiscard]] MeshCheck check(const TriangleMesh& mesh) noexcept;
+[[nodiscard]] PALPATE_EXPORT MeshCheck check(const TriangleMesh& mesh) noexcept;
 
 } // namespace palpate::geometry

@@ -3,6 +3,8 @@
 
 #include "palpate/geometry/TriangleMesh.h"
 
+#include <palpate/core/Export.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -10,7 +12,7 @@
 namespace palpate::geometry {
 
 /// Mesh quality of one structure: defects found and changes made by `repair`. All counts refer to this structure only.
-struct MeshReport
+struct PALPATE_EXPORT MeshReport
 {
     std::size_t inputVertices = 0;
     std::size_t inputTriangles = 0;

@@ -3,6 +3,8 @@
 
 #include "palpate/geometry/TriangleMesh.h"
 
+#include <palpate/core/Export.h>
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -15,7 +17,7 @@ namespace palpate::geometry {
 /// remains a corner of a triangle, so that no gap opens to neighbours that share this vertex.
 ///
 /// VTK's triangulation fails for polygons with such vertices and for small polygons in metres.
-class PolygonCutter
+class PALPATE_EXPORT PolygonCutter
 {
   public:
     static constexpr std::size_t kMostCorners = 1024; ///< ear clipping takes cubic time at worst

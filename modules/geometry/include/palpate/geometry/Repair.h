@@ -4,6 +4,7 @@
 #include "palpate/geometry/MeshReport.h"
 #include "palpate/geometry/TriangleMesh.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 
 #include <cstdint>
@@ -65,7 +66,7 @@ struct RepairOptions
 /// is closed if every edge is traversed equally often in both directions.
 /// @pre `check(mesh)` finds no error
 /// @par Cost O(n log n). Any thread.
-[[nodiscard]] RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {});
+[[nodiscard]] PALPATE_EXPORT RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {});
 [[nodiscard]] inline RepairedMesh repair(const TriangleMesh& mesh, Facing facing)
 {
     return repair(mesh, RepairOptions{.facing = facing});
@@ -83,6 +84,7 @@ struct RepairOptions
 ///
 /// @return the error of `check`; OutOfRange for an invalid weldWithin_mm; Empty if no triangle has an area
 /// @par Cost As `repair`. Any thread.
-[[nodiscard]] core::Result<RepairedMesh> surfaceOf(const TriangleMesh& mesh, const RepairOptions& options = {});
+[[nodiscard]] PALPATE_EXPORT core::Result<RepairedMesh> surfaceOf(const TriangleMesh& mesh,
+                                                                  const RepairOptions& options = {});
 
 } // namespace palpate::geometry

@@ -6,6 +6,7 @@
 #include "palpate/haptics/Tissue.h"
 #include "palpate/haptics/TissueMap.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/geometry/SurfaceIndex.h>
 
@@ -96,7 +97,7 @@ struct HapticLayer
 /// const auto hidden = softer.value()->without(0);
 /// loop.setScene(hidden.value());
 /// @endcode
-class HapticScene
+class PALPATE_EXPORT HapticScene
 {
   public:
     static constexpr std::size_t kMaxLayers = haptics::kMaxLayers;

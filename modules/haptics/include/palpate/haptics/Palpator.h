@@ -5,6 +5,8 @@
 #include "palpate/haptics/PalpatorState.h"
 #include "palpate/haptics/TickResult.h"
 
+#include <palpate/core/Export.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,7 +17,7 @@ namespace palpate::haptics {
 struct GodObjectLimits
 {
     std::uint32_t iterations = 512; ///< moves per tick and layer; TickStatus::IterationLimit if reached
-    /// Work budget of a point in units of about 10 ns (resources/docs/cost.md), reported like `iterations`. Layers
+    /// Work budget of a point in units of about 10 ns (docs/cost.md), reported like `iterations`. Layers
     /// share the budget, innermost first, so that outer layers do not change the result of inner ones. Each layer gets
     /// at least 1/32.
     std::uint32_t work = 20000;
@@ -46,7 +48,7 @@ enum class Continuity : std::uint8_t
 /// const TickResult tick = palpator.step(p_WH, 1e-3); // at 1 kHz
 /// // tick.f_W is the force on the hand in N, tick.p_WG the god-object in mm.
 /// @endcode
-class Palpator
+class PALPATE_EXPORT Palpator
 {
   public:
     /// Allocates all memory that later ticks need.

@@ -3,6 +3,7 @@
 
 #include "palpate/session/Recorder.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/device/HapticDevice.h>
 #include <palpate/haptics/HapticScene.h>
@@ -39,7 +40,7 @@ enum class Embed : std::uint8_t
 /// }
 /// @endcode
 /// @par Thread All functions from the same thread.
-class LiveSession
+class PALPATE_EXPORT LiveSession
 {
   public:
     LiveSession() = default;

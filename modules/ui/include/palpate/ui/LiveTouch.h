@@ -3,6 +3,7 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/device/PointerDevice.h>
 #include <palpate/session/LiveSession.h>
 
@@ -19,7 +20,7 @@ namespace palpate::ui {
 /// new scene to the servo loop after each change.
 ///
 /// @par Thread GUI thread only.
-class LiveTouch : public QObject
+class PALPATE_EXPORT LiveTouch : public QObject
 {
     Q_OBJECT
   public:
@@ -69,6 +70,9 @@ class LiveTouch : public QObject
     /// Sets rate and CPU of the loop. When a value changes, a running loop restarts while the device stays open. Fails
     /// while a recording runs, when `servo::checkCpu` rejects the CPU, or as `start`.
     core::Status setLoop(double rate_Hz, int cpu);
+    /// Sets whether the loop locks the memory of the whole program, from the next start; off by default. See
+    /// `servo::makeThreadRealtime`.
+    void setLocksMemory(bool locks) noexcept { m_options.lockMemory = locks; }
     /// Measured tick rate over the last half second. [Hz]
     [[nodiscard]] double measuredRate_Hz() const noexcept { return m_rate_Hz; }
     [[nodiscard]] servo::RealtimeReport realtime() const { return m_session.loop().realtime(); }

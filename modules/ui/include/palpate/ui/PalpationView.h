@@ -3,6 +3,7 @@
 
 #include "palpate/ui/TouchReading.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/Tissue.h>
 #include <palpate/device/HapticDevice.h>
@@ -54,7 +55,7 @@ struct Organ
 ///
 /// This header is stable: other headers of this module may change with each release.
 /// @par Thread GUI thread only. The servo thread runs from the first `add` to the destructor.
-class PalpationView : public QWidget
+class PALPATE_EXPORT PalpationView : public QWidget
 {
     Q_OBJECT
   public:

@@ -4,6 +4,8 @@
 #include "palpate/ui/TouchHistory.h"
 #include "palpate/ui/TouchReading.h"
 
+#include <palpate/core/Export.h>
+
 #include <QString>
 #include <QWidget>
 
@@ -24,12 +26,12 @@ struct PalpatedStructure
     double depth_mm = 0.0;
     std::optional<double> stiffnessRatio{}; ///< of a transmitted lump
 };
-[[nodiscard]] PalpatedStructure palpatedStructure(const TouchReading& reading);
+[[nodiscard]] PALPATE_EXPORT PalpatedStructure palpatedStructure(const TouchReading& reading);
 /// Location: "lump 20 mm in liver".
-[[nodiscard]] QString whereText(const PalpatedStructure& felt);
+[[nodiscard]] PALPATE_EXPORT QString whereText(const PalpatedStructure& felt);
 
 /// Current touch in digits that are readable at arm's length, with the chart of the last ten seconds.
-class TouchPanel : public QWidget
+class PALPATE_EXPORT TouchPanel : public QWidget
 {
     Q_OBJECT
   public:
@@ -72,12 +74,12 @@ class TouchPanel : public QWidget
 };
 
 /// Force with three significant digits: "2.31", "12.3", "123".
-[[nodiscard]] QString forceText(double force_N);
+[[nodiscard]] PALPATE_EXPORT QString forceText(double force_N);
 /// Depth with more digits for small values: "4.6". [mm]
-[[nodiscard]] QString depthText(double depth_mm);
+[[nodiscard]] PALPATE_EXPORT QString depthText(double depth_mm);
 /// Text for screen readers: "2.31 N, 4.6 mm deep".
-[[nodiscard]] QString touchText(const TouchReading& reading);
+[[nodiscard]] PALPATE_EXPORT QString touchText(const TouchReading& reading);
 /// Detail line without the structure's name: "4.6 mm deep · 0.50 N/mm".
-[[nodiscard]] QString detailText(const TouchReading& reading);
+[[nodiscard]] PALPATE_EXPORT QString detailText(const TouchReading& reading);
 
 } // namespace palpate::ui

@@ -3,6 +3,7 @@
 
 #include "palpate/view/TouchCursor.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/servo/TickRecord.h>
 
 #include <span>
@@ -25,7 +26,7 @@ namespace palpate::view {
 /// @param fingertip_mm  radius of the ball-shaped probe [mm], 0: a point
 /// @param colours  colour of each structure by number, for the god-objects of inner layers; missing ones are white
 /// @par Thread The thread of the view.
-[[nodiscard]] TouchState stateOf(const servo::TickRecord& tick, double fingertip_mm = 0.0,
-                                 std::span<const Colour> colours = {});
+[[nodiscard]] PALPATE_EXPORT TouchState stateOf(const servo::TickRecord& tick, double fingertip_mm = 0.0,
+                                                std::span<const Colour> colours = {});
 
 } // namespace palpate::view

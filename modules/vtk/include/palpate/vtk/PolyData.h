@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/geometry/Repair.h>
 #include <palpate/geometry/TriangleMesh.h>
@@ -28,7 +29,7 @@ struct SurfaceOptions
 /// @return Empty: null, or no polygon; BadFormat: a polygon with less than 3 or more than
 ///         geometry::PolygonCutter::kMostCorners corners; OutOfRange or NonFinite: see geometry::check
 /// @par Cost O(n). Not for the servo thread.
-[[nodiscard]] core::Result<geometry::TriangleMesh> meshOf(vtkPolyData* data);
+[[nodiscard]] PALPATE_EXPORT core::Result<geometry::TriangleMesh> meshOf(vtkPolyData* data);
 
 /// Converts a surface for touch: checked, in mm, and repaired. The data need neither be triangulated nor have normals.
 ///
@@ -42,7 +43,8 @@ struct SurfaceOptions
 ///
 /// @return as `meshOf` and geometry::surfaceOf
 /// @par Cost O(n log n). Not for the servo thread.
-[[nodiscard]] core::Result<geometry::RepairedMesh> surfaceOf(vtkPolyData* data, const SurfaceOptions& options = {});
+[[nodiscard]] PALPATE_EXPORT core::Result<geometry::RepairedMesh> surfaceOf(vtkPolyData* data,
+                                                                            const SurfaceOptions& options = {});
 
 /// Transfers values at the vertices of a repaired surface to the points that the surface was made from, for example a
 /// palpability map (buried::FeltSurface) or a measure.
@@ -54,10 +56,10 @@ struct SurfaceOptions
 ///                feltSurface adds
 /// @return one value per point, NaN at points that no triangle uses; Mismatch for too few values or if the surface has
 ///         no `vertexOfSource`
-[[nodiscard]] core::Result<vtkSmartPointer<vtkFloatArray>> atPoints(const geometry::RepairedMesh& surface,
-                                                                    std::span<const float> values, const char* name);
+[[nodiscard]] PALPATE_EXPORT core::Result<vtkSmartPointer<vtkFloatArray>>
+atPoints(const geometry::RepairedMesh& surface, std::span<const float> values, const char* name);
 
 /// Converts a mesh to points of double precision and triangles, without arrays.
-[[nodiscard]] vtkSmartPointer<vtkPolyData> polyDataOf(const geometry::TriangleMesh& mesh);
+[[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkPolyData> polyDataOf(const geometry::TriangleMesh& mesh);
 
 } // namespace palpate::vtk
