@@ -22,11 +22,11 @@ HapticStructure plate(double z_mm, const char* name)
     return {name, indexed(box({-10, -10, z_mm - 5}, {10, 10, z_mm})), {0.5, 0.0}, 0};
 }
 
-/// Returns the force of a press 1 mm into z = 0.
+/// Returns the force of a press 1 mm into z = 0, without the 1e-11 mm of the skin.
 double press_N(Palpator& palpator)
 {
     (void)palpator.step({1, 2, 0.5}, 1e-3);
-    return palpator.step({1, 2, -1.0}, 1e-3).f_W.norm();
+    return 1e-6 * std::round(1e6 * palpator.step({1, 2, -1.0}, 1e-3).f_W.norm());
 }
 
 } // namespace
