@@ -39,10 +39,13 @@ class MeshCheckTest : public QObject
             "the mesh has no triangles, expected at least 1");
         row(
             "index", [](Mesh& m) { m.triangles[1][2] = 99; }, MeshError::IndexOutOfRange, StatusCode::OutOfRange,
-            "triangle 1 uses vertex 99, expected 0 to 3");
+            "triangle 1 uses vertex 99, expected a number below 4");
         row(
             "first index out of range", [](Mesh& m) { m.triangles[1][0] = 4; }, MeshError::IndexOutOfRange,
-            StatusCode::OutOfRange, "triangle 1 uses vertex 4, expected 0 to 3");
+            StatusCode::OutOfRange, "triangle 1 uses vertex 4, expected a number below 4");
+        row(
+            "no vertex", [](Mesh& m) { m.vertices.clear(); }, MeshError::IndexOutOfRange, StatusCode::OutOfRange,
+            "triangle 0 uses vertex 0, expected a number below 0");
         row(
             "NaN", [](Mesh& m) { m.vertices[2].y() = std::nan(""); }, MeshError::NonFiniteCoordinate,
             StatusCode::NonFinite, "vertex 2 has the coordinate nan, expected a finite number");

@@ -3,6 +3,7 @@
 #include "TestRunner.h"
 
 #include <palpate/geometry/Repair.h>
+#include <palpate/geometry/Reshape.h>
 
 #include <algorithm>
 #include <numbers>
@@ -281,6 +282,18 @@ class Repair : public QObject
         for (std::uint32_t v = 0; v < r.mesh.vertices.size(); ++v) {
             QCOMPARE(r.vertexOfSource[r.vertexSource[v]], v);
         }
+    }
+
+    void leavesUnknownVertexMapsUnknown()
+    {
+        geometry::TriangleMesh mesh = sphere(4, 10.0);
+        geometry::flip(mesh);
+        RepairedMesh recorded = repair(mesh, geometry::Facing::AsGiven);
+        recorded.vertexSource.clear();
+        recorded.vertexOfSource.clear();
+        const auto turned = geometry::orientedOutwards(recorded);
+        QVERIFY(turned && turned->vertexSource.empty() && turned->vertexOfSource.empty());
+        QVERIFY(geometry::withVertices(recorded, recorded.mesh.vertices).vertexSource.empty());
     }
 
     void survivesNothing() { QCOMPARE(repair({}).report.triangles, std::size_t{0}); }

@@ -23,8 +23,8 @@ Status MeshCheck::status() const
         return {StatusCode::OutOfRange, PALPATE_TEXT("the mesh has %1 vertices or triangles, expected at most %2"),
                 count(value), count(expected)};
     case MeshError::IndexOutOfRange:
-        return {StatusCode::OutOfRange, PALPATE_TEXT("triangle %1 uses vertex %2, expected 0 to %3"), Count(element),
-                count(value), count(expected - 1.0)};
+        return {StatusCode::OutOfRange, PALPATE_TEXT("triangle %1 uses vertex %2, expected a number below %3"),
+                Count(element), count(value), count(expected)};
     case MeshError::NonFiniteCoordinate:
         return {StatusCode::NonFinite, PALPATE_TEXT("vertex %1 has the coordinate %2, expected a finite number"),
                 Count(element), value};

@@ -431,6 +431,7 @@ RepairedMesh chained(const RepairedMesh& before, RepairedMesh again)
     report.zeroAreaTriangles += was.zeroAreaTriangles;
     report.duplicateTriangles += was.duplicateTriangles;
     report.inconsistentEdges = was.inconsistentEdges;
+    report.turnedComponents += was.turnedComponents;
     report.reorientedTriangles = was.reorientedTriangles; // reversed for consistency; excludes reversals on request
     if (again.turned.empty() && !before.turned.empty()) {
         again.turned.assign(again.source.size(), 0);
@@ -441,6 +442,11 @@ RepairedMesh chained(const RepairedMesh& before, RepairedMesh again)
         if (!before.turned.empty()) {
             again.turned[i] ^= before.turned[from];
         }
+    }
+    if (before.vertexSource.size() != before.mesh.vertices.size()) { // unknown, as from a recording
+        again.vertexSource.clear();
+        again.vertexOfSource.clear();
+        return again;
     }
     for (std::uint32_t& vertex : again.vertexSource) {
         vertex = before.vertexSource[vertex];
