@@ -91,9 +91,10 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
     }
 }
 
-/// Constrained point of the current contacts without friction, relative to the current position.
-ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer& layer,
-                                            std::array<HalfSpace, 3>& planes) const noexcept
+/// Constrained point of the current contacts without friction, relative to the current position. Not inlined: GCC 12
+/// would report the result as uninitialized.
+[[gnu::noinline]] ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer& layer,
+                                                              std::array<HalfSpace, 3>& planes) const noexcept
 {
     double skin_mm = std::numeric_limits<double>::infinity(); // minimum over the contacts
     for (std::size_t i = 0; i < m_state.constraints; ++i) {
