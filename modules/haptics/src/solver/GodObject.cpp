@@ -86,15 +86,15 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
         point = withoutFriction(p_WH, layer, planes);
     }
     m_push_W.setZero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(point.count); ++i) {
+    const std::size_t count = std::min(static_cast<std::size_t>(point.count), point.active.size());
+    for (std::size_t i = 0; i < count; ++i) {
         m_push_W += point.lambda_mm[i] * planes[point.active[i]].n;
     }
 }
 
-/// Constrained point of the current contacts without friction, relative to the current position. Not inlined: GCC 12
-/// would report the result as uninitialized.
-[[gnu::noinline]] ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer& layer,
-                                                              std::array<HalfSpace, 3>& planes) const noexcept
+/// Constrained point of the current contacts without friction, relative to the current position.
+ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer& layer,
+                                            std::array<HalfSpace, 3>& planes) const noexcept
 {
     double skin_mm = std::numeric_limits<double>::infinity(); // minimum over the contacts
     for (std::size_t i = 0; i < m_state.constraints; ++i) {
