@@ -115,11 +115,16 @@ function(palpate_add_to_library library module)
   set(target palpate_${library}_library)
   if(NOT TARGET ${target})
     add_library(${target} SHARED)
-    # In 0.x the second number tells what no longer fits.
+    # While the first number is 0, the second counts incompatible changes.
+    set(compatible ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     set_target_properties(${target} PROPERTIES OUTPUT_NAME palpate-${library} EXPORT_NAME ${library}_library
-      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} LINKER_LANGUAGE CXX)
-    # Calls within the library are direct, and each version's symbols have its name: two versions in one process stay apart.
-    target_link_options(${target} PRIVATE -Wl,--no-undefined -Wl,-Bsymbolic-functions -Wl,--default-symver
+      VERSION ${PROJECT_VERSION} SOVERSION ${compatible} LINKER_LANGUAGE CXX)
+    # Symbols carry the version, so that two versions in one process stay apart, and calls within the library are direct.
+    # GCC 12 does not hide functions with target_clones, which haptics has.
+    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${target}.map
+      "PALPATE_${compatible} { global: *; local: extern \"C++\" { palpate::haptics::internal::*; }; };\n")
+    target_link_options(${target} PRIVATE -Wl,--version-script=${CMAKE_CURRENT_BINARY_DIR}/${target}.map
+      -Wl,--no-undefined -Wl,-Bsymbolic-functions
       $<TARGET_PROPERTY:palpate_flags,INTERFACE_LINK_OPTIONS>)
     # Each library uses those before it.
     foreach(before engine vtk)

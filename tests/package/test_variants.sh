@@ -25,7 +25,9 @@ for compiler in g++ clang++; do
     for variant in cxx20 cxx23 native no_exceptions; do
         expect_force "$work/$compiler/$variant"
     done
-    exported=$(nm -D --defined-only --demangle "$work/$compiler/extension.so" | grep palpate:: || true)
+    # Except for functions with target_clones, which GCC 12 does not hide.
+    exported=$(nm -D --defined-only --demangle "$work/$compiler/extension.so" | grep palpate:: |
+        grep -v '[iW] palpate::haptics::internal::' || true)
     # Inline functions of exported classes are the shared libraries' interface.
     if [[ -n $exported && ! -e $libraries/libpalpate-engine.so ]]; then
         echo "expected an extension to export nothing of Palpate, found:"

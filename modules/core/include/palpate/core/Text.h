@@ -25,6 +25,6 @@ template<std::integral T>
 
 /// @return `text` in quotes, safe for a one-line message: at most 40 bytes, cut at UTF-8 character boundaries, with "?"
 /// for control characters and "…" for omitted text
-[[nodiscard]] std::string inQuotes(std::string_view text);
+[[nodiscard]] PALPATE_EXPORT std::string inQuotes(std::string_view text);
 
 } // namespace palpate::core

@@ -25,7 +25,8 @@ struct FeltColours
 /// `drawPalpabilityContours`.
 /// @param picture  made from `mesh` by `makeSurface`; points and triangles are shared, not copied
 /// @param colours  one entry per vertex of the mesh
-/// @par Cost O(triangles). @par Thread Any.
+/// @par Cost O(triangles)
+/// @par Thread Any
 [[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkPolyData>
 palpabilityColoured(vtkPolyData& picture, const geometry::TriangleMesh& mesh, const FeltColours& colours);
 

@@ -36,7 +36,9 @@ struct ColourRange
 /// Colours a picture with `surfaceColour`; unknown values are light grey.
 /// @param picture  made from `surface` by `makeSurface`; points and triangles are shared, not copied
 /// @param values  one per vertex or one per triangle of the surface; with any other size the result has no colours
-/// @return a picture with colours at points or triangles. @par Cost O(triangles). @par Thread Any.
+/// @return a picture with colours at points or triangles
+/// @par Cost O(triangles)
+/// @par Thread Any
 [[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkPolyData> coloured(vtkPolyData& picture,
                                                                    const geometry::RepairedMesh& surface,
                                                                    std::span<const float> values, bool isPerTriangle,
