@@ -137,7 +137,7 @@ core::Status recordPalpation(const meshio::LoadedScene& loaded, const device::Ha
 
     constexpr std::uint32_t kGeneration = 1;
     servo::ServoCore servo(servo::GateLimits::forDevice(hand.info()), kRate_Hz);
-    servo.setScene(scene.get(), kGeneration);
+    servo.borrowScene(scene.get(), kGeneration);
 
     session::RecordingInfo info;
     info.rate_Hz = kRate_Hz;

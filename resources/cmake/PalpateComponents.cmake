@@ -1,20 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds parts of the engine alone, for programs that embed them: cmake -DPALPATE_COMPONENTS=haptics
+# Which modules are built and what these need.
 
-# palpate_add_components(MODULE ...) adds these modules and those they use (modules/layers.txt), and finds what they need.
-function(palpate_add_components)
-  set(all core geometry haptics device servo session buried meshio) # each after the modules it uses
+# palpate_choose_modules(COMPONENT ...) sets `palpate_modules` to these components and the modules that they use
+# (modules/layers.txt), each after those that it uses, and `palpate_needs_qt`, `palpate_needs_vtk` and
+# `palpate_needs_sqlite` to what their CMakeLists.txt name of Qt, VTK and SQLite.
+function(palpate_choose_modules)
+  set(all)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/modules/layers.txt rules REGEX "^[a-z]+:")
+  foreach(rule IN LISTS rules)
+    string(REGEX MATCHALL "[a-z]+" names "${rule}")
+    list(POP_FRONT names module)
+    set(uses_${module} ${names})
+    if(EXISTS ${PROJECT_SOURCE_DIR}/modules/${module}/CMakeLists.txt AND NOT module STREQUAL "evaluation")
+      list(APPEND all ${module})
+    endif()
+  endforeach()
   foreach(module IN LISTS ARGN)
     if(NOT module IN_LIST all)
       list(JOIN all ", " known)
       message(FATAL_ERROR "PALPATE_COMPONENTS: found \"${module}\", expected some of ${known}")
     endif()
-  endforeach()
-  file(STRINGS modules/layers.txt rules REGEX "^[a-z]+:")
-  foreach(rule IN LISTS rules)
-    string(REGEX MATCHALL "[a-z]+" names "${rule}")
-    list(POP_FRONT names module)
-    set(uses_${module} ${names})
   endforeach()
 
   set(wanted ${ARGN})
@@ -26,20 +31,25 @@ function(palpate_add_components)
   endforeach()
   list(REVERSE all)
 
-  if("device" IN_LIST wanted OR "meshio" IN_LIST wanted)
-    find_package(Qt6 6.4 REQUIRED COMPONENTS Core)
-  endif()
-  if("session" IN_LIST wanted)
-    find_package(SQLite3 3.40 REQUIRED)
-  endif()
-  if("buried" IN_LIST wanted OR "meshio" IN_LIST wanted)
-    find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonMisc CommonSystem
-      CommonTransforms FiltersCore FiltersGeneral FiltersGeometry FiltersModeling IOCore IOGeometry IOImage IOLegacy IOPLY
-      IOXML zlib)
-  endif()
+  set(chosen)
+  set(named)
   foreach(module IN LISTS all)
     if(module IN_LIST wanted)
-      add_subdirectory(modules/${module})
+      list(APPEND chosen ${module})
+      file(READ ${PROJECT_SOURCE_DIR}/modules/${module}/CMakeLists.txt text)
+      string(REGEX MATCHALL "(VTK|Qt6|SQLite)::[A-Za-z0-9]+" found "${text}")
+      list(APPEND named ${found})
     endif()
+  endforeach()
+  list(REMOVE_DUPLICATES named)
+  list(REMOVE_ITEM named Qt6::Multimedia) # where it is there: modules/ui
+  set(palpate_modules ${chosen} PARENT_SCOPE)
+  foreach(package Qt6 VTK SQLite)
+    set(parts ${named})
+    list(FILTER parts INCLUDE REGEX "^${package}::")
+    list(TRANSFORM parts REPLACE ".*::" "")
+    string(REGEX REPLACE "[0-9]" "" lower ${package})
+    string(TOLOWER ${lower} lower)
+    set(palpate_needs_${lower} ${parts} PARENT_SCOPE)
   endforeach()
 endfunction()

@@ -32,57 +32,113 @@ endif()
 
 if(TARGET Qt6::moc)
   get_target_property(palpate_qt_moc Qt6::moc LOCATION)
-  configure_file(${CMAKE_CURRENT_LIST_DIR}/moc.sh.in ${CMAKE_BINARY_DIR}/moc.sh @ONLY FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/moc.sh.in ${PROJECT_BINARY_DIR}/moc.sh @ONLY FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
 endif()
 
 # palpate_moc(TARGET) lets moc run over the target's sources.
 function(palpate_moc target)
-  set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc.sh)
+  set_target_properties(${target} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE ${PROJECT_BINARY_DIR}/moc.sh)
 endfunction()
 
-# palpate_module(NAME SOURCES ... [TIMED ...] [USES module ...] [LIBRARIES public ...] [PRIVATE_LIBRARIES ...] [ENGINE] [QT]
-#                [O1])
-# makes the static library palpate_NAME with the alias palpate::NAME. ENGINE modules are installed, each as a component NAME
-# of find_package(Palpate); a module comes after those that it uses. O1: no servo tick waits for it (palpate_o1_flags), but
-# for the TIMED sources, whose speed counts.
+# palpate_module(NAME [LIBRARY engine|vtk|qt] SOURCES ... [TIMED ...] [USES module ...] [LIBRARIES public ...]
+#                [PRIVATE_LIBRARIES ...] [QT] [O1])
+# makes palpate::NAME. With LIBRARY the module is a component NAME of find_package(Palpate), and where BUILD_SHARED_LIBS is
+# on, part of the shared library libpalpate-LIBRARY; it is a static library otherwise. A module comes after those that it
+# uses. QT: moc runs over its sources. O1: no servo tick waits for it (palpate_o1_flags), but for the TIMED sources, whose
+# speed counts; TIMED is for modules without LIBRARY.
 function(palpate_module name)
-  cmake_parse_arguments(M "ENGINE;QT;O1" "" "SOURCES;TIMED;USES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(M "QT;O1" "LIBRARY" "SOURCES;TIMED;USES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   set(timed ${M_TIMED})
   if(M_TIMED AND CMAKE_UNITY_BUILD)
     set(timed $<TARGET_OBJECTS:palpate_${name}_timed>)
   endif()
-  add_library(palpate_${name} STATIC ${M_SOURCES} ${timed})
-  add_library(palpate::${name} ALIAS palpate_${name})
-  target_include_directories(palpate_${name} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-    PRIVATE src)
-  target_compile_features(palpate_${name} PUBLIC cxx_std_20)
-  list(TRANSFORM M_USES PREPEND palpate::)
-  target_link_libraries(palpate_${name} PUBLIC ${M_USES} ${M_LIBRARIES}
-    PRIVATE $<BUILD_INTERFACE:palpate_flags> ${M_PRIVATE_LIBRARIES})
+  list(TRANSFORM M_USES PREPEND palpate:: OUTPUT_VARIABLE uses)
+
+  set(main palpate_${name}) # what others link
+  set(kind PUBLIC)
+  if(BUILD_SHARED_LIBS AND M_LIBRARY)
+    # The sources are compiled as an object library, which sees the headers of the modules that it uses: were it to link
+    # their shared library, which may be its own, the two would wait for each other.
+    set(main palpate_${name}_component)
+    set(kind INTERFACE)
+    list(TRANSFORM M_USES REPLACE "(.+)" "palpate_\\1_headers" OUTPUT_VARIABLE used_headers)
+    add_library(palpate_${name} OBJECT ${M_SOURCES})
+    target_compile_options(palpate_${name} PRIVATE -fno-semantic-interposition) # inlines as a static library's sources do
+    add_library(palpate_${name}_headers INTERFACE)
+    target_link_libraries(palpate_${name}_headers INTERFACE ${used_headers} ${M_LIBRARIES})
+    target_link_libraries(palpate_${name} PRIVATE palpate_${name}_headers ${M_PRIVATE_LIBRARIES})
+    add_library(${main} INTERFACE)
+    target_link_libraries(${main} INTERFACE palpate_${name}_headers palpate_${M_LIBRARY}_library ${uses})
+    set(headers palpate_${name}_headers)
+    palpate_add_to_library(${M_LIBRARY} ${name} ${M_LIBRARIES} ${M_PRIVATE_LIBRARIES})
+  else()
+    add_library(palpate_${name} STATIC ${M_SOURCES} ${timed})
+    target_link_libraries(palpate_${name} PUBLIC ${uses} ${M_LIBRARIES} PRIVATE ${M_PRIVATE_LIBRARIES})
+    set(headers palpate_${name})
+  endif()
+  add_library(palpate::${name} ALIAS ${main})
+  target_include_directories(${headers} ${kind}
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  if(EXISTS ${CMAKE_CURRENT_BINARY_DIR}/include) # of configure_file
+    target_include_directories(${headers} ${kind} $<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}/include>)
+  endif()
+  target_compile_features(${headers} ${kind} cxx_std_20)
+  target_include_directories(palpate_${name} PRIVATE src)
+  palpate_apply_flags(palpate_${name} palpate_flags)
+  if(M_LIBRARY)
+    set_target_properties(palpate_${name} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  endif()
   if(M_TIMED AND CMAKE_UNITY_BUILD)
     add_library(palpate_${name}_timed OBJECT ${M_TIMED})
     target_include_directories(palpate_${name}_timed PRIVATE include src)
-    target_link_libraries(palpate_${name}_timed PRIVATE ${M_USES} ${M_LIBRARIES} ${M_PRIVATE_LIBRARIES} palpate_flags)
+    target_link_libraries(palpate_${name}_timed PRIVATE ${uses} ${M_LIBRARIES} ${M_PRIVATE_LIBRARIES} palpate_flags)
   endif()
   if(M_O1)
-    target_link_libraries(palpate_${name} PRIVATE $<BUILD_INTERFACE:palpate_o1_flags>)
+    palpate_apply_flags(palpate_${name} palpate_o1_flags)
   endif()
   if(M_QT)
     palpate_moc(palpate_${name})
   endif()
-  if(M_ENGINE)
-    set_target_properties(palpate_${name} PROPERTIES EXPORT_NAME ${name})
-    install(TARGETS palpate_${name} EXPORT Palpate_${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-    install(EXPORT Palpate_${name} FILE Palpate_${name}.cmake NAMESPACE palpate::
-      DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Palpate)
-    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} PATTERN internal EXCLUDE)
-    set_property(GLOBAL APPEND PROPERTY PALPATE_COMPONENTS ${name})
-    set_property(GLOBAL APPEND PROPERTY PALPATE_PUBLIC_HEADERS ${CMAKE_CURRENT_SOURCE_DIR}/include)
-    string(REGEX MATCHALL "VTK::[A-Za-z0-9]+" vtk "${M_PRIVATE_LIBRARIES}")
-    list(TRANSFORM vtk REPLACE "VTK::" "")
-    set_property(GLOBAL APPEND PROPERTY PALPATE_VTK_COMPONENTS ${vtk})
-    string(REPLACE "palpate::" "" uses "${M_USES}")
-    set_property(GLOBAL APPEND_STRING PROPERTY PALPATE_COMPONENT_USES "set(palpate_uses_${name} ${uses})\n")
+  if(M_LIBRARY AND PALPATE_INSTALL)
+    palpate_install_module(${name})
   endif()
+endfunction()
+
+# palpate_apply_flags(TARGET FLAGS) compiles TARGET with the options of FLAGS, which installed targets do not name.
+function(palpate_apply_flags target flags)
+  target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:${flags},INTERFACE_COMPILE_OPTIONS>)
+endfunction()
+
+# palpate_add_to_library(LIBRARY MODULE [library ...]) puts the objects of MODULE, which need these other libraries, into
+# libpalpate-LIBRARY.
+function(palpate_add_to_library library module)
+  set(target palpate_${library}_library)
+  if(NOT TARGET ${target})
+    add_library(${target} SHARED)
+    # While the first number is 0, the second counts incompatible changes.
+    set(compatible ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME palpate-${library} EXPORT_NAME ${library}_library
+      VERSION ${PROJECT_VERSION} SOVERSION ${compatible} LINKER_LANGUAGE CXX)
+    # Symbols carry the version, so that two versions in one process stay apart, and calls within the library are direct.
+    # GCC 12 does not hide functions with target_clones, which haptics has.
+    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${target}.map
+      "PALPATE_${compatible} { global: *; local: extern \"C++\" { palpate::haptics::internal::*; }; };\n")
+    target_link_options(${target} PRIVATE -Wl,--version-script=${CMAKE_CURRENT_BINARY_DIR}/${target}.map
+      -Wl,--no-undefined -Wl,-Bsymbolic-functions
+      $<TARGET_PROPERTY:palpate_flags,INTERFACE_LINK_OPTIONS>)
+    # Each library uses those before it.
+    foreach(before engine vtk)
+      if(TARGET palpate_${before}_library AND NOT before STREQUAL library)
+        target_link_libraries(${target} PRIVATE palpate_${before}_library)
+      endif()
+    endforeach()
+    if(PALPATE_INSTALL)
+      install(TARGETS ${target} EXPORT Palpate_${library}_library
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT dev)
+      install(EXPORT Palpate_${library}_library NAMESPACE palpate:: COMPONENT dev
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Palpate)
+    endif()
+  endif()
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:palpate_${module}>)
+  target_link_libraries(${target} PRIVATE ${ARGN})
 endfunction()

@@ -5,11 +5,10 @@
 
 #include <palpate/haptics/Palpator.h>
 #include <palpate/meshio/LoadScene.h>
+#include <palpate/vtk/PolyData.h>
 
-#include <vtkCellArray.h>
 #include <vtkImplicitPolyDataDistance.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStaticCellLocator.h>
 
@@ -27,24 +26,6 @@ namespace {
 
 constexpr int kTicks = 10'000; // 10 s at 1 kHz
 constexpr double kInside_mm = 1e-6;
-
-vtkNew<vtkPolyData> toVtk(const RepairedMesh& surface)
-{
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const Vec3& v : surface.mesh.vertices) {
-        points->InsertNextPoint(v.data());
-    }
-    vtkNew<vtkCellArray> cells;
-    for (const geometry::Triangle& t : surface.mesh.triangles) {
-        const vtkIdType ids[3] = {t[0], t[1], t[2]};
-        cells->InsertNextCell(3, ids);
-    }
-    vtkNew<vtkPolyData> data;
-    data->SetPoints(points);
-    data->SetPolys(cells);
-    return data;
-}
 
 /// Returns whether any of `triangles` blocks the move, as defined in resources/docs/god-object.md, in long double. The
 /// surface is closed: front sides only.
@@ -112,7 +93,7 @@ class ClosedMeshes : public QObject
   private:
     void palpate(const RepairedMesh& surface, const std::string& name)
     {
-        const vtkNew<vtkPolyData> data = toVtk(surface);
+        const vtkSmartPointer<vtkPolyData> data = vtk::polyDataOf(surface.mesh);
         vtkNew<vtkImplicitPolyDataDistance> distance;
         distance->SetInput(data);
         vtkNew<vtkStaticCellLocator> locator;
@@ -124,7 +105,7 @@ class ClosedMeshes : public QObject
         const haptics::HapticScene scene({haptics::HapticStructure{
             name, std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(surface)), {0.5, 0.0}, 0}});
         Palpator palpator;
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
         std::mt19937 random(3);
         std::normal_distribution<double> normal;
         int contacts = 0;

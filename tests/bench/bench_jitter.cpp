@@ -12,7 +12,7 @@
 
 #include <palpate/core/Clock.h>
 #include <palpate/device/SimulatedHand.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/servo/ServoLoop.h>
 #include <palpate/session/Recorder.h>
@@ -87,6 +87,7 @@ bool run(const char* name, unsigned load, double rate_Hz, bool askRealtime, doub
     servo::ServoOptions options;
     options.rate_Hz = rate_Hz;
     options.askRealtime = askRealtime;
+    options.lockMemory = askRealtime;
     if (const core::Status status = loop.start(hand, options); !status.isOk()) {
         std::fprintf(stderr, "%s\n", status.message().c_str());
         std::exit(1);

@@ -157,6 +157,7 @@ bool recordLive(const std::filesystem::path& file, const std::shared_ptr<const h
     device::PlaybackDevice device(motion);
     servo::ServoLoop loop;
     servo::ServoOptions options;
+    options.lockMemory = true;
     options.rate_Hz = kRate_Hz;
     std::error_code none;
     std::filesystem::remove(file, none); // a recording never replaces another file

@@ -151,7 +151,7 @@ void slide(benchmark::State& state, int n, double bump, double distance_mm, doub
 {
     const haptics::HapticScene& sphere = scene(n, bump, fingertip_mm, spheres);
     haptics::Palpator palpator;
-    palpator.setScene(&sphere);
+    palpator.borrowScene(&sphere);
     double arc = 0.0;
     for (int i = 0; i < 300; ++i) { // approach
         const double share = std::min(1.0, i / 200.0);
@@ -222,7 +222,7 @@ void addTissue(const std::string& what, double fingertip_mm)
     const auto run = [=](benchmark::State& state) {
         const haptics::HapticScene scene = tissueScene(what, kN, fingertip_mm);
         haptics::Palpator palpator;
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
         const double deep = kRadius_mm + fingertip_mm - 5.0;
         for (int i = 0; i <= 100; ++i) { // approach
             (void)palpator.step(direction(0.0) * (deep + 0.1 * (100 - i)), 1e-3);
@@ -300,7 +300,7 @@ void addWorst(const std::string& name, double fingertip_mm)
         }
         const haptics::HapticScene worst(std::move(structures), fingertip_mm);
         haptics::Palpator palpator;
-        palpator.setScene(&worst);
+        palpator.borrowScene(&worst);
         Ticks ticks;
         int i = 0;
         for (auto _ : state) {

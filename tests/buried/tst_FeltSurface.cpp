@@ -30,7 +30,7 @@ class FeltSurface : public QObject
 
     static std::shared_ptr<const RepairedMesh> made(const geometry::TriangleMesh& mesh)
     {
-        return std::make_shared<const RepairedMesh>(geometry::repair(mesh));
+        return std::make_shared<const RepairedMesh>(geometry::repair(mesh, geometry::Facing::AsGiven));
     }
     /// A ball of triangles with the volume of a true one.
     static geometry::TriangleMesh ball(int n, double radius_mm, const Vec3& at)

@@ -53,6 +53,22 @@ class Status : public QObject
         const std::unique_ptr<int> value = std::move(result).value();
         QCOMPARE(*value, 7);
     }
+
+    void takesAPointerToADerivedClass()
+    {
+        struct Base
+        {
+            virtual ~Base() = default;
+        };
+        struct Derived : Base
+        {
+        };
+        const auto make = []() -> Result<std::unique_ptr<Base>> { return std::make_unique<Derived>(); };
+        const Result<std::unique_ptr<Base>> made = make();
+        QVERIFY(made.isOk());
+        QVERIFY(dynamic_cast<Derived*>(made.value().get()) != nullptr);
+        static_assert(!std::is_convertible_v<std::unique_ptr<Base>, Result<std::unique_ptr<Derived>>>);
+    }
 };
 
 PALPATE_TEST(Status)

@@ -22,7 +22,7 @@ class Feel
 {
   public:
     Feel(const geometry::TriangleMesh& mesh, double radius_mm, const Vec3& start)
-        : m_surface(geometry::repair(mesh))
+        : m_surface(geometry::repair(mesh, geometry::Facing::AsGiven))
         , m_solver(m_surface, 1, radius_mm)
         , m_hip(start)
     {

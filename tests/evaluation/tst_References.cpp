@@ -140,7 +140,7 @@ class References : public QObject
     {
         for (const TriangleMesh& mesh : {shapes::bumpySphere(10, 20.0, 0.03), paperBody(), shapes::fan(40, -6.0),
                                          shapes::soup(shapes::groove(0.3))}) {
-            const Surface surface(geometry::repair(mesh));
+            const Surface surface(geometry::repair(mesh, geometry::Facing::AsGiven));
             PaperSolver all(surface), near(surface, PaperSolver::Search::Boxes);
             int contacts = 0;
             for (const std::uint64_t seed : {1, 2}) {
@@ -297,7 +297,7 @@ class References : public QObject
         geometry::TriangleMesh cavity = shapes::box(Vec3(-5, -5, -5), Vec3(5, 5, 5), 2);
         geometry::flip(cavity);
         shapes::append(mesh, cavity);
-        const Surface surface(geometry::repair(mesh));
+        const Surface surface(geometry::repair(mesh, geometry::Facing::AsGiven));
         QCOMPARE(surface.winding(Vec3(0, 0, 0)), 0);
         QCOMPARE(surface.winding(Vec3(7, 0, 0)), 1);
         QCOMPARE(surface.winding(Vec3(10 - 1e-14, 0, 0)), 1);

@@ -312,7 +312,7 @@ class Report : public QObject
             const Subject& subject = *subjects.back();
             const SubjectLayer& layer = subject.layers[0];
             palpate::haptics::Palpator palpator;
-            palpator.setScene(subject.scene.get());
+            palpator.borrowScene(subject.scene.get());
             std::size_t shared = 0;
             double apart_N = 0.0;
             for (const Vec3& hip : motion.p_WH) {

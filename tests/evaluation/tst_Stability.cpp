@@ -3,7 +3,7 @@
 
 #include <palpate/evaluation/Shapes.h>
 #include <palpate/evaluation/Stability.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/servo/PassivityController.h>
 

@@ -2,6 +2,10 @@
 #include "Shapes.h"
 #include "TestRunner.h"
 
+#include <palpate/geometry/Repair.h>
+#include <palpate/geometry/Reshape.h>
+
+#include <algorithm>
 #include <numbers>
 
 using namespace palpate;
@@ -66,7 +70,7 @@ class Repair : public QObject
     {
         geometry::TriangleMesh cavity = sphere(4, 10.0);
         geometry::flip(cavity);
-        const RepairedMesh r = repair(cavity);
+        const RepairedMesh r = repair(cavity, geometry::Facing::AsGiven);
         QCOMPARE(r.report.reorientedTriangles, std::size_t{0});
         QCOMPARE(r.report.insideOutComponents, std::size_t{1});
         QVERIFY(r.report.volume_mm3 < 0.0);
@@ -78,7 +82,7 @@ class Repair : public QObject
         geometry::flip(cavity);
         geometry::TriangleMesh mesh = sphere(4, 10.0);
         append(mesh, cavity);
-        const RepairedMesh r = repair(mesh);
+        const RepairedMesh r = repair(mesh, geometry::Facing::AsGiven);
         QCOMPARE(r.report.components, std::size_t{2});
         QCOMPARE(r.report.insideOutComponents, std::size_t{0});
     }
@@ -191,6 +195,105 @@ class Repair : public QObject
             QCOMPARE(r.triangles, mesh.triangles.size());
             QVERIFY(r.isClean());
         }
+    }
+
+    void turnsMeshesFromMemoryOutwards()
+    {
+        geometry::TriangleMesh inward = sphere(4, 5.0);
+        geometry::flip(inward);
+        geometry::TriangleMesh mesh = inward; // of vtkMarchingCubes, for example, beside one that faces outwards
+        append(mesh, moved(sphere(4, 5.0), Vec3(20, 0, 0)));
+        const RepairedMesh r = repair(mesh);
+        QCOMPARE(r.report.insideOutComponents, std::size_t{0});
+        QCOMPARE(r.report.turnedComponents, std::size_t{1});
+        QVERIFY(std::abs(r.report.volume_mm3 - 2.0 * repair(sphere(4, 5.0)).report.volume_mm3) < 1e-9);
+        QCOMPARE(r.report.sentences(),
+                 std::vector<std::string>{"1 closed part was inside out and turned to face outwards"});
+        QCOMPARE(std::size_t(std::count(r.turned.begin(), r.turned.end(), 1)), inward.triangles.size());
+        for (std::size_t i = 0; i < r.mesh.triangles.size(); ++i) {
+            QCOMPARE(r.source[i], std::uint32_t(i));
+        }
+    }
+
+    void facingChangesNothingThatFacesOutwards()
+    {
+        geometry::TriangleMesh cavity = sphere(4, 5.0);
+        geometry::flip(cavity);
+        geometry::TriangleMesh mesh = sphere(4, 10.0);
+        append(mesh, cavity);
+        append(mesh, sheet(30.0, 2)); // open: has no outside
+        const RepairedMesh given = repair(mesh, geometry::Facing::AsGiven), out = repair(mesh);
+        QVERIFY(given.mesh.vertices == out.mesh.vertices && given.mesh.triangles == out.mesh.triangles);
+        QCOMPARE(out.report.turnedComponents, std::size_t{0});
+    }
+
+    void weldsWithinTheDistance()
+    {
+        geometry::TriangleMesh mesh = soup(sphere(6, 10.0)); // each corner moved on its own, as by rounding
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            mesh.vertices[i] += 4e-7 * Vec3(double(i % 3) - 1.0, double(i % 5) / 2.0 - 1.0, double(i % 7) / 3.0 - 1.0);
+        }
+        QVERIFY(repair(mesh).report.openEdges > 0);
+        const RepairedMesh welded = repair(mesh, {.weldWithin_mm = 2e-6});
+        QVERIFY(welded.report.isClosed());
+        QCOMPARE(welded.report.vertices, repair(sphere(6, 10.0)).report.vertices);
+        QVERIFY(repair(mesh, {.weldWithin_mm = 1e-8}).report.openEdges > 0);
+    }
+
+    /// Vertices of a chain are welded to a representative, never farther than the distance.
+    void weldingDoesNotGrowAlongAChain()
+    {
+        geometry::TriangleMesh mesh;
+        for (int i = 0; i < 10; ++i) {
+            mesh.vertices.push_back({0.6 * i, 0, 0});
+        }
+        mesh.vertices.push_back({0, 100, 0});
+        for (std::uint32_t i = 0; i + 1 < 10; ++i) {
+            mesh.triangles.push_back({i, i + 1, 10});
+        }
+        const RepairedMesh r = repair(mesh, {.weldWithin_mm = 1.0});
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            const std::uint32_t vertex = r.vertexOfSource[i];
+            QVERIFY(vertex != geometry::kNoVertex);
+            QVERIFY((r.mesh.vertices[vertex] - mesh.vertices[i]).norm() <= 1.0);
+        }
+        QCOMPARE(r.report.vertices, std::size_t{6}); // 0, 1.2, 2.4, 3.6, 4.8 and the tip
+    }
+
+    void relatesVerticesToTheInput()
+    {
+        geometry::TriangleMesh mesh = soup(sphere(4, 10.0));
+        geometry::flip(mesh);                                          // turned again: the maps survive the second pass
+        mesh.vertices.insert(mesh.vertices.begin(), Vec3(99, 99, 99)); // of no triangle
+        for (geometry::Triangle& t : mesh.triangles) {
+            for (std::uint32_t& v : t) {
+                ++v;
+            }
+        }
+        const RepairedMesh r = repair(mesh);
+        QCOMPARE(r.report.turnedComponents, std::size_t{1});
+        QCOMPARE(r.vertexSource.size(), r.mesh.vertices.size());
+        QCOMPARE(r.vertexOfSource.size(), mesh.vertices.size());
+        QCOMPARE(r.vertexOfSource[0], geometry::kNoVertex);
+        for (std::uint32_t i = 1; i < mesh.vertices.size(); ++i) {
+            QCOMPARE(r.mesh.vertices[r.vertexOfSource[i]], mesh.vertices[i]);
+            QVERIFY(r.vertexSource[r.vertexOfSource[i]] <= i);
+        }
+        for (std::uint32_t v = 0; v < r.mesh.vertices.size(); ++v) {
+            QCOMPARE(r.vertexOfSource[r.vertexSource[v]], v);
+        }
+    }
+
+    void leavesUnknownVertexMapsUnknown()
+    {
+        geometry::TriangleMesh mesh = sphere(4, 10.0);
+        geometry::flip(mesh);
+        RepairedMesh recorded = repair(mesh, geometry::Facing::AsGiven);
+        recorded.vertexSource.clear();
+        recorded.vertexOfSource.clear();
+        const auto turned = geometry::orientedOutwards(recorded);
+        QVERIFY(turned && turned->vertexSource.empty() && turned->vertexOfSource.empty());
+        QVERIFY(geometry::withVertices(recorded, recorded.mesh.vertices).vertexSource.empty());
     }
 
     void survivesNothing() { QCOMPARE(repair({}).report.triangles, std::size_t{0}); }

@@ -47,7 +47,7 @@ class Reshape : public QObject
     void turnsWhatIsInsideOut()
     {
         const TriangleMesh input = flipped(soup(box(Vec3::Zero(), Vec3(1, 2, 3), 2)));
-        const RepairedMesh before = repair(input);
+        const RepairedMesh before = repair(input, geometry::Facing::AsGiven);
         QCOMPARE(before.report.insideOutComponents, std::size_t{1});
         const auto after = orientedOutwards(before);
         QVERIFY(after.has_value());
@@ -65,8 +65,8 @@ class Reshape : public QObject
         QVERIFY(!orientedOutwards(repair(sphere(4, 10.0))));
         TriangleMesh shell = sphere(4, 10.0); // a cavity faces inwards
         append(shell, flipped(sphere(4, 5.0)));
-        QVERIFY(!orientedOutwards(repair(shell)));
-        QVERIFY(!orientedOutwards(repair(flipped(sheet(1.0, 3))))); // open: no inside
+        QVERIFY(!orientedOutwards(repair(shell, geometry::Facing::AsGiven)));
+        QVERIFY(!orientedOutwards(repair(flipped(sheet(1.0, 3)), geometry::Facing::AsGiven))); // open: no inside
     }
 
     /// A shell that was written inside out keeps its cavity; neighbouring parts stay.
@@ -75,7 +75,7 @@ class Reshape : public QObject
         TriangleMesh mesh = flipped(sphere(6, 10.0));
         append(mesh, sphere(6, 5.0));
         append(mesh, moved(sphere(6, 3.0), Vec3(40, 0, 0)));
-        const RepairedMesh before = repair(mesh);
+        const RepairedMesh before = repair(mesh, geometry::Facing::AsGiven);
         QCOMPARE(before.report.insideOutComponents, std::size_t{1});
         const auto after = orientedOutwards(before);
         QVERIFY(after.has_value());
@@ -90,7 +90,7 @@ class Reshape : public QObject
     {
         TriangleMesh input = soup(sphere(5, 10.0));
         std::swap(input.triangles[7][1], input.triangles[7][2]); // reversed by `repair`
-        const RepairedMesh before = repair(input);
+        const RepairedMesh before = repair(input, geometry::Facing::AsGiven);
         std::vector<Vec3> vertices = before.mesh.vertices;
         for (Vec3& p : vertices) {
             p *= 2.0;

@@ -122,9 +122,9 @@ class CarryOver : public QObject
                 const Scene before = sceneOf({structure(mesh)}, radius_mm);
                 const Scene after = sceneOf({structure(transformed(mesh, map))}, radius_mm);
                 Palpator palpator;
-                palpator.setScene(before.get());
+                palpator.borrowScene(before.get());
                 press(palpator, radius_mm - 3.0);
-                QVERIFY(!palpator.setScene(after.get()));
+                QVERIFY(!palpator.borrowScene(after.get()));
                 if (isOpen && std::abs(depth_mm - 4.2) < 1e-9) {
                     continue; // a sheet through z = 0 scales differently
                 }
@@ -150,13 +150,13 @@ class CarryOver : public QObject
         const Scene before = sceneOf({structure(floor, "floor"), stays}, radius_mm);
         const Scene after = sceneOf({structure(transformed(floor, moved(Vec3(0, 0, 0.2))), "floor"), stays}, radius_mm);
         Palpator palpator;
-        palpator.setScene(before.get());
+        palpator.borrowScene(before.get());
         for (int i = 0; i <= 100; ++i) {
             (void)palpator.step(Vec3(-60 + 1.2 * i, 2, 9 - 0.02 * i), kTick_s);
         }
         const auto tick = palpator.step(Vec3(60, 2, 7), kTick_s);
         QCOMPARE(tick.constraints, 2U);
-        QVERIFY(!palpator.setScene(after.get()));
+        QVERIFY(!palpator.borrowScene(after.get()));
         const Vec3 by = palpator.state().layers[0].p_WG - tick.p_WG;
         QVERIFY2(by.norm() <= 1.0 + 1e-6, qPrintable(QString::number(by.norm())));
         const auto next = palpator.step(Vec3(60, 2, 7), kTick_s);
@@ -177,14 +177,14 @@ class CarryOver : public QObject
             std::reverse(reversed.triangles.begin(), reversed.triangles.end());
             const Scene before = sceneOf({structure(groove)}), after = sceneOf({structure(reversed)});
             Palpator palpator;
-            palpator.setScene(before.get());
+            palpator.borrowScene(before.get());
             const auto press = [&](double z) { return palpator.step(Vec3(0.1, 2, z), kTick_s); };
             for (int i = 0; i <= 80; ++i) {
                 (void)press(4.0 - 0.1 * i);
             }
             const auto was = press(-4.0);
             QCOMPARE(was.constraints, 2U);
-            QVERIFY(!palpator.setScene(after.get()));
+            QVERIFY(!palpator.borrowScene(after.get()));
             QCOMPARE(palpator.state().layers[0].p_WG, was.p_WG);
             const auto is = press(-4.0);
             QVERIFY2((is.p_WG - was.p_WG).norm() < 1e-9, qPrintable(QString::number(is.p_WG.z())));
@@ -199,10 +199,10 @@ class CarryOver : public QObject
         const Scene before = sceneOf({structure(gridBlock(4)), structure(ceiling(4))}, radius_mm);
         const Scene after = sceneOf({structure(gridBlock(5)), structure(ceiling(3))}, radius_mm);
         Palpator palpator;
-        palpator.setScene(before.get());
+        palpator.borrowScene(before.get());
         const Vec3 start(10, 2, 7.5); // 0.5 mm too near to one, 0.3 mm to the other
         (void)palpator.step(start, kTick_s);
-        QVERIFY(!palpator.setScene(after.get()));
+        QVERIFY(!palpator.borrowScene(after.get()));
         QCOMPARE(palpator.state().layers[0].p_WG, start);
     }
 
@@ -219,14 +219,14 @@ class CarryOver : public QObject
         const Scene after =
             sceneOf({structure(transformed(gridBlock(), moved(Vec3(0, 0, 0.2))), "floor"), stays}, radius_mm);
         Palpator palpator;
-        palpator.setScene(before.get());
+        palpator.borrowScene(before.get());
         for (int i = 0; i <= 100; ++i) {
             (void)palpator.step(Vec3(-20 + 0.4 * i, 2, 9 - 0.05 * i), kTick_s);
         }
         const Vec3 was = palpator.state().layers[0].p_WG;
         QVERIFY(std::abs(was.z() - radius_mm) < 1e-6);
         QVERIFY(std::abs(r2 * (20 - was.x() - was.z()) - radius_mm) < 1e-6);
-        QVERIFY(!palpator.setScene(after.get()));
+        QVERIFY(!palpator.borrowScene(after.get()));
         const Vec3 is = palpator.state().layers[0].p_WG;
         QVERIFY2((is - was - Vec3(-0.2, 0, 0.2)).norm() < 1e-6,
                  qPrintable(QString("%1 %2").arg(is.x() - was.x()).arg(is.z() - was.z())));
@@ -240,9 +240,9 @@ class CarryOver : public QObject
                 const Scene before = sceneOf({structure(gridBlock(4))}, radius_mm);
                 const Scene after = sceneOf({structure(test::moved(gridBlock(7), Vec3(0, 0, rise_mm)))}, radius_mm);
                 Palpator palpator;
-                palpator.setScene(before.get());
+                palpator.borrowScene(before.get());
                 press(palpator, radius_mm - 3.0);
-                palpator.setScene(after.get());
+                palpator.borrowScene(after.get());
                 const double felt = force(palpator, radius_mm - 3.0);
                 if (rise_mm < 1.0) {
                     QVERIFY2(std::abs(felt - kStiffness_N_per_mm * (3.0 + rise_mm)) < 1e-3,
@@ -260,9 +260,9 @@ class CarryOver : public QObject
         const Scene before = sceneOf({structure(gridBlock(4))}),
                     after = sceneOf({structure(test::moved(gridBlock(7), Vec3(0, 0, 0.1)))});
         Palpator palpator;
-        palpator.setScene(before.get());
+        palpator.borrowScene(before.get());
         press(palpator, 0.05);
-        palpator.setScene(after.get());
+        palpator.borrowScene(after.get());
         QVERIFY(std::abs(force(palpator, 0.05) - 0.5 * 0.05) < 1e-6);
         QVERIFY(std::abs(force(palpator, -1.0) - 0.5 * 1.1) < 1e-6);
     }
@@ -275,9 +275,9 @@ class CarryOver : public QObject
                 mesh = isFlipped ? insideOut(mesh) : mesh;
                 const Scene before = sceneOf({structure(sheet(50.0, 4))}), after = sceneOf({structure(mesh)});
                 Palpator palpator;
-                palpator.setScene(before.get());
+                palpator.borrowScene(before.get());
                 press(palpator, -3.0);
-                palpator.setScene(after.get());
+                palpator.borrowScene(after.get());
                 QVERIFY(std::abs(force(palpator) - 0.5 * (3.0 + by)) < 1e-3);
                 for (int i = 0; i < 60; ++i) {
                     QVERIFY(force(palpator, -3.0 + 0.1 * i) >= 0.0); // never an inward pull
@@ -295,13 +295,13 @@ class CarryOver : public QObject
                     after = sceneOf({structure(test::moved(gridBlock(7), Vec3(0, 0, 0.1)))});
         const Scene other = sceneOf({structure(gridBlock(4), "another")});
         Palpator palpator;
-        palpator.setScene(before.get());
+        palpator.borrowScene(before.get());
         (void)palpator.step(Vec3(10, 2, -0.5), kTick_s); // starts inside
-        palpator.setScene(after.get());
+        palpator.borrowScene(after.get());
         QCOMPARE(force(palpator, -0.5), 0.0);
-        palpator.setScene(nullptr);
+        palpator.borrowScene(nullptr);
         (void)palpator.step(Vec3(10, 2, -0.5), kTick_s);
-        palpator.setScene(other.get());
+        palpator.borrowScene(other.get());
         QCOMPARE(force(palpator, -0.5), 0.0);
     }
 
@@ -332,16 +332,16 @@ class CarryOver : public QObject
             const Scene without =
                 isAlone ? sceneOf({hidden(other), hidden(touched)}) : sceneOf({other, hidden(touched)});
             Palpator palpator, resumed;
-            palpator.setScene(shown.get());
+            palpator.borrowScene(shown.get());
             press(palpator, -3.0);
-            QVERIFY(!palpator.setScene(without.get()));
+            QVERIFY(!palpator.borrowScene(without.get()));
             for (int i = 0; i < ticks; ++i) {
                 QCOMPARE(force(palpator, z), 0.0);
             }
-            resumed.setScene(without.get());
+            resumed.borrowScene(without.get());
             resumed.restore(palpator.state());
-            QCOMPARE(palpator.setScene(shown.get()), isBack);
-            QCOMPARE(resumed.setScene(shown.get()), isBack); // a recording may start in between
+            QCOMPARE(palpator.borrowScene(shown.get()), isBack);
+            QCOMPARE(resumed.borrowScene(shown.get()), isBack); // a recording may start in between
             const double felt = force(palpator, z);
             QVERIFY(std::abs(felt - (isBack ? -0.5 * z : 0.0)) < 1e-3);
             QVERIFY(felt == force(resumed, z));
@@ -352,15 +352,15 @@ class CarryOver : public QObject
     {
         const Scene scene = sceneOf({structure(gridBlock(), "block")});
         Palpator palpator;
-        palpator.setScene(scene.get());
+        palpator.borrowScene(scene.get());
         press(palpator, -3.0);
-        palpator.setScene(nullptr);
+        palpator.borrowScene(nullptr);
         QCOMPARE(force(palpator), 0.0);
-        QVERIFY(palpator.setScene(scene.get()));
+        QVERIFY(palpator.borrowScene(scene.get()));
         QVERIFY(std::abs(force(palpator) - 1.5) < 1e-3);
-        palpator.setScene(nullptr);
+        palpator.borrowScene(nullptr);
         palpator.reset(); // a new hand
-        QVERIFY(!palpator.setScene(scene.get()));
+        QVERIFY(!palpator.borrowScene(scene.get()));
         QCOMPARE(force(palpator), 0.0);
     }
 
@@ -369,9 +369,9 @@ class CarryOver : public QObject
         const Scene before = sceneOf({structure(gridBlock())}),
                     after = sceneOf({structure(test::moved(gridBlock(), Vec3(0, 0, 0.1)))});
         Palpator palpator;
-        palpator.setScene(before.get());
+        palpator.borrowScene(before.get());
         press(palpator, -3.0);
-        palpator.setScene(after.get(), haptics::Continuity::Places);
+        palpator.borrowScene(after.get(), haptics::Continuity::Places);
         QCOMPARE(force(palpator), 0.0);
     }
 };

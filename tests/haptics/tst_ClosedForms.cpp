@@ -27,7 +27,7 @@ struct Feel
     explicit Feel(const geometry::TriangleMesh& mesh, double k = 0.5, double b = 0.0)
         : scene({HapticStructure{"it", indexed(mesh), {k, b}, 0}})
     {
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
     }
     TickResult at(const Vec3& hip) { return palpator.step(hip, kTick_s); }
     /// Moves straight from `from` to `to` in `ticks` equal steps.
@@ -261,7 +261,7 @@ class ClosedForms : public QObject
             {HapticStructure{"organ", indexed(box(Vec3(-30, -30, -30), Vec3(30, 30, 0))), {0.2, 0.0}, 0},
              HapticStructure{"lump", indexed(box(Vec3(-5, -5, -15), Vec3(5, 5, -4))), {1.0, 0.0}, 1}});
         Palpator palpator;
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
         (void)palpator.step(Vec3(0, 0, 5), kTick_s);
         TickResult r = palpator.step(Vec3(0, 0, -3), kTick_s);
         QVERIFY(std::abs(r.f_W.z() - 0.6) < 1e-6);

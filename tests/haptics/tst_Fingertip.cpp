@@ -35,7 +35,7 @@ struct BallFeel
         , scene({HapticStructure{"it", indexed(mesh), {0.5, 0.0}, 0}}, radius_mm)
         , palpator(haptics::Fingertips::Any, limits)
     {
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
     }
     TickResult at(const Vec3& hip) { return palpator.step(hip, kTick_s); }
     TickResult move(const Vec3& from, const Vec3& to, int ticks)
@@ -187,9 +187,9 @@ class Fingertip : public QObject
         const haptics::GodObjectLimits limits{.ballWork = 12000};
         Palpator all(haptics::Fingertips::Any, limits), alone(haptics::Fingertips::Any, limits),
             other(haptics::Fingertips::Any, limits);
-        all.setScene(&four);
-        alone.setScene(&innermost);
-        other.setScene(&four);
+        all.borrowScene(&four);
+        alone.borrowScene(&innermost);
+        other.borrowScene(&four);
         std::mt19937 random(5);
         std::normal_distribution<double> normal;
         int bounded = 0, boundedAlone = 0;
@@ -576,7 +576,7 @@ class Fingertip : public QObject
         BallFeel ball(bumpySphere(10, 10.0, 0.08), 0.0);
         HapticScene scene({HapticStructure{"it", indexed(bumpySphere(10, 10.0, 0.08)), {0.5, 0.0}, 0}});
         Palpator point(haptics::Fingertips::Points); // point mode, without a ball
-        point.setScene(&scene);
+        point.borrowScene(&scene);
         for (int i = 0; i < 500; ++i) {
             const Vec3 hip = Vec3(std::sin(0.01 * i), std::cos(0.013 * i), 0.3) * (12 - 0.01 * i);
             QCOMPARE(ball.at(hip).p_WG, point.step(hip, kTick_s).p_WG);

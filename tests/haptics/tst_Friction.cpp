@@ -46,7 +46,7 @@ struct Rough
     explicit Rough(const HapticStructure& structure, double radius_mm = 0.0)
         : scene({structure}, radius_mm)
     {
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
     }
     TickResult at(const Vec3& hip, double dt_s = kTick_s) { return palpator.step(hip, dt_s); }
     TickResult move(const Vec3& from, const Vec3& to, int ticks)
@@ -481,7 +481,7 @@ class TestFriction : public QObject
         for (const double radius : {0.0, 3.0}) {
             Rough one(bumpySphere(12, 25.0, 0.04), rough(0.5, 0.3, 0.001), radius);
             Palpator other;
-            other.setScene(&one.scene);
+            other.borrowScene(&one.scene);
             const auto hipAt = [](int i) {
                 return Vec3(24.0 * std::sin(0.01 * i), 5.0 * std::sin(0.003 * i), 20.0 + 6.0 * std::cos(0.02 * i));
             };
@@ -515,7 +515,7 @@ class TestFriction : public QObject
         HapticStructure inner{"lump", indexed(box(Vec3(-20, -20, -40), Vec3(20, 20, -2), 3)), rough(1.0, 1.0), 1};
         const HapticScene scene({outer, inner});
         Palpator palpator;
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
         (void)palpator.step(Vec3(0, 0, 1), kTick_s);
         (void)palpator.step(Vec3(0, 0, -5), kTick_s);
         const TickResult t = palpator.step(Vec3(1, 0, -5), kTick_s);

@@ -160,7 +160,7 @@ class LegalMoves : public QObject
         int contacts = 0, several = 0;
         for (int path = 0; path < 15; ++path) {
             Palpator palpator;
-            palpator.setScene(&scene);
+            palpator.borrowScene(&scene);
             Vec3 hip = 2.5 * size * Vec3(normal(random), normal(random), normal(random)).normalized();
             Vec3 aim = hip;
             for (int i = 0; i < 150; ++i) {
@@ -231,7 +231,7 @@ class LegalMoves : public QObject
                     continue;
                 }
                 Palpator palpator;
-                palpator.setScene(&scene);
+                palpator.borrowScene(&scene);
                 (void)palpator.step(placed(on), 1e-3);
                 const TickResult t = palpator.step(placed(on + by), 1e-3);
                 const Vec3 g = turn.conjugate() * (t.p_WG - shift);
@@ -265,7 +265,7 @@ class LegalMoves : public QObject
             const double skin = scene.structures()[0].surface->skin_mm();
             for (int way = 0; way < 200; ++way) {
                 Palpator palpator;
-                palpator.setScene(&scene);
+                palpator.borrowScene(&scene);
                 putTo(palpator, placed(Vec3(share(random), skin * share(random), skin)));
                 const Vec3 hip(oneOf({-0.003, 0.0, -0.7}), skin * oneOf({-0.002, 0.0, 0.001}),
                                oneOf({0.0, -1.0, -0.003}));
@@ -299,7 +299,7 @@ class LegalMoves : public QObject
             }
             const HapticScene scene({HapticStructure{"map", indexed(voxels(filled)), {}, 0}});
             Palpator palpator;
-            palpator.setScene(&scene);
+            palpator.borrowScene(&scene);
             for (int i = 0; i < 4000; ++i) {
                 if (i % 20 == 0) {
                     palpator.reset();
@@ -327,8 +327,8 @@ class LegalMoves : public QObject
         const HapticScene welded({HapticStructure{"welded", indexed(mesh), {}, 0}});
         const HapticScene loose({HapticStructure{"loose", indexed(soup(mesh)), {}, 0}});
         Palpator one, two;
-        one.setScene(&welded);
-        two.setScene(&loose);
+        one.borrowScene(&welded);
+        two.borrowScene(&loose);
         for (int i = 0; i < 1000; ++i) {
             const double a = 5e-3 * i;
             const Vec3 hip = (i < 40 ? 24 - 0.2 * i : 16) * Vec3(std::cos(a), std::sin(a) * 0.8, std::sin(a) * 0.6);

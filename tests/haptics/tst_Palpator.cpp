@@ -59,8 +59,8 @@ class PalpatorTest : public QObject
     void givesTheSameBitsTwice()
     {
         Palpator one, two;
-        one.setScene(&m_scene);
-        two.setScene(&m_scene);
+        one.borrowScene(&m_scene);
+        two.borrowScene(&m_scene);
         for (int i = 0; i < 3000; ++i) {
             const TickResult a = one.step(wander(i), 1e-3), b = two.step(wander(i), 1e-3);
             QVERIFY(isSameBits(a.p_WG, b.p_WG) && isSameBits(a.f_W, b.f_W));
@@ -73,23 +73,23 @@ class PalpatorTest : public QObject
         const HapticStructure outer{"organ", organ, {0.2, 0.0}, 3}, inner{"lump", lump, {0.5, 0.0}, 7};
         const HapticScene both({outer, inner}), alone({inner});
         Palpator palpator;
-        palpator.setScene(&alone);
+        palpator.borrowScene(&alone);
         const Vec3 hip(0.0, 0.0, 7.0);
         (void)palpator.step(Vec3(0.0, 0.0, 12.0), 1e-3);
         const TickResult before = palpator.step(hip, 1e-3);
         QVERIFY(before.f_W.z() > 1.0);
-        palpator.setScene(&both);
+        palpator.borrowScene(&both);
         const TickResult shown = palpator.step(hip, 1e-3);
         QVERIFY(isSameBits(before.f_W, shown.f_W)); // the organ exerts no force on a HIP that is inside at the start
         QVERIFY(isSameBits(before.p_WG, shown.p_WG));
-        palpator.setScene(&alone);
+        palpator.borrowScene(&alone);
         QVERIFY(isSameBits(before.f_W, palpator.step(hip, 1e-3).f_W));
     }
 
     void aHipTooFarAwayMovesNothing()
     {
         Palpator palpator;
-        palpator.setScene(&m_scene);
+        palpator.borrowScene(&m_scene);
         (void)palpator.step(Vec3(46, 0, 0), 1e-3);
         const TickResult pressed = palpator.step(Vec3(36, 0, 0), 1e-3);
         QCOMPARE(pressed.constraints > 0, true);
@@ -107,7 +107,7 @@ class PalpatorTest : public QObject
     {
         for (const double dt_s : {5e-324, 1e-310, 1e-300}) {
             Palpator palpator;
-            palpator.setScene(&m_scene);
+            palpator.borrowScene(&m_scene);
             (void)palpator.step(Vec3(46, 0, 0), 1e-3);
             const TickResult pressed = palpator.step(Vec3(36, 0, 0), dt_s);
             QVERIFY(pressed.constraints > 0);
@@ -128,8 +128,8 @@ class PalpatorTest : public QObject
         }
         const HapticScene scene{{HapticStructure{"fan", indexed(fan), {0.5, 0.0}, 0}}};
         Palpator warm, cold;
-        warm.setScene(&scene);
-        cold.setScene(&scene);
+        warm.borrowScene(&scene);
+        cold.borrowScene(&scene);
         int bounded = 0;
         for (int i = 0; i < 60; ++i) {
             const Vec3 hip(1e-3 * i, 2e-3 * i, 6.0 - 0.1 * i);
@@ -148,8 +148,8 @@ class PalpatorTest : public QObject
     {
         // The second palpator also drops its cached facets in every tick: caching must never change a result.
         Palpator whole, resumed;
-        whole.setScene(&m_scene);
-        resumed.setScene(&m_scene);
+        whole.borrowScene(&m_scene);
+        resumed.borrowScene(&m_scene);
         int contacts = 0;
         for (int i = 0; i < 3000; ++i) {
             const haptics::PalpatorState state = whole.state();
@@ -173,8 +173,8 @@ class PalpatorTest : public QObject
         const HapticScene scene(
             {HapticStructure{"one", indexed(isCrowd ? crowdedCone() : bumpySphere(40, 40.0, 0.05)), {0.5, 0.001}, 0}});
         Palpator whole, resumed;
-        whole.setScene(&scene);
-        resumed.setScene(&scene);
+        whole.borrowScene(&scene);
+        resumed.borrowScene(&scene);
         int contacts = 0;
         const int ticks = test::trials(20000);
         for (int i = 0; i < ticks; ++i) {
@@ -199,7 +199,7 @@ class PalpatorTest : public QObject
     {
         for (const std::uint32_t most : {1u, 2u, 5u}) {
             Palpator palpator(haptics::Fingertips::Points, {most});
-            palpator.setScene(&m_scene);
+            palpator.borrowScene(&m_scene);
             std::uint32_t greatest = 0;
             for (int i = 0; i < 2000; ++i) {
                 const TickResult result = palpator.step(wander(i), 1e-3);
@@ -215,7 +215,7 @@ class PalpatorTest : public QObject
         Palpator palpator(haptics::Fingertips::Points);
         QVERIFY2(palpator.byteSize() <= 65536, qPrintable(QString::number(palpator.byteSize())));
         const HapticScene ball(std::vector<HapticStructure>(m_scene.structures()), 2.0);
-        palpator.setScene(&ball);
+        palpator.borrowScene(&ball);
         const TickResult refused = palpator.step({0.0, 0.0, 0.0}, 1e-3);
         QCOMPARE(refused.status, TickStatus::InvalidInput);
         QCOMPARE(refused.f_W, Vec3(Vec3::Zero()));
@@ -229,7 +229,7 @@ class PalpatorTest : public QObject
         structures.push_back({"outer", indexed(sphere(24, 30.0)), {0.5, 0.0}, 1});
         const HapticScene scene(std::move(structures));
         Palpator palpator;
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
         TickResult result;
         for (double height = 35.0; height >= 14.0; height -= 0.25) {
             const Vec3 hip(1.0, 2.0, height);
@@ -280,7 +280,7 @@ class PalpatorTest : public QObject
                     (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).normalized();
                 for (const Vec3& below : {mesh.vertices[a], Vec3(0.5 * (mesh.vertices[a] + mesh.vertices[b]))}) {
                     Palpator palpator;
-                    palpator.setScene(&scene);
+                    palpator.borrowScene(&scene);
                     for (double height = 1.0; height > -1.4; height -= 0.1) {
                         (void)palpator.step(below + (radius_mm + height) * n, 1e-3);
                     }
@@ -306,7 +306,7 @@ class PalpatorTest : public QObject
     void aHipThatIsNotFiniteChangesNothing()
     {
         Palpator palpator;
-        palpator.setScene(&m_scene);
+        palpator.borrowScene(&m_scene);
         TickResult last;
         for (int i = 0; i < 200; ++i) {
             last = palpator.step(wander(i), 1e-3);
@@ -333,12 +333,12 @@ class PalpatorTest : public QObject
     void aSceneThatGoesLetsTheGodObjectGo()
     {
         Palpator palpator;
-        palpator.setScene(&m_scene);
+        palpator.borrowScene(&m_scene);
         for (int i = 0; i < 200; ++i) {
             (void)palpator.step(wander(i), 1e-3);
         }
         const HapticScene other({HapticStructure{"far", indexed(box(Vec3(500, 0, 0), Vec3(510, 10, 10))), {}, 0}});
-        palpator.setScene(&other);
+        palpator.borrowScene(&other);
         const TickResult r = palpator.step(wander(200), 1e-3);
         QVERIFY(r.p_WG == wander(200));
         QVERIFY(r.f_W == Vec3::Zero());
@@ -350,7 +350,7 @@ class PalpatorTest : public QObject
                                  HapticStructure{"box", indexed(box(Vec3(-5, -5, -5), Vec3(5, 5, 0))), {0.5, 0.0}, 3}});
         QCOMPARE(scene.layerCount(), std::size_t{1});
         Palpator palpator;
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
         (void)palpator.step(Vec3(0, 0, 1), 1e-3);
         QCOMPARE(palpator.step(Vec3(0, 0, -1), 1e-3).structure, 1);
     }
@@ -361,7 +361,7 @@ class PalpatorTest : public QObject
         const HapticScene scene({HapticStructure{
             "box", std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(r)), {}, 0}});
         Palpator palpator;
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
         (void)palpator.step(Vec3(1.1, 2.3, 1), 1e-3);
         const TickResult t = palpator.step(Vec3(1.1, 2.3, -1), 1e-3);
         core::Box touched;

@@ -102,8 +102,8 @@ class SceneCost : public QObject
         const HapticScene one({all[171]}), crowded(std::move(all));
         const Vec3 centre = 30.0 * Vec3(171 % 7, 171 / 7 % 7, 171 / 49);
         Palpator alone, among;
-        alone.setScene(&one);
-        among.setScene(&crowded);
+        alone.borrowScene(&one);
+        among.borrowScene(&crowded);
         for (int i = 0; i < 2000; ++i) {
             const double a = 0.003 * i, r = std::max(8.5, 14.0 - 0.02 * i);
             const Vec3 hip = centre + r * Vec3(std::cos(a), std::sin(0.7 * a), std::sin(a)).normalized();

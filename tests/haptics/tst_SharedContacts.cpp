@@ -50,7 +50,7 @@ struct Crease
         , scene({HapticStructure{"one", indexed(slabUnder(first)), one, 0},
                  HapticStructure{"other", indexed(slabUnder(second)), other, 0}})
     {
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
         (void)at(Vec3(0, 0.3, 50.0));
     }
     TickResult at(const Vec3& hip) { return palpator.step(hip, kTick_s); }
@@ -160,7 +160,7 @@ class SharedContacts : public QObject
         append(both, slabUnder(on.second));
         const HapticScene whole({HapticStructure{"both", indexed(both), linear(0.7), 0}});
         Palpator palpator;
-        palpator.setScene(&whole);
+        palpator.borrowScene(&whole);
         (void)palpator.step(Vec3(0, 0.3, 50), kTick_s);
         for (int i = 0; i < 300; ++i) {
             const Vec3 hip(2.0 * std::sin(0.05 * i), 0.3, -3.0 - std::cos(0.03 * i));
@@ -175,7 +175,7 @@ class SharedContacts : public QObject
              HapticStructure{"wall", indexed(box(Vec3(-50, -50, -50), Vec3(0, 50, 50))), linear(1.0)},
              HapticStructure{"side", indexed(box(Vec3(-50, -50, -50), Vec3(50, 0, 50))), linear(5.0)}});
         Palpator palpator;
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
         (void)palpator.step(Vec3(1, 1, 1), kTick_s);
         Vec3 last = Vec3::Zero(), from(1, 1, 1);
         int three = 0;
@@ -223,7 +223,7 @@ class SharedContacts : public QObject
         const double angle = 0.5 * std::numbers::pi;
         Crease on(angle, linear(0.2), linear(2.0));
         const HapticScene ball(std::vector<HapticStructure>(on.scene.structures()), 3.0);
-        on.palpator.setScene(&ball);
+        on.palpator.borrowScene(&ball);
         on.palpator.reset();
         const Vec3 centre = Vec3(0, 0.3, 0) + 3.0 * on.first + 3.0 * on.second;
         (void)on.at(centre + Vec3(0, 0, 1));

@@ -75,8 +75,8 @@ class SurfaceWalkTest : public QObject
         // and all facets are queried.
         const HapticScene alone = sceneOf({mesh}), beside = sceneOf({mesh, scaled(mesh, 0.999)});
         Palpator one, other;
-        one.setScene(&alone);
-        other.setScene(&beside);
+        one.borrowScene(&alone);
+        other.borrowScene(&beside);
         int contacts = 0, creases = 0;
         for (int tick = 0; tick < 20'000; ++tick) {
             const Vec3 hip = hipAt(tick, 4.0, mmATick);
@@ -97,8 +97,8 @@ class SurfaceWalkTest : public QObject
         // The cached free space of the second palpator is dropped before each tick.
         const HapticScene scene = sceneOf({bumpySphere(24, 50.0, 0.05), moved(sphere(6, 5.0), Vec3(54, 6, 0))});
         Palpator one, other;
-        one.setScene(&scene);
-        other.setScene(&scene);
+        one.borrowScene(&scene);
+        other.borrowScene(&scene);
         int contacts = 0, free = 0;
         for (int tick = 0; tick < 20'000; ++tick) {
             const Vec3 hip = hipAt(tick, 1.0 - 3.0 * std::sin(0.01 * tick), 0.1);
@@ -213,7 +213,7 @@ class SurfaceWalkTest : public QObject
         const TriangleMesh obstacle = moved(sphere(12, radius), centre);
         const HapticScene scene = sceneOf({sphere(96, 50.0), obstacle});
         Palpator palpator;
-        palpator.setScene(&scene);
+        palpator.borrowScene(&scene);
         double nearest = 1e9;
         int ofObstacle = 0;
         for (int tick = 0; tick < 2100; ++tick) {

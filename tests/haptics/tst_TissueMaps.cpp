@@ -62,7 +62,7 @@ struct Mapped
     void build(double radius_mm = 0.0)
     {
         scene = std::make_unique<HapticScene>(std::vector{structure}, radius_mm);
-        palpator.setScene(scene.get());
+        palpator.borrowScene(scene.get());
         palpator.reset();
     }
     TickResult at(const Vec3& hip) { return palpator.step(hip, kTick_s); }
@@ -441,7 +441,7 @@ class TissueMaps : public QObject
         rough.maps = {};
         rough.tissue.friction_static = rough.tissue.friction_dynamic = 0.5;
         on.scene = std::make_unique<HapticScene>(std::vector{on.structure, rough});
-        on.palpator.setScene(on.scene.get());
+        on.palpator.borrowScene(on.scene.get());
         (void)on.at(Vec3(-5, 1, 1));
         for (double x = -5.0; x < 5.0; x += 0.03) {
             const Vec3 hip(x, 1, -4);

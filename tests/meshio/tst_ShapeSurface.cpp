@@ -17,7 +17,7 @@ namespace {
 
 std::shared_ptr<const geometry::RepairedMesh> repaired(const geometry::TriangleMesh& mesh)
 {
-    return std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
+    return std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh, geometry::Facing::AsGiven));
 }
 
 meshio::SceneStructure smoothed(double smoothing = meshio::kDefaultSmoothing)

@@ -2,7 +2,7 @@
 #include "TouchScenes.h"
 
 #include <palpate/device/DevicePresets.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/geometry/SurfaceIndex.h>
 
 #include <array>

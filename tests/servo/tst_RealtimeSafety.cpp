@@ -244,7 +244,7 @@ class RealtimeSafety : public QObject
         int most = 0, layers = 0, holds = 0, slides = 0;
         {
             const RealtimeGuard guard;
-            palpator.setScene(&scene);
+            palpator.borrowScene(&scene);
             for (const Vec3& hip : motion) {
                 const auto tick = palpator.step(hip, 1e-3);
                 most = std::max<int>(most, tick.constraints);
@@ -287,7 +287,7 @@ class RealtimeSafety : public QObject
         std::uint64_t counted = 0;
         {
             const RealtimeGuard guard;
-            core.setScene(scene.get(), 1);
+            core.borrowScene(scene.get(), 1);
             for (int i = 0; i < 5000; ++i) {
                 DeviceState state;
                 state.isPresent = !isHostile || i % 97 != 0;
@@ -344,6 +344,7 @@ class RealtimeSafety : public QObject
         GuardedDevice device(palpate::test::palpatingMotion(3000));
         palpate::servo::ServoLoop loop;
         palpate::servo::ServoOptions options;
+        options.lockMemory = true;
         options.rate_Hz = 2000.0;
         options.ringCapacity = 256; // covers overflow as well
         loop.setScene(palpate::test::sphereScene(30.0, 0.5));

@@ -4,11 +4,15 @@
 #include <palpate/servo/RealtimeSetup.h>
 
 #include <cfenv>
+#include <cstddef>
+#include <fstream>
 #include <limits>
 #include <pthread.h>
 #include <sched.h>
 #include <string>
+#include <sys/mman.h>
 #include <thread>
+#include <unistd.h>
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
@@ -36,6 +40,27 @@ const RealtimeItem* itemOf(const RealtimeReport& report, const std::string& name
     return nullptr;
 }
 
+long lockedMemory_KiB()
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("VmLck:")) {
+            return std::stol(line.substr(6));
+        }
+    }
+    return -1;
+}
+
+bool locksFutureMappings()
+{
+    const long before_KiB = lockedMemory_KiB();
+    const std::size_t size = 1U << 20U;
+    void* block = mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    const bool isLocked = lockedMemory_KiB() > before_KiB;
+    munmap(block, size);
+    return isLocked;
+}
+
 } // namespace
 
 class RealtimeSetup : public QObject
@@ -47,7 +72,7 @@ class RealtimeSetup : public QObject
     {
         RealtimeReport report;
         onAThread([&] {
-            report = makeThreadRealtime({});
+            report = makeThreadRealtime({.lockMemory = true});
             palpate::servo::releaseRealtime(report);
         });
         for (const char* name :
@@ -96,6 +121,57 @@ class RealtimeSetup : public QObject
         QVERIFY(!report.isRealtime);
         QCOMPARE(policy, SCHED_OTHER);
         QCOMPARE(itemOf(report, "real-time priority")->message.english(), std::string("not asked for"));
+    }
+
+    void locksNoMemoryUnlessTold()
+    {
+        RealtimeReport report;
+        onAThread([&] { report = makeThreadRealtime({}); });
+        QCOMPARE(itemOf(report, "locked memory")->message.english(), std::string("not asked for"));
+        QCOMPARE(lockedMemory_KiB(), 0L);
+        QCOMPARE(report.isRealtime, itemOf(report, "real-time priority")->isGranted);
+    }
+
+    void unlocksWhatItHasLocked()
+    {
+        RealtimeReport report;
+        onAThread([&] { report = makeThreadRealtime({.lockMemory = true}); });
+        if (!itemOf(report, "locked memory")->isGranted) {
+            QSKIP("memory may not be locked here");
+        }
+        QVERIFY(lockedMemory_KiB() > 0);
+        palpate::servo::releaseRealtime(report);
+        QCOMPARE(lockedMemory_KiB(), 0L);
+    }
+
+    void aPageThatTheProgramHasLockedStaysLocked()
+    {
+        const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+        void* page = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        QVERIFY(page != MAP_FAILED && mlock(page, size) == 0);
+        RealtimeReport report;
+        onAThread([&] { report = makeThreadRealtime({.lockMemory = true}); });
+        palpate::servo::releaseRealtime(report);
+        QVERIFY(lockedMemory_KiB() > 0);
+        QVERIFY(!locksFutureMappings());
+        munlockall();
+        munmap(page, size);
+    }
+
+    void aLockOfTheProgramsWholeMemoryStays()
+    {
+        if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) {
+            QSKIP("memory may not be locked here");
+        }
+        RealtimeReport report;
+        onAThread([&] { report = makeThreadRealtime({.lockMemory = true}); });
+        palpate::servo::releaseRealtime(report);
+        const bool isLocked = lockedMemory_KiB() > 0 && locksFutureMappings();
+        munlockall();
+        QVERIFY(isLocked);
+        QVERIFY(itemOf(report, "locked memory")->isGranted);
+        QCOMPARE(itemOf(report, "locked memory")->message.english(),
+                 std::string("the program has locked its memory itself"));
     }
 
     void namesACpuThatIsNotThere()

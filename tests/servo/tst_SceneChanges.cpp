@@ -87,7 +87,7 @@ class SceneChanges : public QObject
         std::int64_t sinceChange = 1000;
         for (std::size_t i = 0; i < motion.size(); ++i) {
             if (random() % 40 == 0) {
-                core.setScene(all[random() % all.size()].get(), ++generation);
+                core.borrowScene(all[random() % all.size()].get(), ++generation);
                 sinceChange = 0;
             }
             const auto now_ns = 1'000'000'000 + static_cast<std::int64_t>(i) * 1'000'000;
@@ -125,7 +125,7 @@ class SceneChanges : public QObject
         for (int i = 0; i < 20'000; ++i) {
             const bool isChanged = i % 50 == 0;
             if (isChanged) {
-                core.setScene(all[random() % all.size()].get(), ++generation);
+                core.borrowScene(all[random() % all.size()].get(), ++generation);
             }
             const double t = 1e-3 * i;
             const auto now_ns = 1'000'000'000 + std::int64_t{i} * 1'000'000;
@@ -155,7 +155,7 @@ class SceneChanges : public QObject
         const Scene ball = palpate::test::sphereScene(30.0, 4.0);
         for (int i = 0; i < 2000; ++i) {
             if (i == 700) {
-                core.setScene(ball.get(), 1);
+                core.borrowScene(ball.get(), 1);
             }
             const auto now_ns = 1'000'000'000 + std::int64_t{i} * 1'000'000;
             DeviceState state;

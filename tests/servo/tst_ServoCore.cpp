@@ -61,7 +61,7 @@ class ServoCore : public QObject
     {
         const auto scene = palpate::test::sphereScene(30.0, 0.5);
         Core core(limitsOf("omega"), 1000.0);
-        core.setScene(scene.get(), 7);
+        core.borrowScene(scene.get(), 7);
         TickRecord record = core.tick({}, timeOf(0));
         QCOMPARE(record.flags, static_cast<std::uint16_t>(palpate::servo::kNoHand | palpate::servo::kSceneChanged));
         QCOMPARE(record.scene, 7U);
@@ -93,7 +93,7 @@ class ServoCore : public QObject
     {
         const auto scene = palpate::test::sphereScene(30.0, 1.0);
         Core core(limitsOf("omega"), 1000.0);
-        core.setScene(scene.get(), 1);
+        core.borrowScene(scene.get(), 1);
         for (int i = 0; i < 600; ++i) {
             QVERIFY(core.tick(hand(Vec3(0, 0, 31.0), timeOf(i)), timeOf(i)).fSent_W.isZero(0.0));
         }
@@ -110,17 +110,17 @@ class ServoCore : public QObject
         const GateLimits limits = limitsOf("omega");
         const double bound = limits.maxForceRate_N_per_s * 0.001 + 1e-9;
         Core core(limits, 1000.0);
-        core.setScene(scene.get(), 1);
+        core.borrowScene(scene.get(), 1);
         Vec3 last = Vec3::Zero();
         for (int i = 0; i < 1200; ++i) {
             if (i == 800) {
-                core.setScene(stiffer.get(), 2);
+                core.borrowScene(stiffer.get(), 2);
             }
             if (i == 900) {
-                core.setScene(nullptr, 3);
+                core.borrowScene(nullptr, 3);
             }
             if (i == 1000) {
-                core.setScene(scene.get(), 4);
+                core.borrowScene(scene.get(), 4);
             }
             const TickRecord record =
                 core.tick(hand(Vec3(0, 0, std::max(27.0, 31.0 - 0.01 * i)), timeOf(i)), timeOf(i));
@@ -140,7 +140,7 @@ class ServoCore : public QObject
     {
         const auto scene = palpate::test::sphereScene(30.0, 1e-310); // a denormal stiffness
         palpate::haptics::Palpator palpator;
-        palpator.setScene(scene.get());
+        palpator.borrowScene(scene.get());
         TickRecord tick;
         for (const double z : {31.0, 25.0}) {
             tick.p_WH = Vec3(0, 0, z);
@@ -159,7 +159,7 @@ class ServoCore : public QObject
     {
         const auto scene = palpate::test::sphereScene(30.0, 5.0);
         Core core(limitsOf("touch"), 1000.0);
-        core.setScene(scene.get(), 1);
+        core.borrowScene(scene.get(), 1);
         TickRecord record;
         for (int i = 0; i < 1000; ++i) {
             record = core.tick(hand(Vec3(0, 0, std::max(20.0, 31.0 - 0.02 * i)), timeOf(i)), timeOf(i));
@@ -202,7 +202,7 @@ class ServoCore : public QObject
             const auto tick = static_cast<std::int64_t>(i);
             if (i % 1000 == 500) {
                 const auto generation = static_cast<std::uint32_t>(1 + i / 1000 % 2);
-                core.setScene(scenes[generation].get(), generation);
+                core.borrowScene(scenes[generation].get(), generation);
             }
             if (i == kBegin) {
                 begin = core.palpatorState();
@@ -227,12 +227,12 @@ class ServoCore : public QObject
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (i == kBegin) { // again, from the middle
                 palpator = {};
-                palpator.setScene(scenes[rows[i].scene].get());
+                palpator.borrowScene(scenes[rows[i].scene].get());
                 scene = rows[i].scene;
                 palpator.restore(begin);
             } else if (rows[i].scene != scene) {
                 scene = rows[i].scene;
-                palpator.setScene(scenes[scene].get());
+                palpator.borrowScene(scenes[scene].get());
             }
             TickRecord again;
             again.p_WH = rows[i].p_WH;
@@ -264,7 +264,7 @@ class ServoCore : public QObject
         QFETCH(const bool, isKept);
         const auto scene = palpate::test::sphereScene(30.0, 0.5);
         Core core(limitsOf("omega"), 1000.0);
-        core.setScene(scene.get(), 1);
+        core.borrowScene(scene.get(), 1);
         std::int64_t i = 0;
         const auto tick = [&](double at, bool isPresent) {
             DeviceState state = hand(Vec3(0, 0, at), timeOf(i));
@@ -293,7 +293,7 @@ class ServoCore : public QObject
     {
         const auto scene = palpate::test::sphereScene(30.0, 0.5);
         Core core(limitsOf("omega"), 1000.0);
-        core.setScene(scene.get(), 1);
+        core.borrowScene(scene.get(), 1);
         std::int64_t i = 0;
         TickRecord record;
         for (; i < 1200; ++i) {
@@ -321,7 +321,7 @@ class ServoCore : public QObject
         for (const char* preset : {"touch", "woodenhaptics"}) {
             const auto info = palpate::device::deviceInfo(*palpate::device::findDevicePreset(preset));
             Core core(GateLimits::forDevice(info), 1000.0, palpate::servo::PassivityLimits::forDevice(info));
-            core.setScene(scene.get(), 1);
+            core.borrowScene(scene.get(), 1);
             for (int i = 0; i < 800; ++i) {
                 const double z = 31.0 - 0.01 * i;
                 const double counted = info.resolution_mm * std::round(z / info.resolution_mm);
@@ -343,7 +343,7 @@ class ServoCore : public QObject
             HandScript::make({{0.0, Vec3(0, 0, 35)}, {1.0, Vec3(0, 0, 26)}, {3.0, Vec3(0, 0, 26)}}).value());
         QVERIFY(device.start().isOk());
         Core core(limitsOf("touch"), 1000.0);
-        core.setScene(scene.get(), 1);
+        core.borrowScene(scene.get(), 1);
         TickRecord record;
         for (int i = 0; !device.isFinished(); ++i) {
             record = core.tick(device.read(timeOf(i)), timeOf(i));

@@ -557,12 +557,12 @@ class ServoLoop : public QObject
             if (next < starts.size() && starts[next].tick == row.tick) {
                 QCOMPARE(starts[next].scene, row.scene);
                 scene = row.scene;
-                palpator.setScene(scenes.at(scene).get());
+                palpator.borrowScene(scenes.at(scene).get());
                 palpator.restore(starts[next].state);
                 ++next;
             } else if (row.scene != scene) {
                 scene = row.scene;
-                palpator.setScene(scenes.at(scene).get());
+                palpator.borrowScene(scenes.at(scene).get());
             }
             TickRecord again;
             again.p_WH = row.p_WH;

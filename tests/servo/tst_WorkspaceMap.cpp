@@ -223,7 +223,7 @@ class WorkspaceMap : public QObject
         settings.centre_W = Vec3::Zero();
         settings.edge_mm = 60.0;
         hand.core.setMap(settings);
-        hand.core.setScene(scene.get(), 1);
+        hand.core.borrowScene(scene.get(), 1);
         std::mt19937_64 random(11); // NOLINT: a fixed seed
         Vec3 last = Vec3::Zero();
         double most = 0.0;
@@ -260,7 +260,7 @@ class WorkspaceMap : public QObject
         settings.centre_W = Vec3::Zero();
         settings.clutchButtons = 1;
         hand.core.setMap(settings);
-        hand.core.setScene(scene.get(), 1);
+        hand.core.borrowScene(scene.get(), 1);
         TickRecord tick;
         for (int i = 0; i < 1500; ++i) {
             tick = hand.tick(Vec3(0, 0, std::max(27.0, 32.0 - 0.005 * i)));
@@ -296,7 +296,7 @@ class WorkspaceMap : public QObject
         MapSettings settings = mapped();
         settings.centre_W = Vec3(0, 0, 100);
         hand.core.setMap(settings);
-        hand.core.setScene(scene.get(), 1);
+        hand.core.borrowScene(scene.get(), 1);
         TickRecord tick;
         for (int i = 0; i < 600; ++i) {
             tick = hand.tick(Vec3::Zero());

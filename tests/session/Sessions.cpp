@@ -63,11 +63,11 @@ std::vector<servo::TickRecord> palpationTicks(int ticks)
     device::DeviceInfo info;
     info.maxForce_N = 20.0;
     servo::ServoCore core(servo::GateLimits::forDevice(info), 1000.0);
-    core.setScene(soft.get(), 1);
+    core.borrowScene(soft.get(), 1);
     std::vector<servo::TickRecord> records;
     for (int tick = 0; tick < ticks; ++tick) {
         if (tick == 250) {
-            core.setScene(firm.get(), 2);
+            core.borrowScene(firm.get(), 2);
         }
         const double t = tick * 1e-3;
         device::DeviceState state;

@@ -91,7 +91,7 @@ class RecordedLayers : public QObject
         device::DeviceInfo info;
         info.maxForce_N = 20.0;
         servo::ServoCore core(servo::GateLimits::forDevice(info), 1000.0);
-        core.setScene(&felt, 1);
+        core.borrowScene(&felt, 1);
         std::vector<servo::TickRecord> ticks;
         for (int i = 0; i < 1500; ++i) {
             if (i == from && start != nullptr) {

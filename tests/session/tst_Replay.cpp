@@ -270,7 +270,7 @@ class Replay : public QObject
         const auto motion = pressing(1000);
         const auto scene = test::boxScene(0.5, 0.001);
         haptics::Palpator palpator;
-        palpator.setScene(scene.get());
+        palpator.borrowScene(scene.get());
         std::vector<servo::TickRecord> ticks;
         session::RecordingInfo info;
         for (std::size_t i = 0; i < motion.p_WH.size(); ++i) {

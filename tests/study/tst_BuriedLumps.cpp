@@ -117,7 +117,7 @@ class BuriedLumps : public QObject
         QVERIFY(felt->structures()[1].surface == nullptr && felt->structures()[2].surface != nullptr);
 
         haptics::Palpator palpator;
-        palpator.setScene(felt.get());
+        palpator.borrowScene(felt.get());
         const auto forceAt = [&](const Vec3& direction, double depth) {
             palpator.reset();
             (void)palpator.step(82.0 * direction, 1e-3);

@@ -114,7 +114,7 @@ class EffortDepth : public QObject
             const auto press = ui::surfacesAlongPress(scene, slanted);
             const double way_mm = study::pressTravel_mm(press, 4.0, 202.0);
             haptics::Palpator palpator;
-            palpator.setScene(&scene);
+            palpator.borrowScene(&scene);
             haptics::TickResult felt;
             for (int i = 0; i <= 2000; ++i) {
                 felt = palpator.step(slanted.p_W + std::min(1.0, i / 1000.0) * way_mm * slanted.d_W, 1e-3);

@@ -55,7 +55,7 @@ Vec3 middle(const geometry::RepairedMesh& of)
 class Way
 {
   public:
-    explicit Way(const haptics::HapticScene& scene) { m_palpator.setScene(&scene); }
+    explicit Way(const haptics::HapticScene& scene) { m_palpator.borrowScene(&scene); }
 
     void to(const Vec3& p)
     {

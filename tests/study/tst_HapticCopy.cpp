@@ -4,7 +4,7 @@
 #include "TestRunner.h"
 
 #include <palpate/evaluation/Subject.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/study/HapticCopy.h>

@@ -30,7 +30,8 @@ class Layers : public QObject
         for (const Part& part : parts) {
             meshio::LoadedStructure& one = scene.structures.emplace_back();
             one.description.name = part.name;
-            one.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(part.mesh));
+            one.surface =
+                std::make_shared<const geometry::RepairedMesh>(geometry::repair(part.mesh, geometry::Facing::AsGiven));
             scene.scene.structures.push_back(one.description);
         }
         return scene;

@@ -3,10 +3,11 @@
 #include "TestRunner.h"
 
 #include <palpate/device/PlaybackDevice.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
+#include <palpate/session/GeometryHash.h>
+#include <palpate/session/LiveSession.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/study/HapticCopy.h>
-#include <palpate/study/LiveSession.h>
 #include <palpate/study/RecordedLooks.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
@@ -46,9 +47,9 @@ class LiveSession : public QObject
         return made;
     }
 
-    static void feel(study::LiveSession& live, const meshio::LoadedScene& loaded)
+    static void feel(session::LiveSession& live, const meshio::LoadedScene& loaded)
     {
-        live.setScene(study::hapticScene(loaded), study::sourcesOf(loaded, true));
+        QVERIFY(live.setScene(study::hapticScene(loaded), study::sourcesOf(loaded, true)).isOk());
     }
 
     QTemporaryDir m_folder;
@@ -68,11 +69,14 @@ class LiveSession : public QObject
         QFETCH(bool, embeds);
         std::filesystem::remove(path("r.palpate")); // from the previous row
         const auto device = hand();
-        study::LiveSession live;
+        session::LiveSession live;
         feel(live, box(0.3));
         QVERIFY(live.start(*device, {}).isOk());
         const std::string looks = study::looksText({{"box", {0.1, 0.25, 1.0}, 0.5}});
-        QVERIFY(live.startRecording(path("r.palpate"), "box.palpate.json", embeds, looks).isOk());
+        session::RecordingInfo info;
+        info.looks = looks;
+        study::setSceneSource(info, "box.palpate.json", path("r.palpate"));
+        QVERIFY(live.startRecording(path("r.palpate"), embeds ? session::Embed::Yes : session::Embed::No, info).isOk());
         PALPATE_TRY_VERIFY(live.recording().ticks > 300);
         feel(live, box(0.9)); // stiffer from now on
         live.note("note", R"({"text": "harder"})");
@@ -123,7 +127,7 @@ class LiveSession : public QObject
     void givesTicksToWhoTakesThemOneself()
     {
         const auto device = hand();
-        study::LiveSession live;
+        session::LiveSession live;
         QCOMPARE(live.takeTicks().status().code(), core::StatusCode::Internal); // not running
         feel(live, box(0.3));
         QVERIFY(live.start(*device, {}).isOk());
@@ -143,9 +147,74 @@ class LiveSession : public QObject
         QVERIFY(touching > 50);
     }
 
+    /// A host that knows only its surfaces: they are embedded by their computed hash.
+    void embedsSurfacesWithoutAHash()
+    {
+        std::filesystem::remove(path("e.palpate"));
+        const auto device = hand();
+        session::LiveSession live;
+        const meshio::LoadedScene loaded = box(0.3);
+        session::StructureSource source;
+        source.embed = loaded.structures[0].surface;
+        QVERIFY(live.setScene(study::hapticScene(loaded), {source}).isOk());
+        QVERIFY(live.start(*device, {}).isOk());
+        QVERIFY(live.startRecording(path("e.palpate"), session::Embed::Yes).isOk());
+        PALPATE_TRY_VERIFY(live.recording().ticks > 300);
+        QCOMPARE(live.setScene(study::hapticScene(box(0.9)), {}).code(), core::StatusCode::Mismatch);
+        QVERIFY(live.stopRecording().isOk());
+
+        const auto opened = session::RecordingReader::open(path("e.palpate"));
+        QVERIFY2(opened.isOk(), opened.status().message().c_str());
+        const session::RecordingReader& reader = *opened.value();
+        QCOMPARE(reader.scenes()[0].structures.at(0).source.sha256,
+                 session::geometryHash(loaded.structures[0].surface->mesh));
+        QCOMPARE(reader.embeddedHashes(), std::vector{reader.scenes()[0].structures[0].source.sha256});
+    }
+
+    void refusesToEmbedWhatIsMissing()
+    {
+        const auto device = hand();
+        session::LiveSession live;
+        QVERIFY(live.setScene(study::hapticScene(box(0.3)), {}).isOk());
+        QVERIFY(live.start(*device, {}).isOk());
+        const core::Status status = live.startRecording(path("m.palpate"), session::Embed::Yes);
+        QCOMPARE(status.code(), core::StatusCode::Mismatch);
+        QVERIFY2(status.message().find("m.palpate: structure 0 (box) has no surface to embed") != std::string::npos,
+                 status.message().c_str());
+        QVERIFY(!std::filesystem::exists(path("m.palpate")));
+        QVERIFY(live.startRecording(path("m.palpate")).isOk()); // without surfaces
+    }
+
+    void reportsAFaultOnce()
+    {
+        std::vector<Vec3> places(200, Vec3(0, 0, 19));
+        places.push_back(Vec3::Constant(std::nan("")));
+        device::PlaybackDevice device(places);
+        device.setLooping(true);
+        session::LiveSession live;
+        feel(live, box(0.3));
+        QVERIFY(!live.poll());
+        QVERIFY(live.start(device, {}).isOk());
+        QVERIFY(live.startRecording(path("f.palpate")).isOk());
+        std::optional<servo::FaultReport> fault;
+        const auto hasFault = [&] { return (fault = live.poll()).has_value(); };
+        PALPATE_TRY_VERIFY(hasFault());
+        QCOMPARE(fault->fault.kind, servo::FaultKind::NonFiniteInput);
+        QVERIFY(!fault->message.isEmpty());
+        QVERIFY(!live.poll()); // latched, reported once
+        QVERIFY(live.loop().fault().isFaulted());
+        live.loop().rearm();
+        PALPATE_TRY_VERIFY(hasFault()); // the next loop of the positions
+        QVERIFY(live.stopRecording().isOk());
+        const auto opened = session::RecordingReader::open(path("f.palpate"));
+        QVERIFY(opened.isOk());
+        const auto isFault = [](const session::RecordingEvent& event) { return event.kind == "fault"; };
+        QVERIFY(std::count_if(opened.value()->events().begin(), opened.value()->events().end(), isFault) >= 2);
+    }
+
     void refusesToRecordWhatDoesNotRun()
     {
-        study::LiveSession live;
+        session::LiveSession live;
         const core::Status status = live.startRecording(path("no.palpate"));
         QVERIFY(!status.isOk());
         QVERIFY2(status.message().find("no.palpate: cannot be recorded") != std::string::npos,

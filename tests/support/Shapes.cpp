@@ -161,7 +161,8 @@ TriangleMesh moved(const TriangleMesh& mesh, const Vec3& by)
 
 std::shared_ptr<const geometry::SurfaceIndex> indexed(const TriangleMesh& mesh)
 {
-    return std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(geometry::repair(mesh)));
+    return std::make_shared<geometry::SurfaceIndex>(
+        geometry::SurfaceIndex::build(geometry::repair(mesh, geometry::Facing::AsGiven)));
 }
 
 } // namespace palpate::test

@@ -26,7 +26,8 @@ inline ui::StructureRow row(const std::string& name, const geometry::TriangleMes
 {
     ui::StructureRow made;
     made.loaded.description.name = name;
-    made.loaded.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
+    made.loaded.surface =
+        std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh, geometry::Facing::AsGiven));
     made.picture = view::makeSurface(*made.loaded.surface);
     made.touch = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*made.loaded.surface));
     return made;

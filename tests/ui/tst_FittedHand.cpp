@@ -126,7 +126,7 @@ class FittedHand : public QObject
         core.setMap(map);
         std::uint32_t generation = 1;
         auto scene = sceneFor(info, map.scale);
-        core.setScene(scene.get(), generation);
+        core.borrowScene(scene.get(), generation);
 
         int touched = 0, changes = 0, freed = 0;
         double mostStep_N = 0.0, most_N = 0.0;
@@ -150,7 +150,7 @@ class FittedHand : public QObject
                 map.isClutched = hand.random() % 10 == 0;
                 core.setMap(map);
                 auto next = sceneFor(info, map.scale); // kept alive until the core takes over
-                core.setScene(next.get(), ++generation);
+                core.borrowScene(next.get(), ++generation);
                 scene = std::move(next);
             }
             device::DeviceState state;

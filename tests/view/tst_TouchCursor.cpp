@@ -2,6 +2,7 @@
 #include "Frames.h"
 #include "TestRunner.h"
 
+#include <palpate/view/StateOf.h>
 #include <palpate/view/TouchCursor.h>
 
 #include <vtkNew.h>
@@ -272,6 +273,42 @@ class TouchCursor : public QObject
         QVERIFY(std::abs(b[0] - 3.0) < 1e-6 && std::abs(b[1] - 3.0) < 1e-6); // flat along the normal
         QVERIFY(std::abs(b[3] - b[2] - 3.0) < 0.02 && std::abs(b[5] - b[4] - 3.0) < 0.02);
         QVERIFY(cursor.bounds().contains(Vec3(3, 5.4, 5)));
+    }
+
+    void showsAServoTick()
+    {
+        servo::TickRecord tick;
+        tick.p_WH = Vec3(0, 0, -3);
+        tick.felt.p_WG = Vec3(0, 0, 0);
+        tick.felt.n_W = Vec3::UnitZ();
+        tick.felt.f_W = Vec3(0, 0, 1.5);
+        tick.felt.structure = 0;
+        tick.felt.contactCount = 4;
+        // Layer, structure, depth: the second contact shares the god-object of the first.
+        const std::array<std::array<std::uint32_t, 3>, 4> contacts{{{0, 0, 3}, {0, 4, 3}, {1, 1, 2}, {2, 9, 1}}};
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            haptics::Contact& contact = tick.felt.contacts[i];
+            contact = {};
+            contact.layer = contacts[i][0];
+            contact.structure = contacts[i][1];
+            contact.depth_mm = contacts[i][2];
+            contact.p_WG = Vec3(0, 0, -3.0 + contact.depth_mm);
+        }
+        const std::vector<view::Colour> colours{{1, 0, 0}, {0, 1, 0}};
+        const view::TouchState state = view::stateOf(tick, 2.0, colours);
+        QVERIFY(state.isInContact && state.isPresent);
+        QCOMPARE(state.p_WG, tick.felt.p_WG);
+        QCOMPARE(state.f_W, tick.felt.f_W);
+        QCOMPARE(state.fingertip_mm, 2.0);
+        QCOMPARE(state.innerCount, std::size_t{2});
+        QCOMPARE(state.inner[0].colour, colours[1]);
+        QCOMPARE(state.inner[1].colour, (view::Colour{1, 1, 1}));
+        QCOMPARE(state.inner[1].depth_mm, 1.0);
+
+        tick.felt.structure = -1;
+        tick.flags = servo::kNoHand;
+        QVERIFY(!view::stateOf(tick).isPresent && !view::stateOf(tick).isInContact);
+        QCOMPARE(view::stateOf(tick).innerCount, std::size_t{0});
     }
 
     void nonFiniteTickIsNotDrawn()

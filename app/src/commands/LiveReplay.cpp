@@ -3,7 +3,7 @@
 
 #include <palpate/device/PlaybackDevice.h>
 #include <palpate/device/SimulatedHand.h>
-#include <palpate/study/LiveSession.h>
+#include <palpate/session/LiveSession.h>
 
 #include <chrono>
 #include <optional>
@@ -65,9 +65,9 @@ core::Result<LiveResult> replayLive(std::shared_ptr<const haptics::HapticScene> 
                                     const std::function<Status(const servo::RecordingStart&)>& begin,
                                     const session::TickSink& sink, const std::function<void()>& idle)
 {
-    study::LiveSession live;
+    session::LiveSession live;
     servo::ServoLoop& loop = live.loop();
-    live.setScene(std::move(scene), {});
+    (void)live.setScene(std::move(scene), {}); // nothing is recorded
     if (Status status = live.start(*hand.device, options); !status.isOk()) {
         return status;
     }

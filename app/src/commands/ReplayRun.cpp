@@ -443,6 +443,7 @@ Status ReplayRun::feelLive()
     servo::ServoOptions loop;
     loop.rate_Hz = 1.0 / m_motion.dt_s;
     loop.cpu = m_options.cpu;
+    loop.lockMemory = true;
     const auto result = replayLive(
         m_scene, hand, loop, begin,
         [this](const servo::TickRecord& tick) {

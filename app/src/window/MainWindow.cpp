@@ -71,6 +71,7 @@ constexpr auto kStateKey = "window/state";
 MainWindow::MainWindow()
 {
     setAcceptDrops(true);
+    m_live.setLocksMemory(true);
     makeCentre();
     makeParts();
     makeMenus();

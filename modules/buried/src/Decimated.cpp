@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Decimated.h"
 
+#include <palpate/vtk/PolyData.h>
+
 #include <vtkAdaptiveSubdivisionFilter.h>
-#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
-#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkQuadricDecimation.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace palpate::buried {
 
@@ -28,65 +30,34 @@ vtkSmartPointer<vtkPolyData> subdivided(const vtkSmartPointer<vtkPolyData>& data
     return subdivision->GetOutput();
 }
 
+/// Converts the output of a filter; an empty mesh if the filter removed all triangles.
+geometry::TriangleMesh trianglesOf(vtkPolyData* data)
+{
+    core::Result<geometry::TriangleMesh> mesh = vtk::meshOf(data);
+    return mesh.isOk() ? std::move(mesh).value() : geometry::TriangleMesh();
+}
+
 } // namespace
-
-vtkSmartPointer<vtkPolyData> toVtk(const geometry::TriangleMesh& mesh)
-{
-    const vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.vertices.size()));
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        points->SetPoint(static_cast<vtkIdType>(i), mesh.vertices[i].data());
-    }
-    const vtkNew<vtkCellArray> cells;
-    for (const geometry::Triangle& t : mesh.triangles) {
-        cells->InsertNextCell({t[0], t[1], t[2]});
-    }
-    const auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(points);
-    data->SetPolys(cells);
-    return data;
-}
-
-geometry::TriangleMesh fromVtk(vtkPolyData* data)
-{
-    geometry::TriangleMesh mesh;
-    mesh.vertices.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        data->GetPoint(static_cast<vtkIdType>(i), mesh.vertices[i].data());
-    }
-    vtkCellArray* cells = data->GetPolys();
-    mesh.triangles.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()));
-    const vtkNew<vtkIdList> corners;
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
-        cells->GetCellAtId(i, corners);
-        geometry::Triangle& t = mesh.triangles.emplace_back();
-        for (int k = 0; k < 3; ++k) {
-            t[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(corners->GetId(k));
-        }
-    }
-    return mesh;
-}
 
 geometry::TriangleMesh decimated(const geometry::TriangleMesh& mesh, std::size_t triangles)
 {
     const vtkNew<vtkQuadricDecimation> decimation;
-    decimation->SetInputData(toVtk(mesh));
+    decimation->SetInputData(vtk::polyDataOf(mesh));
     decimation->SetTargetReduction(1.0 - double(triangles) / double(mesh.triangles.size()));
     decimation->VolumePreservationOn();
     decimation->Update();
-    return fromVtk(decimation->GetOutput());
+    return trianglesOf(decimation->GetOutput());
 }
 
 geometry::TriangleMesh refined(const geometry::TriangleMesh& mesh, double longest_mm)
 {
-    return fromVtk(subdivided(toVtk(mesh), longest_mm));
+    return trianglesOf(subdivided(vtk::polyDataOf(mesh), longest_mm));
 }
 
 std::vector<float> refinedValues(const geometry::TriangleMesh& mesh, double longest_mm,
                                  const std::vector<float>& values)
 {
-    const vtkSmartPointer<vtkPolyData> data = toVtk(mesh);
+    const vtkSmartPointer<vtkPolyData> data = vtk::polyDataOf(mesh);
     const vtkNew<vtkFloatArray> array;
     array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
     std::copy(values.begin(), values.end(), array->Begin());

@@ -3,16 +3,10 @@
 
 #include <palpate/geometry/TriangleMesh.h>
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-
 #include <cstddef>
 #include <vector>
 
 namespace palpate::buried {
-
-[[nodiscard]] vtkSmartPointer<vtkPolyData> toVtk(const geometry::TriangleMesh& mesh);
-[[nodiscard]] geometry::TriangleMesh fromVtk(vtkPolyData* data);
 
 /// Decimates a mesh to about the given number of triangles.
 [[nodiscard]] geometry::TriangleMesh decimated(const geometry::TriangleMesh& mesh, std::size_t triangles);

@@ -9,6 +9,7 @@
 #include <palpate/core/Parallel.h>
 #include <palpate/geometry/Inside.h>
 #include <palpate/geometry/SurfaceIndex.h>
+#include <palpate/vtk/PolyData.h>
 
 #include <vtkGenericCell.h>
 #include <vtkNew.h>
@@ -52,7 +53,7 @@ struct Prepared
         , shape(surface)
         , index(SurfaceIndex::build(surface))
     {
-        locator->SetDataSet(toVtk(surface.mesh));
+        locator->SetDataSet(vtk::polyDataOf(surface.mesh));
         locator->BuildLocator();
     }
 

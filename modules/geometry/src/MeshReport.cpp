@@ -19,7 +19,7 @@ bool MeshReport::isClean() const noexcept
 {
     return mixedValues == 0 && zeroAreaTriangles == 0 && duplicateTriangles == 0 && inconsistentEdges == 0 &&
            reorientedTriangles == 0 && openEdges == 0 && nonManifoldEdges == 0 && openComponents == 0 &&
-           insideOutComponents == 0;
+           insideOutComponents == 0 && turnedComponents == 0;
 }
 
 std::vector<std::string> MeshReport::sentences() const
@@ -41,6 +41,7 @@ std::vector<std::string> MeshReport::sentences() const
     say(openComponents, "part", "parts", " without an inside, touched from both sides");
     say(insideOutComponents, "closed part looks", "closed parts look",
         " inside out: touched from within only, unless turned outwards");
+    say(turnedComponents, "closed part was", "closed parts were", " inside out and turned to face outwards");
     return lines;
 }
 

@@ -25,6 +25,17 @@ void bendMaps(HapticStructure& structure)
     std::for_each(structure.maps.felt.begin(), structure.maps.felt.end(), bend);
 }
 
+core::Status noStructure(std::size_t number, std::size_t count)
+{
+    return {core::StatusCode::OutOfRange, PALPATE_TEXT("found structure %1, expected a number below %2"), number,
+            count};
+}
+
+core::Status checked(const HapticStructure& structure, std::size_t number)
+{
+    return check(structure.tissue).at(core::Message(PALPATE_TEXT("structure %1 (%2)"), number, structure.name));
+}
+
 } // namespace
 
 HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingertip_mm)
@@ -98,6 +109,52 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
         m_middle = all.center();
         m_farthest_mm = kFarthest * all.diagonal().norm();
     }
+}
+
+core::Result<std::shared_ptr<const HapticScene>> HapticScene::make(std::vector<HapticStructure> structures,
+                                                                   double fingertip_mm)
+{
+    if (!(fingertip_mm >= 0.0 && fingertip_mm <= kMostFingertip_mm)) {
+        return core::Status(core::StatusCode::OutOfRange,
+                            PALPATE_TEXT("fingertip: found a radius of %1, expected 0 to %2 mm"), fingertip_mm,
+                            kMostFingertip_mm);
+    }
+    for (std::size_t i = 0; i < structures.size(); ++i) {
+        const HapticStructure& one = structures[i];
+        if (one.surface == nullptr || one.surface->triangleCount() == 0) {
+            return core::Status(core::StatusCode::Empty,
+                                PALPATE_TEXT("structure %1 (%2): found no surface, expected at least one triangle"), i,
+                                one.name);
+        }
+        if (core::Status status = checked(one, i); !status.isOk()) {
+            return status;
+        }
+    }
+    return std::make_shared<const HapticScene>(std::move(structures), fingertip_mm);
+}
+
+core::Result<std::shared_ptr<const HapticScene>> HapticScene::with(std::size_t number, const Tissue& tissue) const
+{
+    if (number >= m_structures.size()) {
+        return noStructure(number, m_structures.size());
+    }
+    std::vector<HapticStructure> structures = m_structures;
+    structures[number].tissue = tissue;
+    structures[number].law = nullptr; // computed from the tissue again
+    if (core::Status status = checked(structures[number], number); !status.isOk()) {
+        return status;
+    }
+    return std::make_shared<const HapticScene>(std::move(structures), m_fingertip_mm);
+}
+
+core::Result<std::shared_ptr<const HapticScene>> HapticScene::without(std::size_t number) const
+{
+    if (number >= m_structures.size()) {
+        return noStructure(number, m_structures.size());
+    }
+    std::vector<HapticStructure> structures = m_structures;
+    structures[number].surface = nullptr;
+    return std::make_shared<const HapticScene>(std::move(structures), m_fingertip_mm);
 }
 
 std::size_t HapticScene::byteSize() const

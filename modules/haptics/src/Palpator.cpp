@@ -138,6 +138,7 @@ struct Palpator::Impl
     bool hasLeft = false;                  ///< at least one entry is in use
     Vec3 p_WH = Vec3::Zero();              ///< HIP of the previous tick [mm]
     bool started = false;
+    std::shared_ptr<const HapticScene> owned; ///< see setScene
 
     void leaveContacts(const HapticScene* after) noexcept;
     [[nodiscard]] bool giveBack() noexcept;
@@ -217,7 +218,14 @@ bool Palpator::Impl::giveBack() noexcept
     return isGiven;
 }
 
-bool Palpator::setScene(const HapticScene* scene, Continuity continuity) noexcept
+bool Palpator::setScene(std::shared_ptr<const HapticScene> scene, Continuity continuity) noexcept
+{
+    const bool isRestored = borrowScene(scene.get(), continuity);
+    m_impl->owned = std::move(scene); // after the contacts have left the previous scene
+    return isRestored;
+}
+
+bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noexcept
 {
     Impl& me = *m_impl;
     // Contacts follow structures from this scene; setting the same scene again moves nothing.

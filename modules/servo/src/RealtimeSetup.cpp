@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cerrno>
 #include <cfenv>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <utility>
 
 namespace palpate::servo {
 
@@ -55,15 +58,58 @@ RealtimeItem priorityItem(int wanted)
     return item;
 }
 
-RealtimeItem memoryItem()
+/// Memory of the process that is locked [KiB], 0 if unknown.
+long lockedMemory_KiB()
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("VmLck:")) {
+            return std::strtol(line.c_str() + 6, nullptr, 10);
+        }
+    }
+    return 0;
+}
+
+/// Maps a page to see whether the process locks its future mappings.
+bool locksFutureMappings()
+{
+    const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    const long before_KiB = lockedMemory_KiB();
+    void* page = mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (page == MAP_FAILED) {
+        return false;
+    }
+    const bool isLocked = lockedMemory_KiB() > before_KiB;
+    munmap(page, size);
+    return isLocked;
+}
+
+void release(MemoryRelease how) noexcept
+{
+    if (how == MemoryRelease::Unlock) {
+        munlockall();
+    } else if (how == MemoryRelease::Keep) {
+        mlockall(MCL_CURRENT | MCL_ONFAULT); // without MCL_FUTURE, which it ends
+    }
+}
+
+/// @param how  set to what releases the lock
+RealtimeItem memoryItem(MemoryRelease& how)
 {
     RealtimeItem item{lockedMemory(), false, {}, ""};
+    const bool hasLocked = lockedMemory_KiB() > 0;
+    if (hasLocked && locksFutureMappings()) {
+        item.isGranted = true;
+        item.message = core::Message(PALPATE_TEXT("the program has locked its memory itself"));
+        return item;
+    }
     // Pages are locked as they are touched: locking all that is mapped would fill memory with untouched stacks.
     if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) {
         item.message = core::Message(PALPATE_TEXT("mlockall was refused: %1"), core::systemError(errno));
         item.remedy = kRaiseLimits;
         return item;
     }
+    how = hasLocked ? MemoryRelease::Keep : MemoryRelease::Unlock;
     // Under a finite limit, MCL_FUTURE would make later allocations of the whole program fail. A privileged process may
     // exceed the limit; mapping more than the limit shows whether this one may.
     rlimit limit{};
@@ -72,7 +118,7 @@ RealtimeItem memoryItem()
         void* probe = mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
         const int error = errno;
         if (probe == MAP_FAILED) {
-            munlockall();
+            release(std::exchange(how, MemoryRelease::Nothing));
             item.message = core::Message(PALPATE_TEXT("only %1 KiB may be locked: %2"), limit.rlim_cur / 1024,
                                          core::systemError(error));
             item.remedy = kRaiseLimits;
@@ -159,15 +205,15 @@ RealtimeReport makeThreadRealtime(const RealtimeRequest& request)
     report.items.push_back({core::Message(PALPATE_TEXT("thread name")), named == 0,
                             named == 0 ? core::Message(PALPATE_TEXT("\"%1\""), name) : core::systemError(named), ""});
 
-    if (request.askPriority) {
-        report.items.push_back(priorityItem(request.priority));
-        report.items.push_back(memoryItem());
-        report.isRealtime = report.items[1].isGranted && report.items[2].isGranted;
+    const core::Message notAsked(PALPATE_TEXT("not asked for"));
+    report.items.push_back(request.askPriority ? priorityItem(request.priority)
+                                               : RealtimeItem{realtimePriority(), false, notAsked, ""});
+    report.isRealtime = report.items.back().isGranted;
+    report.items.push_back(request.lockMemory ? memoryItem(report.release)
+                                              : RealtimeItem{lockedMemory(), false, notAsked, ""});
+    report.isRealtime = report.isRealtime && (report.items.back().isGranted || !request.lockMemory);
+    if (request.askPriority || request.lockMemory) {
         touchStack();
-    } else {
-        const core::Message notAsked(PALPATE_TEXT("not asked for"));
-        report.items.push_back({realtimePriority(), false, notAsked, ""});
-        report.items.push_back({lockedMemory(), false, notAsked, ""});
     }
 
     const bool hasSlack = prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL) == 0;
@@ -200,11 +246,7 @@ RealtimeReport makeThreadRealtime(const RealtimeRequest& request)
 
 void releaseRealtime(const RealtimeReport& report) noexcept
 {
-    for (const RealtimeItem& item : report.items) {
-        if (item.isGranted && item.name.text() == lockedMemory().text()) {
-            munlockall();
-        }
-    }
+    release(report.release);
 }
 
 } // namespace palpate::servo

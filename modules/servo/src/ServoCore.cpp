@@ -54,9 +54,9 @@ ServoCore::ServoCore(const GateLimits& limits, double rate_Hz, const PassivityLi
 {
 }
 
-void ServoCore::setScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING
+void ServoCore::borrowScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING
 {
-    if (m_palpator.setScene(scene)) {
+    if (m_palpator.borrowScene(scene)) {
         m_gate.restartEaseIn();
     }
     m_generation = generation;

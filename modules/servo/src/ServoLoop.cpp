@@ -103,6 +103,7 @@ Status ServoLoop::startThread(const ServoOptions& options)
         }
         impl.request = {};
         impl.request.askPriority = options.askRealtime;
+        impl.request.lockMemory = options.lockMemory;
         impl.request.cpu = options.cpu;
         impl.rate_Hz.store(options.rate_Hz, std::memory_order_relaxed);
         impl.isStopRequested.store(false, std::memory_order_relaxed);

@@ -55,7 +55,7 @@ void ServoLoop::Impl::run(std::latch& ready, bool& isReady)
     ServoCore core(limits, rate, passivity);
     core.setMap(map.value().get());
     if (current != nullptr) {
-        core.setScene(current->scene.get(), current->generation);
+        core.borrowScene(current->scene.get(), current->generation);
     }
     if (isResumed) {
         core.resume(hand);
@@ -180,7 +180,7 @@ void ServoLoop::Impl::takeScene(ServoCore& core) noexcept PALPATE_NONBLOCKING
     if (node == nullptr) {
         return;
     }
-    core.setScene(node->scene.get(), node->generation);
+    core.borrowScene(node->scene.get(), node->generation);
     retired = std::exchange(current, node);
     if (retired != nullptr && returned.push(retired)) {
         retired = nullptr;

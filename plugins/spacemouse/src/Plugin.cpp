@@ -29,7 +29,7 @@ class Plugin final : public QObject, public device::DevicePlugin
         if (!settings.isOk()) {
             return settings.status();
         }
-        return std::unique_ptr<device::HapticDevice>(std::make_unique<Driver>(services, settings.value(), address));
+        return std::make_unique<Driver>(services, settings.value(), address);
     }
 };
 

@@ -42,7 +42,7 @@ class Plugin final : public QObject, public device::DevicePlugin
                 }
             }
         }
-        return std::unique_ptr<device::HapticDevice>(std::make_unique<Driver>(services, config, address));
+        return std::make_unique<Driver>(services, config, address);
     }
 };
 

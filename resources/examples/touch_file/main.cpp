@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // touch_file FILE   reads a mesh file (STL, VTP, OBJ, PLY) and presses 2 mm into each of its structures from above, in
 // the middle.
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/haptics/Palpator.h>
 #include <palpate/meshio/ImportServer.h>
 #include <palpate/meshio/MeshFile.h>
@@ -19,15 +19,23 @@ int main(int argc, char** argv)
         return 2;
     }
     for (const meshio::MeshStructure& structure : file.value().structures) {
-        const geometry::RepairedMesh mesh = geometry::repair(structure.mesh);
+        // Files keep their facing here, like in the program; Facing::Outward turns closed parts outwards.
+        const geometry::RepairedMesh mesh = geometry::repair(structure.mesh, geometry::Facing::AsGiven);
+        for (const std::string& sentence : mesh.report.sentences()) {
+            std::printf("%s: %s\n", structure.name.c_str(), sentence.c_str());
+        }
         Eigen::AlignedBox3d box;
         for (const core::Vec3& p : mesh.mesh.vertices) {
             box.extend(p);
         }
         const auto surface = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(mesh));
-        const haptics::HapticScene scene({{structure.name, surface, {0.5, 0.0}, 0}}); // 0.5 N/mm, no damping
+        const auto scene = haptics::HapticScene::make({{structure.name, surface, {0.5, 0.0}, 0}}); // 0.5 N/mm
+        if (!scene.isOk()) {
+            std::fprintf(stderr, "%s\n", scene.status().message().c_str());
+            continue;
+        }
         haptics::Palpator palpator;
-        palpator.setScene(&scene);
+        palpator.setScene(scene.value());
         core::Vec3 hip(box.center().x(), box.center().y(), box.max().z() + 1.0);
         haptics::TickResult touch;
         for (int into = 0; into < 40 && hip.z() > box.min().z();) { // 0.05 mm a tick of 1 ms, 40 ticks of touch

@@ -20,7 +20,7 @@ int main()
     const haptics::HapticScene scene({structure});
 
     haptics::Palpator palpator;
-    palpator.setScene(&scene);
+    palpator.borrowScene(&scene);
     haptics::TickResult touch;
     for (int tick = 0; tick <= 20; ++tick) {
         touch = palpator.step({2, 2, 1.0 - 0.15 * tick}, 1e-3);

@@ -56,10 +56,10 @@ class Game
     {
         for (std::uint32_t i = 0; i < m_scene.layers; ++i) {
             m_alone[i].scene = m_scene.build(1u << i);
-            m_alone[i].palpator.setScene(m_alone[i].scene.get());
+            m_alone[i].palpator.borrowScene(m_alone[i].scene.get());
             m_alone[i].judge = std::make_unique<LayerJudge>(m_scene, i, m_chance.bits());
         }
-        m_whole.setScene(sceneShowing(m_shown));
+        m_whole.borrowScene(sceneShowing(m_shown));
     }
 
     void tick(std::int64_t number)
@@ -79,7 +79,7 @@ class Game
         }
         const bool isRestored = m_compared == 0 && m_chance.is(kRestore);
         if (isRestored) {
-            m_twin.setScene(m_whole.scene());
+            m_twin.borrowScene(m_whole.scene());
             m_twin.restore(m_whole.state());
             m_compared = m_chance.whole(5, 60);
             ++m_tally.restores;
@@ -123,11 +123,11 @@ class Game
     {
         const auto layer = static_cast<std::uint32_t>(m_chance.below(m_scene.layers));
         m_shown ^= 1u << layer;
-        m_whole.setScene(sceneShowing(m_shown));
+        m_whole.borrowScene(sceneShowing(m_shown));
         m_compared = 0;
         ++m_tally.switches;
         for (std::uint32_t i = 0; i < m_scene.layers; ++i) {
-            m_alone[i].palpator.setScene((m_shown >> i & 1u) != 0 ? m_alone[i].scene.get() : nullptr);
+            m_alone[i].palpator.borrowScene((m_shown >> i & 1u) != 0 ? m_alone[i].scene.get() : nullptr);
         }
         m_alone[layer].judge->forget();
     }

@@ -44,7 +44,8 @@ class Placing
 
 std::shared_ptr<const geometry::SurfaceIndex> indexOf(const TriangleMesh& mesh)
 {
-    return std::make_shared<geometry::SurfaceIndex>(geometry::SurfaceIndex::build(geometry::repair(mesh), 1));
+    return std::make_shared<geometry::SurfaceIndex>(
+        geometry::SurfaceIndex::build(geometry::repair(mesh, geometry::Facing::AsGiven), 1));
 }
 
 } // namespace

@@ -34,8 +34,8 @@ void compare(Family family, std::uint64_t seed, Compared& tally)
     const auto work = static_cast<std::uint32_t>(chance.magnitude(300.0, 5000.0));
     const GodObjectLimits limits{.work = work, .ballWork = work};
     Palpator palpator(Fingertips::Any, limits), restored(Fingertips::Any, limits);
-    palpator.setScene(built.get());
-    restored.setScene(built.get());
+    palpator.borrowScene(built.get());
+    restored.borrowScene(built.get());
     for (int tick = 0; tick < kTicks; ++tick) {
         if (tick % kEach == 0) {
             restored.restore(palpator.state());

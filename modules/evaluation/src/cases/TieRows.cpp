@@ -43,7 +43,7 @@ HandPath turned(const HandPath& path)
 /// attached open surfaces.
 std::function<double(const Vec3&)> inside(const TriangleMesh& mesh)
 {
-    const auto surface = std::make_shared<const Surface>(geometry::repair(mesh));
+    const auto surface = std::make_shared<const Surface>(geometry::repair(mesh, geometry::Facing::AsGiven));
     return [surface](const Vec3& p) {
         for (int i = 0; i < 7; ++i) {
             const Vec3 shift = i == 6 ? Vec3(Vec3::Zero()) : Vec3((i < 3 ? 1e-8 : -1e-8) * Vec3::Unit(i % 3));
@@ -65,7 +65,8 @@ TriangleMesh floorAndWall()
 /// Starts just above the floor and just beside the wall, then moves far to the side and minimally below the floor.
 void addFloorAndWall(std::vector<HardCase>& rows)
 {
-    const double skin = geometry::SurfaceIndex::build(geometry::repair(floorAndWall())).skin_mm();
+    const double skin =
+        geometry::SurfaceIndex::build(geometry::repair(floorAndWall(), geometry::Facing::AsGiven)).skin_mm();
     const auto path = [skin](double x, double height) {
         HandPath result({x, 0, height + 1});
         for (const double skins : {1.001, 1.01, 1.05, 1.2, 1.4}) {

@@ -38,7 +38,7 @@ std::vector<CornerForce> forceInCorners()
         const double lean = 0.5 * (180.0 - degrees) * std::numbers::pi / 180.0;
         geometry::TriangleMesh mesh = leaningBox(lean, kHalfWidth_mm);
         shapes::append(mesh, leaningBox(-lean, kSecondHalfWidth_mm));
-        const Surface surface(geometry::repair(mesh));
+        const Surface surface(geometry::repair(mesh, geometry::Facing::AsGiven));
         VectorFieldSolver field(surface, VectorFieldSolver::Overlap::Sum);
         ProductSolver product(sceneOf(surface.repaired()), "Palpate");
         const auto at = [](double height_mm) { return Vec3(0.0, kAside_mm, height_mm); };

@@ -47,16 +47,17 @@ JudgedProduct::JudgedProduct(const HardCase& hardCase, const geometry::RepairedM
         structures.back().tissue.stiffness_N_per_mm = hardCase.neighbourStiffness_N_per_mm;
     }
     m_scene = std::make_unique<HapticScene>(std::move(structures), hardCase.fingertip_mm);
-    m_alone.setScene(m_scene.get());
-    m_restored.setScene(m_scene.get());
+    m_alone.borrowScene(m_scene.get());
+    m_restored.borrowScene(m_scene.get());
     if (m_otherEvery > 0) {
-        const HapticStructure other = structureOf(geometry::repair(hardCase.other()), 0, 0.0);
+        const HapticStructure other =
+            structureOf(geometry::repair(hardCase.other(), geometry::Facing::AsGiven), 0, 0.0);
         m_otherScene = std::make_unique<HapticScene>(std::vector{other}, hardCase.fingertip_mm);
         m_bothScene = std::make_unique<HapticScene>(std::vector{other, surface}, hardCase.fingertip_mm);
         HapticStructure hidden = other; // keeps its index, like in the program
         hidden.surface = nullptr;
         m_hiddenScene = std::make_unique<HapticScene>(std::vector{hidden, surface}, hardCase.fingertip_mm);
-        m_both.setScene(m_hiddenScene.get());
+        m_both.borrowScene(m_hiddenScene.get());
     }
 }
 
@@ -73,9 +74,9 @@ void JudgedProduct::start(const Vec3& hip)
 void JudgedProduct::switchOther()
 {
     const bool isShown = m_tick / m_otherEvery % 2 != 0;
-    m_alone.setScene(m_scene.get());
-    m_other.setScene(isShown ? m_otherScene.get() : nullptr);
-    m_both.setScene(isShown ? m_bothScene.get() : m_hiddenScene.get());
+    m_alone.borrowScene(m_scene.get());
+    m_other.borrowScene(isShown ? m_otherScene.get() : nullptr);
+    m_both.borrowScene(isShown ? m_bothScene.get() : m_hiddenScene.get());
 }
 
 CheckedTick JudgedProduct::step(const Vec3& hip)

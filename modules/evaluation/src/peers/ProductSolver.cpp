@@ -40,7 +40,7 @@ ProductSolver::ProductSolver(std::shared_ptr<const haptics::HapticScene> scene, 
     , m_palpator(m_scene->fingertip_mm() > 0.0 ? haptics::Fingertips::Any : haptics::Fingertips::Points,
                  limitsOf(iterations))
 {
-    m_palpator.setScene(m_scene.get());
+    m_palpator.borrowScene(m_scene.get());
 }
 
 void ProductSolver::start(const Vec3& p_WH)

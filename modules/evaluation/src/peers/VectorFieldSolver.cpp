@@ -79,7 +79,8 @@ VectorFieldFigures measureVectorField()
     VectorFieldFigures figures;
     {
         figures.plate_mm = 2.0;
-        const Surface plate(geometry::repair(shapes::box(Vec3(-20, -20, -figures.plate_mm), Vec3(20, 20, 0), 4)));
+        const Surface plate(geometry::repair(shapes::box(Vec3(-20, -20, -figures.plate_mm), Vec3(20, 20, 0), 4),
+                                             geometry::Facing::AsGiven));
         VectorFieldSolver solver(plate);
         for (double depth = 0.01; depth < figures.plate_mm; depth += 0.01) {
             if (solver.step(Vec3(0.3, 0.2, -depth)).spring_mm.z() < 0.0) {
@@ -89,7 +90,8 @@ VectorFieldFigures measureVectorField()
         }
     }
     {
-        const Surface cube(geometry::repair(shapes::box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 2)));
+        const Surface cube(
+            geometry::repair(shapes::box(Vec3(-10, -10, -10), Vec3(10, 10, 10), 2), geometry::Facing::AsGiven));
         VectorFieldSolver solver(cube);
         const Vec3 before = solver.step(Vec3(0, 0, 1e-6)).spring_mm, after = solver.step(Vec3(0, 0, -1e-6)).spring_mm;
         figures.jumpAtTheMiddle_N = (before - after).norm();
@@ -97,7 +99,7 @@ VectorFieldFigures measureVectorField()
     {
         geometry::TriangleMesh mesh = shapes::box(Vec3(-30, -10, -20), Vec3(5, 10, 0), 2);
         shapes::append(mesh, shapes::box(Vec3(-5, -10, -20), Vec3(30, 10, 0), 3));
-        const Surface boxes(geometry::repair(mesh));
+        const Surface boxes(geometry::repair(mesh, geometry::Facing::AsGiven));
         VectorFieldSolver solver(boxes, VectorFieldSolver::Overlap::Sum);
         const auto felt = [&](double x) {
             const auto at = [&](double z) { return solver.step(Vec3(x, 0.1, z)).spring_mm.z(); };

@@ -113,7 +113,7 @@ void addLump(haptics::HapticStructure& on)
 
 std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeconds)
 {
-    const Surface surface(geometry::repair(shapes::bumpySphere(n, kSphere_mm, 0.0)));
+    const Surface surface(geometry::repair(shapes::bumpySphere(n, kSphere_mm, 0.0), geometry::Facing::AsGiven));
     const std::uint32_t triangles = surface.triangleCount();
     std::vector<Slide> slides;
     const auto add = [&](std::unique_ptr<ReferenceSolver> solver, double limit) {
@@ -133,7 +133,7 @@ std::vector<SizePoint> costOnSphere(int n, double seconds, double bruteForceSeco
 
 std::vector<SizePoint> costOfTissue(int n, double seconds)
 {
-    const Surface surface(geometry::repair(shapes::bumpySphere(n, kSphere_mm, 0.0)));
+    const Surface surface(geometry::repair(shapes::bumpySphere(n, kSphere_mm, 0.0), geometry::Facing::AsGiven));
     const auto plain = sceneOf(surface.repaired());
     using Change = void (*)(haptics::HapticStructure&);
     std::vector<Slide> slides;

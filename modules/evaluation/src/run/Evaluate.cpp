@@ -278,7 +278,7 @@ void Evaluator::addDecimated(const Subject& subject, double end_s)
         for (std::size_t l = 0; l < fewer.size(); ++l) {
             const auto now = static_cast<double>(fewer[l].triangles.size());
             fewer[l] = decimated(fewer[l], share * subject.layers[l].surface.triangleCount() / std::max(1.0, now));
-            m_fewer.push_back(std::make_unique<Surface>(geometry::repair(fewer[l])));
+            m_fewer.push_back(std::make_unique<Surface>(geometry::repair(fewer[l], geometry::Facing::AsGiven)));
             own.push_back(m_fewer.back().get());
             if (own.back()->triangleCount() < kFewestTriangles) {
                 return;

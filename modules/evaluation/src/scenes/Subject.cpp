@@ -139,7 +139,7 @@ std::shared_ptr<const Subject> subjectOf(std::string name, const meshio::LoadedS
 
 std::shared_ptr<const Subject> subjectOf(std::string name, const geometry::TriangleMesh& mesh)
 {
-    const geometry::RepairedMesh repaired = geometry::repair(mesh);
+    const geometry::RepairedMesh repaired = geometry::repair(mesh, geometry::Facing::AsGiven);
     meshio::SceneStructure description; // default tissue of a new structure, layer 0
     description.name = name;
     return repaired.mesh.triangles.empty() ? nullptr : make(name, {{&repaired, description}});

@@ -4,7 +4,7 @@
 
 #include "stability/StabilityTrial.h"
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/haptics/ForceTable.h>
 #include <palpate/haptics/Palpator.h>
@@ -23,7 +23,8 @@ haptics::HapticStructure structure(std::string name, const geometry::TriangleMes
 {
     haptics::HapticStructure out;
     out.name = std::move(name);
-    out.surface = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(geometry::repair(mesh)));
+    out.surface = std::make_shared<const geometry::SurfaceIndex>(
+        geometry::SurfaceIndex::build(geometry::repair(mesh, geometry::Facing::AsGiven)));
     return out;
 }
 
@@ -41,7 +42,7 @@ Shape single(std::string name, const geometry::TriangleMesh& mesh, const Hold& h
 bool isReached(const Hold& hold, const haptics::HapticScene& scene)
 {
     haptics::Palpator palpator;
-    palpator.setScene(&scene);
+    palpator.borrowScene(&scene);
     haptics::TickResult felt;
     for (double depth_mm = -kClearance_mm; depth_mm <= 1.0; depth_mm += 0.1) {
         felt = palpator.step(hold.p_W + depth_mm * hold.d_W, 0.001);
@@ -89,7 +90,8 @@ Shape cover()
 /// Wall that is twice as stiff on one side; the press is on the 10 mm ramp of the map.
 Shape mapStep()
 {
-    const geometry::RepairedMesh mesh = geometry::repair(shapes::box(Vec3(-30, -30, -30), Vec3(30, 30, 0), 6));
+    const geometry::RepairedMesh mesh =
+        geometry::repair(shapes::box(Vec3(-30, -30, -30), Vec3(30, 30, 0), 6), geometry::Facing::AsGiven);
     haptics::HapticStructure wall;
     wall.name = "wall with a map";
     auto surface = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(mesh));

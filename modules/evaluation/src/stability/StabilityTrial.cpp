@@ -81,7 +81,7 @@ void closeLoop(const haptics::HapticScene& scene, const std::vector<device::Hand
     passivity.delayTicks = setup.delayTicks;
     passivity.isOn = passivity.isOn && setup.isControlled;
     servo::ServoCore core(servo::GateLimits::forDevice(info), setup.rate_Hz, passivity);
-    core.setScene(&scene, 1);
+    core.borrowScene(&scene, 1);
     while (!hand.isFinished()) {
         const auto now_ns = 1'000'000'000 + std::llround(1e9 * static_cast<double>(core.nextTick()) / setup.rate_Hz);
         const servo::TickRecord tick = core.tick(hand.read(now_ns), now_ns);

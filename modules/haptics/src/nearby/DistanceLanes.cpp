@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nearby/DistanceLanes.h"
 
-#include <palpate/core/Float8.h>
+#include "nearby/Float8.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,6 @@
 namespace palpate::haptics::internal {
 
 namespace {
-
-using core::absolute;
-using core::Float8;
-using core::greatest;
-using core::least;
-using core::load8;
-using core::Mask8;
-using core::store8;
 
 constexpr float kSmallest = 1e-30f;
 
@@ -206,7 +198,7 @@ PALPATE_WIDE_LANES std::uint32_t opposingLanes(const TriangleGroup& group, const
     // Twice the rounding, to include the error of the distance.
     const Float8 falls = 2.0f * rounding - away.along;
     const Mask8 isBeside = (falls < 0.0f) | (falls * falls < cosine * cosine * away.distance2);
-    return core::laneBits((perNormal2 <= 0.0f) | ~(isBeside | (isBehind & ~isTwoSided)));
+    return laneBits((perNormal2 <= 0.0f) | ~(isBeside | (isBehind & ~isTwoSided)));
 }
 
 void copyTriangle(const TriangleGroup* from, int i, TriangleGroup* to, int j) noexcept
@@ -225,7 +217,7 @@ PALPATE_WIDE_LANES std::uint64_t lanesBetween(const float* distance_mm, int coun
     std::uint64_t all = 0;
     for (int first = 0; first < count; first += kLanes) {
         const Float8 distance = load8(distance_mm + first);
-        all |= static_cast<std::uint64_t>(core::laneBits((distance > beyond) & (distance <= upTo))) << first;
+        all |= static_cast<std::uint64_t>(laneBits((distance > beyond) & (distance <= upTo))) << first;
     }
     return count >= 64 ? all : all & ((std::uint64_t{1} << count) - 1);
 }

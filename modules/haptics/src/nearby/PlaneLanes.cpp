@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nearby/PlaneLanes.h"
 
-#include <palpate/core/Float8.h>
+#include "nearby/Float8.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,6 @@
 namespace palpate::haptics::internal {
 
 namespace {
-
-using core::absolute;
-using core::Float8;
-using core::greatest;
-using core::least;
-using core::load8;
-using core::Mask8;
 
 // Rounding error of a plane distance in single precision: twice a few ulp of the largest operands, times the squared
 // longest edge over the double area. The area cancels, because the normal has the same length. The skin is far smaller
@@ -102,21 +95,21 @@ PALPATE_WIDE_LANES float derive(const Corners& corners, FacetGroup& group) noexc
         const Float8 high = a[axis] + greatest(greatest(ab[axis], ac[axis]), zero);
         // Twice the rounding of the conversions and of the sum.
         const Float8 outwards = (absolute(low) + absolute(high) + absolute(a[axis])) * 4e-7f + kSmallest;
-        core::store8(group.low[axis], low - outwards);
-        core::store8(group.high[axis], high + outwards);
+        store8(group.low[axis], low - outwards);
+        store8(group.high[axis], high + outwards);
         reach = greatest(reach, greatest(absolute(low), absolute(high)));
     }
     const Float8 longest2 = greatest(greatest(ab2, ac2), bc2);
-    core::store8(group.perShortest2, 1.0f / greatest(least(least(ab2, ac2), bc2), zero + kSmallest));
+    store8(group.perShortest2, 1.0f / greatest(least(least(ab2, ac2), bc2), zero + kSmallest));
     const Mask8 isSound = (longest2 > kSmallest) & (longest2 < kLargest);
     Float8 offset = zero;
     for (int axis = 0; axis < 3; ++axis) {
         const Float8 sound = isSound ? n[axis] : zero;
-        core::store8(group.normal[axis], sound);
+        store8(group.normal[axis], sound);
         offset += sound * a[axis];
     }
-    core::store8(group.offset, offset);
-    core::store8(group.longest2, isSound ? longest2 : zero + kLargest);
+    store8(group.offset, offset);
+    store8(group.longest2, isSound ? longest2 : zero + kLargest);
     std::memcpy(group.isTwoSided, corners.isTwoSided, sizeof group.isTwoSided);
     float most = 0.0f;
     for (int i = 0; i < kLanes; ++i) {
@@ -144,7 +137,7 @@ PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int coun
         std::memcpy(&twoSided, group.isTwoSided, sizeof twoSided);
         // From front to back; for a two-sided facet, from either side to the other.
         const std::uint32_t crosses =
-            core::laneBits(((start >= -slack) & (end <= slack)) | (twoSided & (start <= slack) & (end >= -slack)));
+            laneBits(((start >= -slack) & (end <= slack)) | (twoSided & (start <= slack) & (end >= -slack)));
         if (crosses == 0) {
             continue;
         }
@@ -162,7 +155,7 @@ PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int coun
             const Float8 around = beside + shareSlack * std::fabs(d);
             misses |= (met < load8(group.low[axis]) - around) | (met > load8(group.high[axis]) + around);
         }
-        all |= static_cast<std::uint64_t>(crosses & ~core::laneBits(misses & isCertain)) << first;
+        all |= static_cast<std::uint64_t>(crosses & ~laneBits(misses & isCertain)) << first;
     }
     return all & bitsOf(count);
 }
@@ -188,7 +181,7 @@ PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int coun
         for (int axis = 0; axis < 3; ++axis) {
             misses |= (low[axis] - beside > load8(group.high[axis])) | (high[axis] + beside < load8(group.low[axis]));
         }
-        if (core::laneBits(misses) == 0xffu) {
+        if (laneBits(misses) == 0xffu) {
             continue;
         }
         const Float8 slack = rounding * load8(group.longest2);
@@ -200,7 +193,7 @@ PALPATE_WIDE_LANES std::uint64_t crossedLanes(const FacetGroup* groups, int coun
             most = greatest(most, distance);
             fewest = least(fewest, distance);
         }
-        const std::uint32_t crosses = core::laneBits((most >= -slack) & (fewest <= slack) & ~misses);
+        const std::uint32_t crosses = laneBits((most >= -slack) & (fewest <= slack) & ~misses);
         all |= static_cast<std::uint64_t>(crosses) << first;
     }
     return all & bitsOf(count);
@@ -220,7 +213,7 @@ PALPATE_WIDE_LANES std::uint64_t nearLanes(const FacetGroup* groups, int count, 
             isOutside |= (load8(group.low[axis]) > (g[axis] + reach)) | (load8(group.high[axis]) < (g[axis] - reach));
         }
         const Mask8 isNear = ~isOutside & (absolute(distance) <= reach * load8(group.longest2));
-        all |= static_cast<std::uint64_t>(core::laneBits(isNear)) << first;
+        all |= static_cast<std::uint64_t>(laneBits(isNear)) << first;
     }
     return all & bitsOf(count);
 }

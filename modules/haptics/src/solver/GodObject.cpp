@@ -86,7 +86,8 @@ void GodObject::stepWithFriction(const Vec3& p_WH, double dt_s, const HapticLaye
         point = withoutFriction(p_WH, layer, planes);
     }
     m_push_W.setZero();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(point.count); ++i) {
+    const std::size_t count = std::min(static_cast<std::size_t>(point.count), point.active.size());
+    for (std::size_t i = 0; i < count; ++i) {
         m_push_W += point.lambda_mm[i] * planes[point.active[i]].n;
     }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formats/MeshFormat.h"
 
-#include "formats/PolygonCutter.h"
 #include "text/Fault.h"
 #include "text/TextScan.h"
 
@@ -168,12 +167,13 @@ Status ObjScan::readFace(std::string_view rest)
         ++corners;
     }
     m_plain += '\n';
-    if (corners < 3 || corners > PolygonCutter::kMostCorners) {
+    if (corners < 3 || corners > geometry::PolygonCutter::kMostCorners) {
         return wrong(StatusCode::BadFormat,
                      corners == 1 ? core::Message(PALPATE_TEXT("a face with one corner"))
                                   : core::Message(PALPATE_TEXT("a face with %1 corners"), Count(corners)),
-                     corners < 3 ? core::Message(PALPATE_TEXT("at least %1"), 3)
-                                 : core::Message(PALPATE_TEXT("at most %1"), Count(PolygonCutter::kMostCorners)));
+                     corners < 3
+                         ? core::Message(PALPATE_TEXT("at least %1"), 3)
+                         : core::Message(PALPATE_TEXT("at most %1"), Count(geometry::PolygonCutter::kMostCorners)));
     }
     m_object = m_object ? m_object : m_objects.idOf("");
     m_group = m_group ? m_group : m_groups.idOf("");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/TriangleSoup.h"
 
-#include "formats/PolygonCutter.h"
 #include "guard/VtkMessages.h"
 #include "text/Fault.h"
 
 #include <palpate/core/TissueMapping.h>
+#include <palpate/geometry/PolygonCutter.h>
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -29,6 +29,7 @@ namespace {
 using core::Result;
 using core::Status;
 using core::StatusCode;
+using geometry::PolygonCutter;
 using geometry::Triangle;
 
 /// Reads the structure of each polygon from the array of a VTP file.

@@ -272,7 +272,8 @@ void Loader::repairAll()
         if (pending.description.flipped) {
             geometry::flip(pending.mesh);
         }
-        pending.asRead = std::make_shared<const geometry::RepairedMesh>(geometry::repair(pending.mesh));
+        pending.asRead =
+            std::make_shared<const geometry::RepairedMesh>(geometry::repair(pending.mesh, geometry::Facing::AsGiven));
         pending.mesh = {};
         if (m_options.turnsOutwards) {
             pending.description.outwards = true;

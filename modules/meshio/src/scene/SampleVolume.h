@@ -4,7 +4,7 @@
 #include <palpate/core/FileFrame.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/TissueMapping.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 
 #include <functional>
 #include <vector>

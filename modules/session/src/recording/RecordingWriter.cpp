@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/RecordingWriter.h"
 
+#include "palpate/session/GeometryHash.h"
+
 #include "recording/RenamedFile.h"
 #include "recording/SceneChanges.h"
 #include "store/DiskReserve.h"
@@ -207,8 +209,15 @@ Status RecordingWriter::append(const servo::TickRecord& tick)
     return d.pending.ticks.size() % d.ticksPerCommit == 0 ? d.store() : Status();
 }
 
-Status RecordingWriter::addScene(const SceneRecord& scene)
+Status RecordingWriter::addScene(const SceneRecord& given)
 {
+    SceneRecord scene = given;
+    for (StructureRecord& structure : scene.structures) {
+        StructureSource& source = structure.source;
+        if (source.embed != nullptr && source.sha256.empty()) {
+            source.sha256 = geometryHash(source.embed->mesh);
+        }
+    }
     const auto [known, isNew] = m_d->known.emplace(scene.generation, scene);
     if (!isNew) {
         return {StatusCode::OutOfRange, PALPATE_TEXT("scene %1 is described already"), scene.generation};
@@ -219,7 +228,7 @@ Status RecordingWriter::addScene(const SceneRecord& scene)
     SceneRecord& stored = m_d->pending.scenes.emplace_back(scene);
     for (StructureRecord& structure : stored.structures) {
         StructureSource& source = structure.source;
-        if (source.embed != nullptr && (source.sha256.empty() || !m_d->embedded.insert(source.sha256).second)) {
+        if (source.embed != nullptr && !m_d->embedded.insert(source.sha256).second) {
             source.embed.reset(); // already stored or pending
         }
     }

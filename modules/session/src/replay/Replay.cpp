@@ -36,7 +36,7 @@ void replay(const haptics::HapticScene& scene, const Motion& motion, const TickS
     // Processes ticks in batches, so that the sink does not evict the solver's data from the caches after every tick.
     constexpr std::size_t kBatch = 4096;
     haptics::Palpator palpator;
-    palpator.setScene(&scene);
+    palpator.borrowScene(&scene);
     servo::MotionTrack hand(0.0); // a motion has no information about sensor resolution
     std::vector<servo::TickRecord> batch;
     batch.reserve(std::min(kBatch, motion.p_WH.size()));

@@ -82,7 +82,8 @@ class Resimulator
             }
             scene = std::move(built).value();
         }
-        m_palpator.setScene(scene.get(), hasContinuity() ? haptics::Continuity::Contacts : haptics::Continuity::Places);
+        m_palpator.borrowScene(scene.get(),
+                               hasContinuity() ? haptics::Continuity::Contacts : haptics::Continuity::Places);
         boundRounding(scene.get());
         m_generation = generation;
         return {};

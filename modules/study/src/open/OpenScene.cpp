@@ -322,7 +322,7 @@ std::vector<session::StructureSource> OpenScene::sources() const
             continue;
         }
         sources.push_back(sourceOf(one.loaded.description, one.sha256));
-        sources.back().embed = one.sha256.empty() ? nullptr : one.loaded.surface;
+        sources.back().embed = one.touch == nullptr ? nullptr : one.loaded.surface;
     }
     return sources;
 }

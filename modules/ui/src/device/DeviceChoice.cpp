@@ -221,7 +221,7 @@ core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::makeSimulated(
     if (!script.isOk()) {
         return script.status();
     }
-    return std::unique_ptr<device::HapticDevice>(std::make_unique<device::SimulatedHand>(std::move(script).value()));
+    return std::make_unique<device::SimulatedHand>(std::move(script).value());
 }
 
 core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::makePlayback()

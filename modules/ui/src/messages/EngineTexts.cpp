@@ -226,6 +226,10 @@ constexpr Template kTemplates[] = {
     {QT_TRANSLATE_NOOP("palpate::ui::Engine",
                        "%1 closed parts look inside out: touched from within only, unless turned outwards"),
      0b0, Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 closed part was inside out and turned to face outwards"), 0b0,
+     Holds::Numbers},
+    {QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 closed parts were inside out and turned to face outwards"), 0b0,
+     Holds::Numbers},
     {QT_TRANSLATE_NOOP(
          "palpate::ui::Engine",
          "%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used"),

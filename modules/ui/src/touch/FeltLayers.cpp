@@ -3,6 +3,7 @@
 
 #include <palpate/haptics/ForceTable.h>
 #include <palpate/view/Dimple.h>
+#include <palpate/view/StateOf.h>
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -150,14 +151,8 @@ void showInner(const servo::TickRecord& tick, const std::vector<LayerShare>& lay
 view::TouchState touchState(const servo::TickRecord& tick, const core::Vec3& f_W, double fingertip_mm,
                             const std::vector<LayerShare>& layers, const core::Tissue* tissue)
 {
-    view::TouchState state;
-    state.p_WH = tick.p_WH;
-    state.p_WG = tick.felt.p_WG;
-    state.n_W = tick.felt.n_W;
+    view::TouchState state = view::stateOf(tick, fingertip_mm);
     state.f_W = f_W;
-    state.fingertip_mm = fingertip_mm;
-    state.isInContact = tick.felt.structure >= 0;
-    state.isPresent = (tick.flags & servo::kNoHand) == 0;
     if (state.isInContact) {
         showInner(tick, layers, state);
     }

@@ -10,13 +10,11 @@
 #include <palpate/servo/PassivityController.h>
 #include <palpate/study/DeviceLimit.h>
 #include <palpate/study/RecordedLooks.h>
+#include <palpate/study/RecordedScene.h>
 
 #include <QLocale>
 
 #include <cmath>
-
-#include <QJsonDocument>
-#include <QJsonObject>
 
 namespace palpate::ui {
 
@@ -180,7 +178,6 @@ core::Status LiveTouch::useDevice(std::unique_ptr<device::HapticDevice> device)
     m_device = std::move(device);
     m_info = usesPointer() ? m_pointer.info() : m_device->info();
     m_delayTicks = 1;
-    m_wasFaulted = false;
     core::Status status = wasRunning ? start() : core::Status();
     Q_EMIT deviceChanged();
     return status;
@@ -205,7 +202,7 @@ void LiveTouch::stop()
 void LiveTouch::handOverScene()
 {
     m_scene = m_model.hapticScene(maxTissue(), m_fingertip_mm);
-    m_session.setScene(m_scene, m_model.scene().sources());
+    (void)m_session.setScene(m_scene, m_model.scene().sources()); // sources contain each palpable surface
     reportSoftenedStructure();
     Q_EMIT handedOver();
 }
@@ -252,19 +249,12 @@ void LiveTouch::measure()
     if (!usesPointer()) {
         setDelay(servo::delayTicksOf(m_device->report().latency, rate_Hz()));
     }
-    m_session.loop().collect();
-    const servo::FaultReport fault = m_session.loop().fault();
-    if (fault.isFaulted() && !m_wasFaulted) {
-        const bool isLost =
-            fault.fault.kind == servo::FaultKind::DeviceLost || fault.fault.kind == servo::FaultKind::StaleInput;
-        const QJsonObject what{{"what", QString::fromStdString(fault.message.english())}};
-        note(isLost ? "device-lost" : "fault", QJsonDocument(what).toJson(QJsonDocument::Compact).toStdString());
-        Q_EMIT faulted(translated(fault.message));
+    if (const auto fault = m_session.poll()) {
+        Q_EMIT faulted(translated(fault->message));
         if (m_info.actuatedAxes == 0) {
             m_session.loop().rearm(); // a device without motors cannot push: resume touch with a ramp
         }
     }
-    m_wasFaulted = fault.isFaulted();
     Q_EMIT statusChanged();
 }
 
@@ -291,7 +281,10 @@ core::Status LiveTouch::startRecording(const std::filesystem::path& path, const 
     for (const study::OpenStructure& row : m_model.rows()) {
         looks.push_back(study::lookOf(row.loaded.description));
     }
-    return m_session.startRecording(path, scene, embeds, study::looksText(looks));
+    session::RecordingInfo info;
+    info.looks = study::looksText(looks);
+    study::setSceneSource(info, scene, path);
+    return m_session.startRecording(path, embeds ? session::Embed::Yes : session::Embed::No, std::move(info));
 }
 
 core::Status LiveTouch::stopRecording()

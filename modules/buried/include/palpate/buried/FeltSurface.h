@@ -3,9 +3,10 @@
 
 #include "palpate/buried/Stiffening.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Parallel.h>
 #include <palpate/core/Status.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 
 #include <array>
 #include <cstddef>
@@ -45,7 +46,7 @@ inline constexpr std::size_t kMaxPresses = 8;
 inline constexpr double kMaxRefinedTriangles = 2e6;
 
 /// Detectable stiffness changes in percent: half the trained threshold, trained 14 %, untrained 28 %.
-/// @par Source resources/docs/felt.md
+/// @par Source docs/felt.md
 inline constexpr std::array<double, 3> kDetectableChange_percent{7.0, 14.0, 28.0};
 
 /// Palpability of a lump at its best place.
@@ -60,7 +61,7 @@ enum class Verdict : std::uint8_t
 inline constexpr std::array<std::string_view, 5> kVerdictNames{"not by hand", "by a trained hand", "plainly",
                                                                "not judged", "stiffness ratio not known"};
 /// @param ratio  k/k0; for soft places the inverse is used
-[[nodiscard]] Verdict verdictOf(double ratio) noexcept;
+[[nodiscard]] PALPATE_EXPORT Verdict verdictOf(double ratio) noexcept;
 
 /// Reasons why the model is invalid at a place, as bit flags.
 enum NotJudged : std::uint8_t
@@ -116,7 +117,8 @@ struct FeltSurface
 /// Formats the verdict with its basis: "by a trained hand", or, if the ends of the ratio's range lead to different
 /// verdicts, "by a trained hand (at 1: not by hand; at 5.2: plainly)".
 /// @param ratio  modulus ratio of the lump
-[[nodiscard]] std::string verdictText(const FeltSurface::LumpPress& press, const std::optional<RatioRange>& ratio);
+[[nodiscard]] PALPATE_EXPORT std::string verdictText(const FeltSurface::LumpPress& press,
+                                                     const std::optional<RatioRange>& ratio);
 
 /// Computes the palpability of lumps through an organ's surface. Lumps are processed in order. A lump with an unknown
 /// ratio gets a cover depth but no verdict; open or inside-out lumps and lumps entirely outside the organ are skipped
@@ -127,8 +129,9 @@ struct FeltSurface
 /// Cancelled.
 /// @par Cost About 20 ns for each combination of vertex, lump triangle (at most LumpShape::kDefaultTriangles) and
 /// press. Uses all cores, with bit-identical results for any number of threads. Not for the servo thread.
-[[nodiscard]] core::Result<FeltSurface> feltSurface(const std::string& name, const geometry::RepairedMesh& organ,
-                                                    const std::vector<BuriedLump>& lumps,
-                                                    const FeltOptions& options = {});
+[[nodiscard]] PALPATE_EXPORT core::Result<FeltSurface> feltSurface(const std::string& name,
+                                                                   const geometry::RepairedMesh& organ,
+                                                                   const std::vector<BuriedLump>& lumps,
+                                                                   const FeltOptions& options = {});
 
 } // namespace palpate::buried

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/core/Export.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/geometry/SurfaceIndex.h>
 
 #include <memory>
@@ -11,7 +12,7 @@ namespace palpate::buried {
 using core::Vec3;
 
 /// Organ surface at the scale of a finger contact: details smaller than the finger are averaged.
-class Ground
+class PALPATE_EXPORT Ground
 {
   public:
     /// Validity limit of the half-space model in contact radii: minimum radius of curvature and organ thickness.

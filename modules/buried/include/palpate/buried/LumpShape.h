@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/core/Export.h>
+#include <palpate/geometry/Repair.h>
 
 #include <cstddef>
 #include <memory>
@@ -26,8 +27,8 @@ struct ContactPlace
 /// cos(angle to the axis), to `(6 c / pi) (h^2 - c h + c^2 / 3) / R^3`; above the surface the integral is constant at
 /// `(2 / pi) (h / R)^3`. The share is the inflow minus the outflow through the triangles, weighted by their solid
 /// angles `x . dA / R^3`.
-/// @par Source resources/docs/felt.md
-class LumpShape
+/// @par Source docs/felt.md
+class PALPATE_EXPORT LumpShape
 {
   public:
     static constexpr std::size_t kDefaultTriangles = 500;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Export.h"
 #include "palpate/core/Scratch.h"
 #include "palpate/core/Status.h"
 
@@ -23,7 +24,7 @@ namespace palpate::core {
 /// permissions. A symbolic link is followed and its target replaced. Pipes, terminals, other devices and descriptors of
 /// this process (/dev/stdout) are written to directly.
 /// @par Thread One thread at a time.
-class AtomicFile
+class PALPATE_EXPORT AtomicFile
 {
   public:
     /// Permitted state of the target name.
@@ -54,15 +55,16 @@ class AtomicFile
 };
 
 /// Writes a complete file atomically.
-[[nodiscard]] Status writeAtomically(const std::filesystem::path& path, std::string_view bytes,
-                                     AtomicFile::Onto onto = AtomicFile::Onto::Anything);
+[[nodiscard]] PALPATE_EXPORT Status writeAtomically(const std::filesystem::path& path, std::string_view bytes,
+                                                    AtomicFile::Onto onto = AtomicFile::Onto::Anything);
 
 /// @return `path` for number 1, otherwise with the number before the extension: "2026-11-21 05.12.33 (2).png".
-[[nodiscard]] std::filesystem::path numbered(const std::filesystem::path& path, int number);
+[[nodiscard]] PALPATE_EXPORT std::filesystem::path numbered(const std::filesystem::path& path, int number);
 
 /// Writes a new file under the first free numbered name. Safe against other programs that choose a name at the same
 /// time.
 /// @return path of the file
-[[nodiscard]] Result<std::filesystem::path> writeNew(const std::filesystem::path& path, std::string_view bytes);
+[[nodiscard]] PALPATE_EXPORT Result<std::filesystem::path> writeNew(const std::filesystem::path& path,
+                                                                    std::string_view bytes);
 
 } // namespace palpate::core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Export.h"
 #include "palpate/core/Status.h"
 
 #include <array>
@@ -13,7 +14,7 @@
 
 namespace palpate::core {
 
-/// Shape of the force over the penetration depth. Formulas and sources: resources/docs/laws.md.
+/// Shape of the force over the penetration depth. Formulas and sources: docs/laws.md.
 enum class LawKind : std::uint8_t
 {
     Linear,      ///< stiffness times depth
@@ -57,18 +58,18 @@ struct LawParameter
 };
 
 /// Name of a law in files, e.g. "linear".
-[[nodiscard]] std::string_view lawName(LawKind kind) noexcept;
+[[nodiscard]] PALPATE_EXPORT std::string_view lawName(LawKind kind) noexcept;
 /// All laws, in the order of the selection list.
 inline constexpr std::array kLawKinds{LawKind::Linear, LawKind::Exponential, LawKind::Hertz,
                                       LawKind::Layer,  LawKind::Click,       LawKind::Points};
 /// Parameters of a law, in the order of ForceLaw::numbers.
-[[nodiscard]] std::span<const LawParameter> lawParameters(LawKind kind) noexcept;
+[[nodiscard]] PALPATE_EXPORT std::span<const LawParameter> lawParameters(LawKind kind) noexcept;
 /// Law with default parameters.
-[[nodiscard]] ForceLaw usualLaw(LawKind kind);
+[[nodiscard]] PALPATE_EXPORT ForceLaw usualLaw(LawKind kind);
 /// Validates a law. Linear is always valid.
 /// @return an error with parameter or point and value for: non-finite or out-of-range parameters, contradictory
 /// parameters, points that do not ascend from (0, 0), negative forces, slopes above kMaxSlope
-[[nodiscard]] Status check(const ForceLaw& law);
+[[nodiscard]] PALPATE_EXPORT Status check(const ForceLaw& law);
 
 /// First invalid point (index from 0) with the reason; the text is empty if all points are valid.
 struct PointFault
@@ -76,6 +77,6 @@ struct PointFault
     std::size_t point = 0;
     Message what;
 };
-[[nodiscard]] PointFault firstFault(std::span<const ForceLaw::Point> points);
+[[nodiscard]] PALPATE_EXPORT PointFault firstFault(std::span<const ForceLaw::Point> points);
 
 } // namespace palpate::core

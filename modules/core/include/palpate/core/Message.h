@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Export.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -11,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-/// Marks the English source text of a message. `resources/translations/update.sh` collects marked texts for the
-/// translation catalogues, and `core::Message` accepts only marked texts. The argument may consist of adjacent string
-/// literals, but not of expressions.
+/// Marks the English source text of a message. Marked texts are collected for the translation catalogues, and
+/// `core::Message` accepts only marked texts. The argument may consist of adjacent string literals, but not of
+/// expressions.
 #define PALPATE_TEXT(text) (::palpate::core::internal::MarkedText{text})
 
 namespace palpate::core {
@@ -78,7 +80,7 @@ struct Count
 };
 
 /// Argument of a message.
-struct MessageArgument
+struct PALPATE_EXPORT MessageArgument
 {
     enum class Kind : std::uint8_t
     {
@@ -124,7 +126,7 @@ struct MessageArgument
 ///     core::Message(PALPATE_TEXT("%1: found %2 triangles, expected at least 1"), path, 0)
 ///
 /// @par Thread Value type without shared state. Allocates memory, so not for the servo thread.
-class Message
+class PALPATE_EXPORT Message
 {
   public:
     Message() = default;
@@ -151,12 +153,12 @@ class Message
 };
 
 /// @return `text` with each placeholder %1 to %9 replaced by the part of that number; other per cent signs are kept
-[[nodiscard]] std::string filled(std::string_view text, const std::vector<std::string>& parts);
+[[nodiscard]] PALPATE_EXPORT std::string filled(std::string_view text, const std::vector<std::string>& parts);
 
 /// @return the meaning of an `errno` value: "No such file or directory"
-[[nodiscard]] Message systemError(int error);
+[[nodiscard]] PALPATE_EXPORT Message systemError(int error);
 
 /// @return the messages joined by "; "
-[[nodiscard]] Message joined(const std::vector<Message>& messages);
+[[nodiscard]] PALPATE_EXPORT Message joined(const std::vector<Message>& messages);
 
 } // namespace palpate::core

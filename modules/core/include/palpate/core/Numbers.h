@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Export.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,12 +12,12 @@ namespace palpate::core {
 /// Parses a decimal number, independent of the locale. The whole text must be the number, apart from surrounding
 /// blanks.
 /// @return std::nullopt if `text` is not a number. Accepts "nan" and "inf": the caller checks finiteness.
-[[nodiscard]] std::optional<double> parseNumber(std::string_view text) noexcept;
+[[nodiscard]] PALPATE_EXPORT std::optional<double> parseNumber(std::string_view text) noexcept;
 
 /// Appends a number with 17 significant digits (lossless round trip), independent of the locale.
-void appendNumber(std::string& out, double value);
+PALPATE_EXPORT void appendNumber(std::string& out, double value);
 
 /// @return the number with `digits` significant digits for a message, independent of the locale.
-[[nodiscard]] std::string shortNumber(double value, int digits = 6);
+[[nodiscard]] PALPATE_EXPORT std::string shortNumber(double value, int digits = 6);
 
 } // namespace palpate::core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Export.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -8,7 +10,7 @@
 namespace palpate::core {
 
 /// @return number of hardware threads, at least 1.
-[[nodiscard]] unsigned coreCount() noexcept;
+[[nodiscard]] PALPATE_EXPORT unsigned coreCount() noexcept;
 
 /// Calls `work(i, thread)` once for each i below `count`, on the calling thread (number 0) and on as many others as
 /// there is work for. Calls start in ascending order of i, but the assignment to threads varies: index results by i,
@@ -16,8 +18,8 @@ namespace palpate::core {
 /// to create one. Not for the servo thread.
 /// @param threads  maximum number of threads, including the calling thread
 /// @throws one of the exceptions thrown by `work`, after all threads have ended; calls not yet started are skipped
-void parallelFor(std::size_t count, const std::function<void(std::size_t i, unsigned thread)>& work,
-                 unsigned threads = coreCount());
+PALPATE_EXPORT void parallelFor(std::size_t count, const std::function<void(std::size_t i, unsigned thread)>& work,
+                                unsigned threads = coreCount());
 
 /// Calls `work(i)` for each i below `count`, in blocks of `block` consecutive indices, for work too small to schedule
 /// one by one. Otherwise as parallelFor.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Export.h"
 #include "palpate/core/Status.h"
 
 #include <filesystem>
@@ -14,7 +15,7 @@ namespace palpate::core {
 /// process, see `removeScratchOnSignals`. Leftovers after SIGKILL or a power loss are removed at the next creation in
 /// the same folder: an unlocked scratch file is known to be unused.
 /// @par Thread One thread at a time.
-class Scratch
+class PALPATE_EXPORT Scratch
 {
   public:
     enum class Kind
@@ -56,20 +57,20 @@ enum class ExistingFile
 /// Renames a file atomically within one file system.
 /// @param fromFolder, toFolder  descriptors of the folders
 /// @return 0 or the error number; EEXIST if `old` is Refuse and a file exists
-[[nodiscard]] int renameWithoutRace(int fromFolder, const char* from, int toFolder, const char* to,
-                                    ExistingFile old) noexcept;
+[[nodiscard]] PALPATE_EXPORT int renameWithoutRace(int fromFolder, const char* from, int toFolder, const char* to,
+                                                   ExistingFile old) noexcept;
 
 /// Flushes the names in a folder to the disk. Errors of file systems without this feature are ignored.
-void syncFolder(int folder) noexcept;
+PALPATE_EXPORT void syncFolder(int folder) noexcept;
 
 /// Installs handlers for all signals that terminate the process: they remove the files of `Scratch` and then let the
 /// signal terminate the process as before. Exceeding the file size limit (SIGXFSZ) becomes a write error instead of a
 /// signal. Signals ignored by the parent process stay ignored. Call once, at program start.
-void removeScratchOnSignals();
+PALPATE_EXPORT void removeScratchOnSignals();
 
 /// Error for a file that cannot be written: one line with path, reason and remedy.
 /// @param error  errno value. Results in NoSpace for a full disk, a quota or a size limit, in NotFound for a missing
 /// folder, otherwise in Unreadable.
-[[nodiscard]] Status cannotWrite(const std::filesystem::path& path, int error);
+[[nodiscard]] PALPATE_EXPORT Status cannotWrite(const std::filesystem::path& path, int error);
 
 } // namespace palpate::core

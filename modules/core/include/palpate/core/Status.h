@@ -3,7 +3,9 @@
 
 #include "palpate/core/Message.h"
 
+#include <cassert>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -87,6 +89,14 @@ class [[nodiscard]] Result
         : m_value(std::move(value))
     {
     }
+    /// Converts a pointer to a derived class: `return std::make_unique<MyDevice>();` for a Result of a device.
+    template<class Derived, std::enable_if_t<std::is_convertible_v<std::unique_ptr<Derived>, T> &&
+                                                 !std::is_same_v<std::unique_ptr<Derived>, T>,
+                                             int> = 0>
+    Result(std::unique_ptr<Derived> value)
+        : m_value(std::move(value))
+    {
+    }
     /// @pre `!status.isOk()`
     Result(Status status)
         : m_status(std::move(status))
@@ -95,10 +105,22 @@ class [[nodiscard]] Result
 
     [[nodiscard]] bool isOk() const noexcept { return m_value.has_value(); }
     [[nodiscard]] const Status& status() const noexcept { return m_status; }
-    /// @pre isOk()
-    [[nodiscard]] T& value() & { return *m_value; }
-    [[nodiscard]] const T& value() const& { return *m_value; }
-    [[nodiscard]] T&& value() && { return std::move(*m_value); }
+    /// @pre isOk(), checked by assert
+    [[nodiscard]] T& value() &
+    {
+        assert(isOk());
+        return *m_value;
+    }
+    [[nodiscard]] const T& value() const&
+    {
+        assert(isOk());
+        return *m_value;
+    }
+    [[nodiscard]] T&& value() &&
+    {
+        assert(isOk());
+        return std::move(*m_value);
+    }
 
   private:
     std::optional<T> m_value;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Export.h"
+
 #include <concepts>
 #include <cstdint>
 #include <string>
@@ -10,7 +12,7 @@
 namespace palpate::core {
 
 namespace internal {
-[[nodiscard]] std::string grouped(std::uint64_t magnitude, bool isNegative);
+[[nodiscard]] PALPATE_EXPORT std::string grouped(std::uint64_t magnitude, bool isNegative);
 }
 
 /// @return whole number with a comma every three digits: "1,234,567"
@@ -23,6 +25,6 @@ template<std::integral T>
 
 /// @return `text` in quotes, safe for a one-line message: at most 40 bytes, cut at UTF-8 character boundaries, with "?"
 /// for control characters and "…" for omitted text
-[[nodiscard]] std::string inQuotes(std::string_view text);
+[[nodiscard]] PALPATE_EXPORT std::string inQuotes(std::string_view text);
 
 } // namespace palpate::core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Export.h"
 #include "palpate/core/Realtime.h"
 
 #include <atomic>
@@ -22,7 +23,7 @@ struct TimingSummary
 
 /// Histogram of durations with bins of 1 ns up to 256 ns and of 1/256 octave above, up to 4.3 s. One thread adds; any
 /// thread may read a summary concurrently.
-class TimingHistogram
+class PALPATE_EXPORT TimingHistogram
 {
   public:
     TimingHistogram();

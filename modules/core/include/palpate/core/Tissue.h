@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/core/Export.h"
 #include "palpate/core/ForceLaw.h"
 #include "palpate/core/Message.h"
+#include "palpate/core/Status.h"
 
 #include <array>
 #include <limits>
@@ -17,7 +19,7 @@ struct Tissue
     double stiffness_N_per_mm = 0.5; ///< k: force per penetration depth
     double damping_Ns_per_mm = 0.0;  ///< b: force per speed
     /// Coulomb coefficients of static and dynamic friction, relative to the normal force; dynamic is at most static.
-    /// See resources/docs/friction.md.
+    /// See docs/friction.md.
     double friction_static = 0.0, friction_dynamic = 0.0;
     double friction_drag_Ns_per_mm = 0.0; ///< viscous friction: force per sliding speed
     /// Force law; linear uses only the stiffness. Absolute stiffness maps are relative to `stiffness_N_per_mm`.
@@ -62,6 +64,11 @@ inline constexpr std::array kTissueTerms{
                PALPATE_TEXT("resisting force per mm/s of sliding"), "N·s/mm",
                PALPATE_TEXT("newton seconds per millimetre"), 1000.0, 4, 0.0005, "friction", "drag_Ns_per_mm"},
 };
+
+/// Validates a tissue from memory: every term finite and within 0 to TissueTerm::most, sliding friction at most static
+/// friction, and the force law (ForceLaw.h). Scene files have the same bounds.
+/// @return OutOfRange or NonFinite with the term, the value found and the value expected
+[[nodiscard]] PALPATE_EXPORT Status check(const Tissue& tissue);
 
 /// @return upper bounds that do not limit any tissue.
 [[nodiscard]] inline Tissue unbounded()

@@ -3,6 +3,8 @@
 
 #include "palpate/device/HapticDevice.h"
 
+#include <palpate/core/Export.h>
+
 #include <span>
 #include <string_view>
 
@@ -37,13 +39,13 @@ struct DevicePreset
 /// All presets. Where manufacturers give a range (Touch), the lower and therefore safer value is used.
 /// @par Source Limits: device table of CHAI3D 3.3, src/devices; WoodenHaptics: figures of that project; PHANToM (1995):
 /// 18 N from Zilles & Salisbury, IROS 1995, all other values from its successor, the Premium 1.5. Mechanics:
-/// resources/docs/stability.md lists which values are specified by the manufacturer and which are assumed.
-[[nodiscard]] std::span<const DevicePreset> devicePresets() noexcept;
+/// docs/stability.md lists which values are specified by the manufacturer and which are assumed.
+[[nodiscard]] PALPATE_EXPORT std::span<const DevicePreset> devicePresets() noexcept;
 
 /// @return the preset with this id, or nullptr.
-[[nodiscard]] const DevicePreset* findDevicePreset(std::string_view id) noexcept;
+[[nodiscard]] PALPATE_EXPORT const DevicePreset* findDevicePreset(std::string_view id) noexcept;
 
 /// Device description for a preset: three sensed and actuated axes, no buttons.
-[[nodiscard]] DeviceInfo deviceInfo(const DevicePreset& preset);
+[[nodiscard]] PALPATE_EXPORT DeviceInfo deviceInfo(const DevicePreset& preset);
 
 } // namespace palpate::device

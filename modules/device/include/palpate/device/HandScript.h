@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/Types.h>
@@ -22,7 +23,7 @@ struct HandTarget
 /// point.
 /// @par Source Fritsch & Butland, SIAM J. Sci. Stat. Comput. 5 (1984), doi:10.1137/0905021 (weighted harmonic mean of
 /// slopes).
-class HandScript
+class PALPATE_EXPORT HandScript
 {
   public:
     HandScript() = default;

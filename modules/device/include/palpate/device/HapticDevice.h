@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/TimingHistogram.h>
@@ -70,7 +71,7 @@ struct DeviceReport
 
 /// Interface of a device that senses a hand and may apply forces. A driver with blocking I/O runs its own thread and
 /// only exchanges the newest state and force in `read` and `write`.
-class HapticDevice
+class PALPATE_EXPORT HapticDevice
 {
   public:
     virtual ~HapticDevice() = default;

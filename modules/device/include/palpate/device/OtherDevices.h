@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +19,7 @@ struct OtherDevice
 /// Recognises 3D Systems Touch, Novint Falcon, Haply Inverse3 and Force Dimension devices by USB vendor, product and
 /// name strings. Any thread except the servo thread.
 /// @param usb  sysfs folder with the USB devices; a missing folder gives an empty result
-[[nodiscard]] std::vector<OtherDevice> recogniseOtherDevices(const std::filesystem::path& usb = "/sys/bus/usb/devices");
+[[nodiscard]] PALPATE_EXPORT std::vector<OtherDevice>
+recogniseOtherDevices(const std::filesystem::path& usb = "/sys/bus/usb/devices");
 
 } // namespace palpate::device

@@ -3,6 +3,8 @@
 
 #include "palpate/device/HapticDevice.h"
 
+#include <palpate/core/Export.h>
+
 #include <atomic>
 #include <cstdint>
 #include <vector>
@@ -23,7 +25,7 @@ struct PlaybackRow
 ///
 /// At discontinuities (seek, loop) the hand is absent for one tick, so that the god-object restarts at the new
 /// position. After the last row the hand is absent: the number of solved ticks equals the number of rows.
-class PlaybackDevice final : public HapticDevice
+class PALPATE_EXPORT PlaybackDevice final : public HapticDevice
 {
   public:
     explicit PlaybackDevice(std::vector<PlaybackRow> rows);

@@ -3,6 +3,8 @@
 
 #include "palpate/device/DevicePlugin.h"
 
+#include <palpate/core/Export.h>
+
 #include <string_view>
 
 namespace palpate::device {
@@ -30,16 +32,16 @@ struct PluginEntry
 /// path in the environment variable of the user's folder is ignored, as required by the XDG base directory
 /// specification: the result would depend on the working folder.
 /// @param program  folder of the running program
-[[nodiscard]] std::vector<std::filesystem::path> pluginFolders(const std::vector<std::filesystem::path>& named,
-                                                               const std::filesystem::path& program);
+[[nodiscard]] PALPATE_EXPORT std::vector<std::filesystem::path>
+pluginFolders(const std::vector<std::filesystem::path>& named, const std::filesystem::path& program);
 
 /// Folders with the user's device settings: Palpate's configuration folder, then the home folder; absolute paths only.
-[[nodiscard]] std::vector<std::filesystem::path> deviceSettingsFolders();
+[[nodiscard]] PALPATE_EXPORT std::vector<std::filesystem::path> deviceSettingsFolders();
 
 /// Finds, checks and loads device plugins. A faulty plugin never stops the program: the plugin is listed with the
 /// reason and skipped. Loaded code stays loaded until the program ends. Use from one thread, not the servo thread;
 /// destroy devices made by a plugin before the host.
-class PluginHost
+class PALPATE_EXPORT PluginHost
 {
   public:
     /// Reads the metadata of every .so file in `folders` without loading code. The first of several plugins with the
@@ -73,12 +75,12 @@ class PluginHost
 
 /// Loads the plugin and lists its devices; `PluginHost` runs this probe in another process.
 /// @return error of the plugin, unless the plugin ended the process
-[[nodiscard]] core::Status probePlugin(const std::filesystem::path& file);
+[[nodiscard]] PALPATE_EXPORT core::Status probePlugin(const std::filesystem::path& file);
 
 /// Child process side of the probe: reads a random word from standard input before any code of the plugin runs, and
 /// writes the word to standard output if the plugin works. The exit code alone proves nothing, because the plugin may
 /// end the process with any code.
 /// @return as probePlugin
-[[nodiscard]] core::Status answerProbe(const std::filesystem::path& file);
+[[nodiscard]] PALPATE_EXPORT core::Status answerProbe(const std::filesystem::path& file);
 
 } // namespace palpate::device

@@ -5,6 +5,7 @@
 #include "palpate/device/HapticDevice.h"
 #include "palpate/device/PlainCopy.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/TripleBuffer.h>
 
 namespace palpate::device {
@@ -35,7 +36,7 @@ struct PointerState : DeviceState ///< `p_D`: reference point of the depth; `but
 /// Presses are animated here, tick by tick, and not in the window, which may be busy rendering: an instantaneous press
 /// would cause a force impulse. A press starts in front of the surface at its first tick; after lift-off the hand is
 /// absent.
-class PointerDevice final : public HapticDevice
+class PALPATE_EXPORT PointerDevice final : public HapticDevice
 {
   public:
     /// Sets the pointer state; `time_ns` is ignored. To move elsewhere without dragging the god-object along, set an

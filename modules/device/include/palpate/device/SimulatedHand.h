@@ -5,6 +5,8 @@
 #include "palpate/device/HandScript.h"
 #include "palpate/device/HapticDevice.h"
 
+#include <palpate/core/Export.h>
+
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -34,7 +36,7 @@ struct SimulatedHandOptions
 /// integrated with semi-implicit Euler. Coulomb friction removes at most the current speed, so that the tip can stick.
 /// Each `read` advances the simulation by one servo period, independent of the clock: identical scripts and forces give
 /// bit-identical motion. D is the world frame. The device moves along with the script, so the workspace is unlimited.
-class SimulatedHand final : public HapticDevice
+class PALPATE_EXPORT SimulatedHand final : public HapticDevice
 {
   public:
     explicit SimulatedHand(HandScript script, const SimulatedHandOptions& options = {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/LargeArray.h>
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Types.h>
@@ -73,7 +74,7 @@ struct SweptPruning
 /// Built once in O(n log n) and read-only afterwards, so any number of threads may query a hierarchy. The traversal
 /// templates are internal and not installed: a Palpate source that calls one includes the internal header with the
 /// definition. External callers use Inside.h and SurfaceExamination.h.
-class BoxHierarchy
+class PALPATE_EXPORT BoxHierarchy
 {
   public:
     /// Four child boxes in structure-of-arrays layout for SIMD tests of all four at once. An unused child has an empty

@@ -3,6 +3,8 @@
 
 #include "palpate/geometry/TriangleMesh.h"
 
+#include <palpate/core/Export.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,7 +21,7 @@ struct EdgeUse
 
 /// Edge-to-triangle adjacency of a mesh, built in O(n log n) time and O(n) memory, read-only afterwards. An edge may
 /// belong to any number of triangles.
-class EdgeTable
+class PALPATE_EXPORT EdgeTable
 {
   public:
     /// @pre every index of `mesh` is in range

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/geometry/MeshReport.h"
+#include "palpate/geometry/Repair.h"
+
+#include <palpate/core/Export.h>
 
 #include <optional>
 #include <vector>
@@ -13,13 +15,13 @@ namespace palpate::geometry {
 /// @param surface  result of `repair`
 /// @return std::nullopt if no component is inside out
 /// @par Cost As `repair`. Any thread.
-[[nodiscard]] std::optional<RepairedMesh> orientedOutwards(const RepairedMesh& surface);
+[[nodiscard]] PALPATE_EXPORT std::optional<RepairedMesh> orientedOutwards(const RepairedMesh& surface);
 
 /// Moves the vertices of a repaired surface and repairs the result, because vertices may coincide after the move.
 /// `source` and `turned` still refer to the mesh that `surface` was repaired from, and the report keeps the counts of
 /// that first repair.
 /// @param vertices  new positions, one for each vertex of `surface` [mm], finite
 /// @par Cost As `repair`. Any thread.
-[[nodiscard]] RepairedMesh withVertices(const RepairedMesh& surface, std::vector<Vec3> vertices);
+[[nodiscard]] PALPATE_EXPORT RepairedMesh withVertices(const RepairedMesh& surface, std::vector<Vec3> vertices);
 
 } // namespace palpate::geometry

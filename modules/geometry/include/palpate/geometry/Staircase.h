@@ -3,6 +3,8 @@
 
 #include "palpate/geometry/TriangleMesh.h"
 
+#include <palpate/core/Export.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -13,7 +15,7 @@ namespace palpate::geometry {
 
 /// Voxel staircase of a surface extracted from a binary mask (label map) without smoothing. The god-object rests on
 /// each step, and the force deviates from the force of the true surface by a factor.
-struct Staircase
+struct PALPATE_EXPORT Staircase
 {
     Vec3 voxel_mm = Vec3::Ones(); ///< voxel size along each of `axes` [mm], all > 0
     /// Columns: unit directions of the voxel edges; the first is nearest to x and so on.
@@ -38,6 +40,6 @@ struct Staircase
 /// Facets larger than a voxel fail the second criterion: CAD parts whose edges happen to fit a grid are not detected.
 /// @param mesh  welded or not, any unit; at most 8,000 evenly spread triangles are examined
 /// @par Cost A few milliseconds, independent of the size. Any thread. Deterministic.
-[[nodiscard]] std::optional<Staircase> findStaircase(const TriangleMesh& mesh);
+[[nodiscard]] PALPATE_EXPORT std::optional<Staircase> findStaircase(const TriangleMesh& mesh);
 
 } // namespace palpate::geometry

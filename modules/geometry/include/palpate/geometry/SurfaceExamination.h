@@ -3,6 +3,8 @@
 
 #include "palpate/geometry/SurfaceIndex.h"
 
+#include <palpate/core/Export.h>
+
 #include <cstddef>
 #include <optional>
 
@@ -39,6 +41,7 @@ struct SurfaceExamination
 /// inward normal to the first triangle without a shared vertex that faces within 60° of the opposite direction, so that
 /// the edge of a wedge does not count as a wall.
 /// @par Cost O(n) box queries, O(samples) segment queries, within `bounds`. Any thread.
-[[nodiscard]] SurfaceExamination examine(const SurfaceIndex& surface, const ExaminationLimits& bounds = {});
+[[nodiscard]] PALPATE_EXPORT SurfaceExamination examine(const SurfaceIndex& surface,
+                                                        const ExaminationLimits& bounds = {});
 
 } // namespace palpate::geometry

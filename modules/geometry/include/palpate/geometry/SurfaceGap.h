@@ -3,6 +3,8 @@
 
 #include "palpate/geometry/SurfaceIndex.h"
 
+#include <palpate/core/Export.h>
+
 #include <cstddef>
 #include <optional>
 
@@ -21,7 +23,8 @@ struct SurfaceGap
 /// @param pairs  maximum number of triangle pairs to measure; a count, so that results are reproducible
 /// @return std::nullopt if the surfaces are farther apart
 /// @par Cost O(n log n) in the triangles near the other surface; 0.3 us for each pair. Any thread.
-[[nodiscard]] std::optional<SurfaceGap> nearestWithin(const SurfaceIndex& a, const SurfaceIndex& b, double within_mm,
-                                                      double touching_mm, std::size_t pairs = 5'000'000);
+[[nodiscard]] PALPATE_EXPORT std::optional<SurfaceGap> nearestWithin(const SurfaceIndex& a, const SurfaceIndex& b,
+                                                                     double within_mm, double touching_mm,
+                                                                     std::size_t pairs = 5'000'000);
 
 } // namespace palpate::geometry

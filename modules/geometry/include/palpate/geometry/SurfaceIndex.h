@@ -2,8 +2,9 @@
 #pragma once
 
 #include "palpate/geometry/BoxHierarchy.h"
-#include "palpate/geometry/MeshReport.h"
+#include "palpate/geometry/Repair.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Parallel.h>
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Status.h>
@@ -24,7 +25,7 @@ namespace palpate::geometry {
 ///     if (index.status().isOk()) {
 ///         const bool isInOrgan = isInside(index, p_W); // Inside.h
 ///     }
-class SurfaceIndex
+class PALPATE_EXPORT SurfaceIndex
 {
   public:
     /// Builds the index in O(n log n) on at most `threads` threads. The result does not depend on their number. Not for
@@ -108,7 +109,7 @@ class SurfaceIndex
     [[nodiscard]] const BoxHierarchy& hierarchy() const noexcept { return m_hierarchy; }
     [[nodiscard]] const Box& bounds() const noexcept { return m_bounds; } ///< [mm]
     /// Gap between the god-object and this surface: above the rounding error of a plane distance, far below the
-    /// perceptible range; see resources/docs/god-object.md. [mm]
+    /// perceptible range; see docs/god-object.md. [mm]
     [[nodiscard]] double skin_mm() const noexcept { return m_skin_mm; }
     /// Edge length of the equilateral triangle with the mean facet area. [mm]
     [[nodiscard]] double facetSize_mm() const noexcept { return m_facetSize_mm; }

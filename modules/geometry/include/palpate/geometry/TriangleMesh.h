@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Types.h>
 
 #include <array>
@@ -26,7 +27,7 @@ struct MeshArray
 
 /// Surface of one structure: shared vertices [mm] and triangles. A value type without invariants; meshes from files
 /// must pass `repair` before further use.
-struct TriangleMesh
+struct PALPATE_EXPORT TriangleMesh
 {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
@@ -37,6 +38,6 @@ struct TriangleMesh
 };
 
 /// Reverses the winding of every triangle, swapping inside and outside.
-void flip(TriangleMesh& mesh);
+PALPATE_EXPORT void flip(TriangleMesh& mesh);
 
 } // namespace palpate::geometry

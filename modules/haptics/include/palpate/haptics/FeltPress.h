@@ -14,7 +14,7 @@ namespace palpate::haptics {
 /// With s_j the value of map j at the contact point, the force is `F(d) sum_j s_j B_j(d)` and the stored energy is
 /// `sum_j s_j W_j(d)`, where `W_j = integral of B_j F` and B_j is the piecewise linear function of depth that is 1 at
 /// kFeltPress_mm[j] and 0 at the other knots.
-/// @par Source resources/docs/felt.md
+/// @par Source docs/felt.md
 struct FeltPress
 {
     static constexpr std::size_t kCount = kFeltPress_mm.size();

@@ -3,6 +3,7 @@
 
 #include "palpate/haptics/Tissue.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Status.h>
 
@@ -28,8 +29,8 @@ namespace palpate::haptics {
 /// them (kLawKnots in total) rather than evenly: on even knots Hertz's d^1.5 would have an error of 1e-5 near its
 /// start, and the corners of a click would be rounded. A table takes about 29 kB; a bounded table has at most
 /// kMostKnots knots and takes up to 108 kB. Building and evaluation use only + - * / and the square root, so that the
-/// knots are bit-identical on all machines. See resources/docs/laws.md for the laws.
-class ForceTable
+/// knots are bit-identical on all machines. See docs/laws.md for the laws.
+class PALPATE_EXPORT ForceTable
 {
   public:
     /// Force [N] at a depth [mm], with the one-sided slopes [N/mm] before and after the knot.
@@ -189,9 +190,9 @@ class ForceTable
 };
 
 /// Returns the maximum slope of force over depth of a tissue [N/mm].
-[[nodiscard]] double maxStiffness(const Tissue& tissue);
+[[nodiscard]] PALPATE_EXPORT double maxStiffness(const Tissue& tissue);
 /// Returns the slope of a tissue's law at a depth [N/mm]. Builds a table on each call: for plots, not for the servo
 /// thread.
-[[nodiscard]] double stiffnessAt(const Tissue& tissue, double depth_mm);
+[[nodiscard]] PALPATE_EXPORT double stiffnessAt(const Tissue& tissue, double depth_mm);
 
 } // namespace palpate::haptics

@@ -6,6 +6,8 @@
 #include "palpate/haptics/Tissue.h"
 #include "palpate/haptics/TissueMap.h"
 
+#include <palpate/core/Export.h>
+#include <palpate/core/Status.h>
 #include <palpate/geometry/SurfaceIndex.h>
 
 #include <cstdint>
@@ -20,7 +22,7 @@ namespace palpate::haptics {
 struct HapticStructure
 {
     std::string name;
-    std::shared_ptr<const geometry::SurfaceIndex> surface; ///< in the world frame [mm]; never null in a scene
+    std::shared_ptr<const geometry::SurfaceIndex> surface; ///< in the world frame [mm]; null: hidden, not palpable
     Tissue tissue;
     std::uint32_t layer = 0; ///< 0 is the outermost; structures of the same layer share one god-object
     TissueMaps maps{};
@@ -81,9 +83,21 @@ struct HapticLayer
 /// liver.name = "liver";
 /// liver.surface = surface;               // std::shared_ptr<const geometry::SurfaceIndex>
 /// liver.tissue.stiffness_N_per_mm = 0.2; // typical of a liver: 0.1 to 0.3 N/mm
-/// const HapticScene scene({liver});
+/// const auto scene = HapticScene::make({liver});
+/// if (!scene.isOk()) {
+///     return scene.status();
+/// }
+/// loop.setScene(scene.value());
 /// @endcode
-class HapticScene
+///
+/// Edits while touching make a new scene, which shares the surfaces, so that only the changed parts are computed:
+///
+/// @code
+/// const auto softer = scene.value()->with(0, softTissue);
+/// const auto hidden = softer.value()->without(0);
+/// loop.setScene(hidden.value());
+/// @endcode
+class PALPATE_EXPORT HapticScene
 {
   public:
     static constexpr std::size_t kMaxLayers = haptics::kMaxLayers;
@@ -94,6 +108,20 @@ class HapticScene
     /// @param fingertip_mm  radius of the ball-shaped probe, whose centre is the god-object; 0 = a point
     /// @pre 0 <= fingertip_mm <= kMostFingertip_mm
     explicit HapticScene(std::vector<HapticStructure> structures, double fingertip_mm = 0.0);
+    /// Checks the structures and builds the layers. Tissues: core::check. The scene costs the same per tick as one from
+    /// the constructor, which checks nothing.
+    /// @return OutOfRange or NonFinite: a tissue or the radius of the probe; Empty: a structure without a surface or
+    ///         without triangles. Hide structures with `without`
+    [[nodiscard]] static core::Result<std::shared_ptr<const HapticScene>> make(std::vector<HapticStructure> structures,
+                                                                               double fingertip_mm = 0.0);
+    /// Returns a scene with another tissue of one structure. The force law is computed from the tissue. A servo loop
+    /// eases the change of the force in; a bare Palpator steps within one tick.
+    /// @return OutOfRange: no structure of this number; or the error of the tissue
+    [[nodiscard]] core::Result<std::shared_ptr<const HapticScene>> with(std::size_t number, const Tissue& tissue) const;
+    /// Returns a scene in which one structure is hidden. The others keep their numbers.
+    /// @return OutOfRange: no structure of this number
+    [[nodiscard]] core::Result<std::shared_ptr<const HapticScene>> without(std::size_t number) const;
+
     HapticScene(HapticScene&&) noexcept = default; // not copyable: the layers point into m_structures
     HapticScene& operator=(HapticScene&&) noexcept = default;
     ~HapticScene() = default;

@@ -5,6 +5,8 @@
 #include "palpate/haptics/PalpatorState.h"
 #include "palpate/haptics/TickResult.h"
 
+#include <palpate/core/Export.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,7 +17,7 @@ namespace palpate::haptics {
 struct GodObjectLimits
 {
     std::uint32_t iterations = 512; ///< moves per tick and layer; TickStatus::IterationLimit if reached
-    /// Work budget of a point in units of about 10 ns (resources/docs/cost.md), reported like `iterations`. Layers
+    /// Work budget of a point in units of about 10 ns (docs/cost.md), reported like `iterations`. Layers
     /// share the budget, innermost first, so that outer layers do not change the result of inner ones. Each layer gets
     /// at least 1/32.
     std::uint32_t work = 20000;
@@ -40,13 +42,13 @@ enum class Continuity : std::uint8_t
 /// layers. The servo thread, replays and reports share this code, and the same sequence of calls gives the same bits.
 ///
 /// @code
-/// const HapticScene scene({liver}); // see HapticScene.h
-/// Palpator palpator;                // allocates; outside the servo thread
-/// palpator.setScene(&scene);
+/// const auto scene = HapticScene::make({liver}); // see HapticScene.h
+/// Palpator palpator;                             // allocates; outside the servo thread
+/// palpator.setScene(scene.value());
 /// const TickResult tick = palpator.step(p_WH, 1e-3); // at 1 kHz
 /// // tick.f_W is the force on the hand in N, tick.p_WG the god-object in mm.
 /// @endcode
-class Palpator
+class PALPATE_EXPORT Palpator
 {
   public:
     /// Allocates all memory that later ticks need.
@@ -71,11 +73,17 @@ class Palpator
     /// the new surface is placed in front if the distance is at most 1 mm. The contact of a removed structure is
     /// stored, and restored when the structure returns while the HIP is within kNear_mm of its earlier position: for
     /// 0.5 s of ticks, and without a time limit for an open surface, because the touched side would be lost.
-    /// @param scene  only read; must stay alive until another scene is set; null = no scene
+    /// @param scene  shared until another scene is set; null = no scene
     /// @param continuity  how contacts are carried over to the new scene
     /// @return true if a contact was restored. The force then appears within one tick, so ramp it up
+    /// @par Real-time Not for the servo thread: may free the previous scene.
+    bool setScene(std::shared_ptr<const HapticScene> scene, Continuity continuity = Continuity::Contacts) noexcept;
+    /// As `setScene`, for a scene that the caller owns, as on the servo thread. A scene passed to `setScene` before is
+    /// kept until the next `setScene`.
+    /// @param scene  only read; must stay alive until another scene is set; null = no scene
     /// @par Real-time Wait-free; for replaced surfaces bounded by 4096 nearby triangles of each surface.
-    bool setScene(const HapticScene* scene, Continuity continuity = Continuity::Contacts) noexcept PALPATE_NONBLOCKING;
+    bool borrowScene(const HapticScene* scene,
+                     Continuity continuity = Continuity::Contacts) noexcept PALPATE_NONBLOCKING;
     /// Returns true if a god-object touches an open surface.
     [[nodiscard]] bool isOnSheet() const noexcept PALPATE_NONBLOCKING;
     [[nodiscard]] const HapticScene* scene() const noexcept;

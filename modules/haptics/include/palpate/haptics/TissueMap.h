@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/geometry/SurfaceIndex.h>
 
 #include <array>
@@ -13,7 +14,7 @@ namespace palpate::haptics {
 
 /// A scalar that varies over a surface, given at each corner of each triangle. Linear on each triangle, or cubic where
 /// `bends` is set.
-struct TissueMap
+struct PALPATE_EXPORT TissueMap
 {
     /// Values by triangle index in the SurfaceIndex; finite; null: no map.
     std::shared_ptr<const std::vector<std::array<float, 3>>> corners;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <cstdint>
 #include <string_view>
 
@@ -43,7 +45,7 @@ enum class AnatomyKind : std::uint8_t
 /// follows a lower-case letter; case and a plural s are ignored. The longest phrases match first, and each word counts
 /// once: "caudate lobe" belongs to the liver, "caudate nucleus" to the brain. For the sources of the words see the
 /// table.
-[[nodiscard]] AnatomyKind anatomyKind(std::string_view name);
+[[nodiscard]] PALPATE_EXPORT AnatomyKind anatomyKind(std::string_view name);
 
 /// @return true for all kinds of lump, including the specific kinds.
 [[nodiscard]] constexpr bool isLump(AnatomyKind kind) noexcept

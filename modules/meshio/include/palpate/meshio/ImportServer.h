@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 
 #include <cstdint>
@@ -25,6 +26,6 @@ struct ImportLimits
 /// Call once, first in main, while the program has one thread and no open files. The server ends with its parent. A
 /// program without this call (a library does not control main) reads in its own process, with the same checks.
 /// @return the reason when the server cannot start; files are then read in this process
-core::Status startImportServer(const ImportLimits& limits = {});
+PALPATE_EXPORT core::Status startImportServer(const ImportLimits& limits = {});
 
 } // namespace palpate::meshio

@@ -5,7 +5,8 @@
 #include "palpate/meshio/SceneFile.h"
 #include "palpate/meshio/ShapeSurface.h"
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/core/Export.h>
+#include <palpate/geometry/Repair.h>
 
 #include <memory>
 #include <optional>
@@ -60,13 +61,14 @@ struct LoadedScene
 /// @param options  `unit_mm` applies only to mesh files, because a scene file defines its own units; `frame` also
 /// applies
 ///                 to structures of a scene without a frame.
-[[nodiscard]] core::Result<LoadedScene> loadScene(const std::filesystem::path& path, const ReadOptions& options = {});
+[[nodiscard]] PALPATE_EXPORT core::Result<LoadedScene> loadScene(const std::filesystem::path& path,
+                                                                 const ReadOptions& options = {});
 
 /// Opens a scene in memory and reads the meshes again. @param path  name for messages
-[[nodiscard]] core::Result<LoadedScene> loadScene(SceneFile scene, const std::filesystem::path& path,
-                                                  const ReadOptions& options = {});
+[[nodiscard]] PALPATE_EXPORT core::Result<LoadedScene> loadScene(SceneFile scene, const std::filesystem::path& path,
+                                                                 const ReadOptions& options = {});
 
 /// @return the default colour of a structure: by anatomical name, or else by number.
-[[nodiscard]] std::array<double, 3> defaultColour(const std::string& name, std::size_t number);
+[[nodiscard]] PALPATE_EXPORT std::array<double, 3> defaultColour(const std::string& name, std::size_t number);
 
 } // namespace palpate::meshio

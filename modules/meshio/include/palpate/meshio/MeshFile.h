@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/FileFrame.h>
 #include <palpate/core/Status.h>
 #include <palpate/geometry/TriangleMesh.h>
@@ -63,10 +64,12 @@ struct ReadOptions
 /// a VTP, become structures. Independent of the numeric locale.
 /// @return on failure one line with the file, the place, the found and the expected value
 /// @par Thread Any; no shared state.
-[[nodiscard]] core::Result<MeshFile> readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
+[[nodiscard]] PALPATE_EXPORT core::Result<MeshFile> readMesh(const std::filesystem::path& path,
+                                                             const ReadOptions& options = {});
 
 /// Writes VTP (with `StructureId`, `StructureNames` and `SPACE=LPS`) or binary STL (structures merged, `SPACE=LPS` in
 /// the header), by the extension. Atomic: writes a temporary file in the same folder, then renames.
-[[nodiscard]] core::Status writeMesh(const std::filesystem::path& path, std::span<const MeshStructure> structures);
+[[nodiscard]] PALPATE_EXPORT core::Status writeMesh(const std::filesystem::path& path,
+                                                    std::span<const MeshStructure> structures);
 
 } // namespace palpate::meshio

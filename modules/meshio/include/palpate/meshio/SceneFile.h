@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/FileFrame.h>
 #include <palpate/core/Finding.h>
 #include <palpate/core/Status.h>
@@ -98,20 +99,20 @@ struct SceneFile
 };
 
 /// @return true for a path with the extension of a scene file (".json").
-[[nodiscard]] bool isSceneFile(const std::filesystem::path& path);
+[[nodiscard]] PALPATE_EXPORT bool isSceneFile(const std::filesystem::path& path);
 
 /// Reads and checks a scene file without the meshes. An error names the invalid field by its path in the document:
 /// "liver.palpate.json: structures[2].opacity: found 3, expected 0 to 1".
-[[nodiscard]] core::Result<SceneFile> readScene(const std::filesystem::path& path);
+[[nodiscard]] PALPATE_EXPORT core::Result<SceneFile> readScene(const std::filesystem::path& path);
 
 /// @return the unknown fields of a scene file by their paths in the document: "structures[2].stifness_N_per_mm". They
 /// are preserved on writing, but not used.
-[[nodiscard]] std::vector<std::string> unknownFields(const SceneFile& scene);
+[[nodiscard]] PALPATE_EXPORT std::vector<std::string> unknownFields(const SceneFile& scene);
 
 /// @return SHA-256 of a file's bytes as 64 hex digits; empty when it cannot be read.
-[[nodiscard]] std::string fileHash(const std::filesystem::path& path);
+[[nodiscard]] PALPATE_EXPORT std::string fileHash(const std::filesystem::path& path);
 
 /// Writes the scene atomically, mesh paths relative to it.
-[[nodiscard]] core::Status writeScene(const std::filesystem::path& path, const SceneFile& scene);
+[[nodiscard]] PALPATE_EXPORT core::Status writeScene(const std::filesystem::path& path, const SceneFile& scene);
 
 } // namespace palpate::meshio

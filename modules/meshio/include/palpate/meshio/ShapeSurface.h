@@ -3,7 +3,8 @@
 
 #include "palpate/meshio/SceneFile.h"
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/core/Export.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/geometry/Staircase.h>
 
 #include <memory>
@@ -13,7 +14,7 @@
 namespace palpate::meshio {
 
 /// Result of smoothing a surface.
-struct SurfaceSmoothing
+struct PALPATE_EXPORT SurfaceSmoothing
 {
     double most_mm = 0.0;          ///< largest vertex displacement [mm]
     double limit_mm = 0.0;         ///< displacement limit along the longest voxel edge [mm]
@@ -45,7 +46,7 @@ struct ShapedSurface
 /// @param asRead  from geometry::repair, world frame [mm]; not null
 /// @par Source Taubin, Zhang, Golub: Optimal Surface Smoothing as Filter Design (1996).
 /// @par Cost About 1 us per triangle and iteration with smoothing, otherwise a few milliseconds. Any thread.
-[[nodiscard]] ShapedSurface shapeSurface(std::shared_ptr<const geometry::RepairedMesh> asRead,
-                                         const SceneStructure& description);
+[[nodiscard]] PALPATE_EXPORT ShapedSurface shapeSurface(std::shared_ptr<const geometry::RepairedMesh> asRead,
+                                                        const SceneStructure& description);
 
 } // namespace palpate::meshio

@@ -3,6 +3,8 @@
 
 #include "palpate/meshio/LoadScene.h"
 
+#include <palpate/core/Export.h>
+
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -11,7 +13,7 @@
 namespace palpate::meshio {
 
 /// @return the mappings implied by the array names of a mesh (core::kKnownMaps).
-[[nodiscard]] std::vector<core::TissueMapping> knownMappings(const geometry::TriangleMesh& mesh);
+[[nodiscard]] PALPATE_EXPORT std::vector<core::TissueMapping> knownMappings(const geometry::TriangleMesh& mesh);
 
 /// Resolves the maps that vary a structure's tissue: the mappings of the description, or else the arrays with known
 /// names. If several mappings set the same quantity, the last one applies.
@@ -21,10 +23,10 @@ namespace palpate::meshio {
 /// @param keepGoing  polled on the calling thread while a volume is sampled; false cancels and drops the map
 /// @par Thread Any.
 /// @par Cost O(vertices) for an array; reading and sampling a volume can take seconds.
-void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings, std::vector<std::string>& losses,
-                 const std::function<bool()>& keepGoing = {});
+PALPATE_EXPORT void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings,
+                                std::vector<std::string>& losses, const std::function<bool()>& keepGoing = {});
 
 /// @return the number of missing values in a map, where the structure's own value applies.
-[[nodiscard]] std::size_t missingValues(const SurfaceMap& map) noexcept;
+[[nodiscard]] PALPATE_EXPORT std::size_t missingValues(const SurfaceMap& map) noexcept;
 
 } // namespace palpate::meshio

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/Types.h>
 #include <palpate/geometry/TriangleMesh.h>
@@ -36,6 +37,6 @@ struct VtpFile
 
 /// @return the bytes of the file, tagged `SPACE=LPS`; Internal with the VTK message on failure
 /// @pre every index is below the number of points, and every array has the matching length
-[[nodiscard]] core::Result<std::string> vtpBytes(const VtpFile& content);
+[[nodiscard]] PALPATE_EXPORT core::Result<std::string> vtpBytes(const VtpFile& content);
 
 } // namespace palpate::meshio

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Message.h>
 
 #include <cstdint>
@@ -22,7 +23,7 @@ enum class FaultKind : std::uint8_t
 };
 
 /// @return the cause and the remedy for the user; empty for None
-[[nodiscard]] core::Message text(FaultKind kind);
+[[nodiscard]] PALPATE_EXPORT core::Message text(FaultKind kind);
 
 /// A latched fault.
 struct Fault

@@ -3,6 +3,7 @@
 
 #include "palpate/servo/SensorGrid.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Types.h>
 
@@ -30,7 +31,7 @@ using core::Vec3;
 /// @par Source Janabi-Sharifi, Hayward & Chen, IEEE Trans. Control Systems Technology 8 (2000) 1003,
 /// doi:10.1109/87.880606 (first-order adaptive windowing, end-fit). Differs: the tracked position.
 /// @par Real-time Wait-free; at most 3 x kLongestSlope steps. One thread.
-class MotionTrack
+class PALPATE_EXPORT MotionTrack
 {
   public:
     /// Longest window for a move, in ticks.

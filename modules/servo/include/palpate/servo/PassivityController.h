@@ -3,6 +3,7 @@
 
 #include "palpate/servo/MotionTrack.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Types.h>
 #include <palpate/device/HapticDevice.h>
@@ -15,7 +16,7 @@ namespace palpate::servo {
 using core::Vec3;
 
 /// Damping limits and sensor properties of a device for the passivity controller.
-struct PassivityLimits
+struct PALPATE_EXPORT PassivityLimits
 {
     bool isOn = true;                    ///< false: observe only, without added damping
     double ownDamping_Ns_per_mm = 0.0;   ///< guaranteed damping of the device mechanics, without a hand
@@ -53,7 +54,7 @@ struct PassivityState
 /// (2004) 772, doi:10.1109/TRO.2004.829453. Differs: the reference is the model's own work, so that energy stored in a
 /// compressed spring does not mask generated energy; the damping is bounded by the limit of the device.
 /// @par Real-time Wait-free, no allocation. One thread.
-class PassivityController
+class PALPATE_EXPORT PassivityController
 {
   public:
     static constexpr int kMaxDelayTicks = 16;
@@ -91,12 +92,14 @@ class PassivityController
 /// Largest stiffness for which a sampled spring with a damper is passive for any motion: K = 2 (b - |B|) / T.
 /// @param b_Ns_per_mm  damping of the device mechanics; @param B_Ns_per_mm  damping of the tissue
 /// @par Source Colgate & Schenkel, J. Robotic Systems 14 (1997) 37 (b > K T / 2 + |B|).
-[[nodiscard]] double passiveStiffness_N_per_mm(double b_Ns_per_mm, double B_Ns_per_mm, double dt_s) noexcept;
+[[nodiscard]] PALPATE_EXPORT double passiveStiffness_N_per_mm(double b_Ns_per_mm, double B_Ns_per_mm,
+                                                              double dt_s) noexcept;
 
 /// Largest stiffness for which a sampled spring with a delay of `delay_s` does not oscillate on a mass:
 /// K = (b + B) / (T / 2 + delay), for damping much smaller than mass / T.
 /// @par Source Hulin, Preusche & Hirzinger, IROS 2006, doi:10.1109/IROS.2006.282524 (linear stability condition).
-[[nodiscard]] double stableStiffness_N_per_mm(double damping_Ns_per_mm, double dt_s, double delay_s) noexcept;
+[[nodiscard]] PALPATE_EXPORT double stableStiffness_N_per_mm(double damping_Ns_per_mm, double dt_s,
+                                                             double delay_s) noexcept;
 
 /// Largest stiffness that the program renders on a device: the manufacturer's value, but at most
 ///   0.7 (b + B) / (T / 2 + delay)
@@ -104,14 +107,14 @@ class PassivityController
 /// limit and 10 N s/m. B decreases proportionally for periods above 1 ms and for sensors coarser than 0.04 mm, because
 /// motion below the resolution is not damped. The values 0.7, 10 N s/m and 0.04 mm are fitted to stay below the closed
 /// loop's stability limit for every preset at 250 Hz to 4 kHz and 0 to 4 ticks of delay; for the measurements see
-/// resources/docs/stability.md.
+/// docs/stability.md.
 /// @param delayTicks  >= 0, for a running device from `delayTicksOf`
 /// @return infinity for a device without motors, which cannot oscillate
-[[nodiscard]] double heldStiffness_N_per_mm(const device::DeviceInfo& info, double rate_Hz, bool isControlled,
-                                            int delayTicks = 1) noexcept;
+[[nodiscard]] PALPATE_EXPORT double heldStiffness_N_per_mm(const device::DeviceInfo& info, double rate_Hz,
+                                                           bool isControlled, int delayTicks = 1) noexcept;
 
 /// Delay of the device's force: the 99th percentile of the response latency in whole ticks, at least 1.
 /// @param latency  of the device, see DeviceReport; returns 1 for fewer than 1,000 samples
-[[nodiscard]] int delayTicksOf(const core::TimingSummary& latency, double rate_Hz) noexcept;
+[[nodiscard]] PALPATE_EXPORT int delayTicksOf(const core::TimingSummary& latency, double rate_Hz) noexcept;
 
 } // namespace palpate::servo

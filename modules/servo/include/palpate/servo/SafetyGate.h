@@ -3,6 +3,7 @@
 
 #include "palpate/servo/Fault.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/device/HapticDevice.h>
 
 #include <cstdint>
@@ -19,7 +20,7 @@ enum class JumpRule : std::uint8_t
 };
 
 /// Limits of the safety gate.
-struct GateLimits
+struct PALPATE_EXPORT GateLimits
 {
     double maxForce_N = 0.0;                ///< force limit of the device; 0: no force passes
     double maxForceRate_N_per_s = 0.0;      ///< bound on the force change per second, except at first contact
@@ -69,7 +70,7 @@ struct ForceRequest
 /// - growing from zero over `easeIn_s` when the hand arrives, at start and after `rearm`;
 /// - zero immediately without a hand, and after `rampDown_s` on stop or fault, until re-armed.
 /// @par Real-time Wait-free, no allocation. One thread.
-class SafetyGate
+class PALPATE_EXPORT SafetyGate
 {
   public:
     /// @param dt_s  nominal period, > 0 [s]

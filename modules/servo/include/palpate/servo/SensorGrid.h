@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Realtime.h>
 
 #include <array>
@@ -17,7 +18,7 @@ namespace palpate::servo {
 /// Ignores steps below 0.004 mm: at 1 kHz they change a velocity by at most 4 mm/s, 0.02 N on a damper of
 /// 0.005 N·s/mm, and rounded decimals in a file look the same. Ignores steps above 0.5 mm: no device is that coarse.
 /// @par Real-time Wait-free. One thread.
-class SensorGrid
+class PALPATE_EXPORT SensorGrid
 {
   public:
     /// Processes the move since the previous tick [mm].

@@ -6,6 +6,7 @@
 #include "palpate/servo/TickRecord.h"
 #include "palpate/servo/WorkspaceMap.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/haptics/Palpator.h>
 
 #include <cstdint>
@@ -19,7 +20,7 @@ namespace palpate::servo {
 /// any thread: denormals would be a hundred times slower, and a replay must produce the same bits.
 /// @param dt_s  nominal period, 1 / rate [s]
 /// @par Real-time Wait-free.
-void feelTick(haptics::Palpator& palpator, double dt_s, TickRecord& tick) noexcept PALPATE_NONBLOCKING;
+PALPATE_EXPORT void feelTick(haptics::Palpator& palpator, double dt_s, TickRecord& tick) noexcept PALPATE_NONBLOCKING;
 
 /// State passed from a finished servo loop to the next one, which continues from there.
 struct ServoHand
@@ -41,7 +42,7 @@ struct ServoHand
 /// The damper uses the nominal period instead of the measured period: a late tick gets slightly too much damping, but
 /// the same rows produce the same forces on every machine.
 /// @par Real-time Wait-free, no allocation. One thread.
-class ServoCore
+class PALPATE_EXPORT ServoCore
 {
   public:
     /// @param rate_Hz  > 0
@@ -49,7 +50,7 @@ class ServoCore
 
     /// Sets the scene for the following ticks.
     /// @param scene  read-only; must outlive the use in this class; null: empty scene
-    void setScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING;
+    void borrowScene(const haptics::HapticScene* scene, std::uint32_t generation) noexcept PALPATE_NONBLOCKING;
 
     /// Applies from the next tick on.
     void setMap(const MapSettings& settings) noexcept PALPATE_NONBLOCKING { m_map.set(settings); }

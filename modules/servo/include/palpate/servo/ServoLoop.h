@@ -7,6 +7,7 @@
 #include "palpate/servo/TimingReport.h"
 #include "palpate/servo/WorkspaceMap.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/device/HapticDevice.h>
 #include <palpate/haptics/Palpator.h>
 
@@ -20,7 +21,8 @@ namespace palpate::servo {
 struct ServoOptions
 {
     double rate_Hz = 1000.0;              ///< 1 to 10000
-    bool askRealtime = true;              ///< SCHED_FIFO and locked memory, when permitted
+    bool askRealtime = true;              ///< SCHED_FIFO, when permitted
+    bool lockMemory = false;              ///< lock the memory of the whole process, when permitted; RealtimeSetup.h
     int cpu = -1;                         ///< CPU to pin the thread to, see checkCpu; -1: any
     bool isPassivityControlled = true;    ///< add damping to keep a device with motors from oscillating
     std::size_t ringCapacity = 1U << 16U; ///< capacity for ticks that wait for the recorder; 65 s at 1 kHz
@@ -47,7 +49,7 @@ struct FaultReport
 /// publishes the record. All methods are wait-free except start, stop, setScene, collect and ticksBeforeFault, which
 /// must not run on the servo thread. One thread (the GUI) makes all calls, except that the recorder may call popTick,
 /// fetchRecordingStart and droppedTicks from a single separate thread.
-class ServoLoop
+class PALPATE_EXPORT ServoLoop
 {
   public:
     ServoLoop();

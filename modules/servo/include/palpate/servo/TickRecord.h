@@ -28,7 +28,7 @@ enum TickFlag : std::uint16_t
 };
 
 /// Complete data of one servo tick. Passed through the ring to the recorder and as a snapshot to the window. The
-/// recorded columns and their names are listed in session/src/tables/TickColumns.h.
+/// recorded columns are described in docs/recording.md.
 struct TickRecord
 {
     std::int64_t tick = 0;    ///< since the servo started

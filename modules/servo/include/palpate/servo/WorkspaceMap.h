@@ -3,6 +3,7 @@
 
 #include "palpate/servo/SafetyGate.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Realtime.h>
 #include <palpate/core/Types.h>
 
@@ -46,7 +47,7 @@ struct MappedInput
 ///
 /// Forces are not scaled: a tissue of k N/mm has k s N/mm at the device, and the loop must be stable at this stiffness.
 /// @par Real-time Wait-free, no allocation. One thread.
-class WorkspaceMap
+class PALPATE_EXPORT WorkspaceMap
 {
   public:
     /// Applies from the next `map` on. Ignores non-finite settings, a scale outside 1e-6 to 1e6, and invalid rotations.
@@ -76,9 +77,9 @@ class WorkspaceMap
 
 /// Scale at which an object of this size fills the workspace within the edge.
 /// @param edge_mm  as in MapSettings, > 0
-[[nodiscard]] double scaleToFill(double size_mm, double edge_mm) noexcept;
+[[nodiscard]] PALPATE_EXPORT double scaleToFill(double size_mm, double edge_mm) noexcept;
 
 /// Distance of the automatic edge clutch: 90 % of the workspace [mm].
-[[nodiscard]] double edgeOf(const device::DeviceInfo& info) noexcept;
+[[nodiscard]] PALPATE_EXPORT double edgeOf(const device::DeviceInfo& info) noexcept;
 
 } // namespace palpate::servo

@@ -3,6 +3,7 @@
 
 #include "palpate/session/Recording.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Finding.h>
 #include <palpate/servo/TickRecord.h>
 
@@ -21,16 +22,17 @@ namespace palpate::session {
 // the content of a finding and removes it, matched by id or, in older recordings, the newest finding of that name.
 
 /// Serializes a finding for the event's `json`. The place of recording is left out because the event is stored there.
-[[nodiscard]] std::string findingJson(const core::Finding& finding);
+[[nodiscard]] PALPATE_EXPORT std::string findingJson(const core::Finding& finding);
 /// Serializes a finding without the fields that only an event needs. Unset fields are omitted.
-[[nodiscard]] QJsonObject toJson(const core::Finding& finding);
+[[nodiscard]] PALPATE_EXPORT QJsonObject toJson(const core::Finding& finding);
 /// Parses the output of `toJson`. Missing or invalid fields keep their defaults.
-[[nodiscard]] core::Finding findingFrom(const QJsonObject& json);
+[[nodiscard]] PALPATE_EXPORT core::Finding findingFrom(const QJsonObject& json);
 /// Returns the findings and notes that remain at the end of a recording, each with the tick at which the user marked
 /// the finding, in tick order. Invalid events are skipped.
-[[nodiscard]] std::vector<std::pair<std::int64_t, core::Finding>> findingsOf(const std::vector<RecordingEvent>& events);
+[[nodiscard]] PALPATE_EXPORT std::vector<std::pair<std::int64_t, core::Finding>>
+findingsOf(const std::vector<RecordingEvent>& events);
 
-/// Hand activity near one finding; definitions in resources/docs/measures.md.
+/// Hand activity near one finding; definitions in docs/measures.md.
 struct FindingMeasures
 {
     core::Finding finding;                ///< all measures of a note are zero
@@ -44,7 +46,7 @@ struct FindingMeasures
 };
 
 /// Accumulates FindingMeasures for each finding of a recording, tick by tick.
-class FindingAccumulator
+class PALPATE_EXPORT FindingAccumulator
 {
   public:
     /// @param distance_mm  maximum distance between finding and god-object [mm]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/geometry/TriangleMesh.h>
 
 #include <string>
@@ -11,6 +12,6 @@ namespace palpate::session {
 /// digits). Two geometries have the same hash exactly when every tick computed on them gives the same bits. Pass the
 /// repaired mesh in the world frame.
 /// @par Cost about 4 ns per byte. Any thread.
-[[nodiscard]] std::string geometryHash(const geometry::TriangleMesh& mesh);
+[[nodiscard]] PALPATE_EXPORT std::string geometryHash(const geometry::TriangleMesh& mesh);
 
 } // namespace palpate::session

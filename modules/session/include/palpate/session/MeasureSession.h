@@ -7,8 +7,9 @@
 #include "palpate/session/RecordingReader.h"
 #include "palpate/session/TouchedSurface.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 
 #include <atomic>
 #include <map>
@@ -41,7 +42,7 @@ struct SurfaceMeasures
     [[nodiscard]] double coverage() const noexcept { return area_mm2 > 0.0 ? coveredArea_mm2 / area_mm2 : 0.0; }
 };
 
-/// How thoroughly an organ was searched for one of its lumps; see resources/docs/measures.md. All fields except
+/// How thoroughly an organ was searched for one of its lumps; see docs/measures.md. All fields except
 /// `recorded_percent` are model estimates.
 struct LumpSearch
 {
@@ -62,7 +63,7 @@ struct LumpSearch
     }
 };
 
-/// All measures of a session; definitions in resources/docs/measures.md.
+/// All measures of a session; definitions in docs/measures.md.
 struct SessionMeasures
 {
     double distance_mm = 0.0; ///< distance used for the measurement
@@ -80,13 +81,13 @@ struct SessionMeasures
 
 /// Returns the smallest measuring distance for these surfaces [mm]. Triangles are split to edges of half the distance;
 /// the limit keeps their number below about ten million (3 GB).
-[[nodiscard]] double minDistance_mm(const MeshesByHash& meshes);
+[[nodiscard]] PALPATE_EXPORT double minDistance_mm(const MeshesByHash& meshes);
 
 /// Measures a recording in a single pass. Ticks with a failed checksum are skipped.
 /// @param meshes  available surfaces of the palpable structures
 /// @return OutOfRange for a distance below `minDistance_mm`, Cancelled, or the read error
 /// @par Thread Any. Do not use the reader from other threads at the same time.
-[[nodiscard]] core::Result<SessionMeasures> measureSession(const RecordingReader& reader, const MeshesByHash& meshes,
-                                                           const MeasureOptions& options = {});
+[[nodiscard]] PALPATE_EXPORT core::Result<SessionMeasures>
+measureSession(const RecordingReader& reader, const MeshesByHash& meshes, const MeasureOptions& options = {});
 
 } // namespace palpate::session

@@ -3,6 +3,7 @@
 
 #include "palpate/session/StructureNames.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/servo/TickRecord.h>
 
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace palpate::session {
 
-/// Force and depth statistics over the ticks in contact; definitions in resources/docs/measures.md.
+/// Force and depth statistics over the ticks in contact; definitions in docs/measures.md.
 struct ContactMeasures
 {
     std::int64_t ticks = 0;
@@ -41,10 +42,11 @@ struct Measures
 };
 
 /// Returns true if `now` continues from `before`: no lost tick, restart of the god-object or absent hand between them.
-[[nodiscard]] bool follows(const std::optional<servo::TickRecord>& before, const servo::TickRecord& now) noexcept;
+[[nodiscard]] PALPATE_EXPORT bool follows(const std::optional<servo::TickRecord>& before,
+                                          const servo::TickRecord& now) noexcept;
 
 /// Accumulates measures tick by tick. Forces are the model's, before any device limit.
-class MeasureAccumulator
+class PALPATE_EXPORT MeasureAccumulator
 {
   public:
     /// @param dt_s  duration of a tick [s]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/core/Types.h>
 
@@ -28,10 +29,10 @@ struct Motion
 /// The file may be a pipe. Limits: 1 MB per line, one day at 1 kHz (86.4 million rows), mean row spacing 1e-5 s to 1 s.
 /// @return the motion, or a one-line error such as `m.csv: line 7, column y: found "abc", expected a number`
 /// @par Thread Any; no shared state.
-[[nodiscard]] core::Result<Motion> readMotion(const std::filesystem::path& path);
+[[nodiscard]] PALPATE_EXPORT core::Result<Motion> readMotion(const std::filesystem::path& path);
 
 /// Parses the same format from memory.
 /// @param name  file name for error messages
-[[nodiscard]] core::Result<Motion> parseMotion(std::string_view text, std::string_view name);
+[[nodiscard]] PALPATE_EXPORT core::Result<Motion> parseMotion(std::string_view text, std::string_view name);
 
 } // namespace palpate::session

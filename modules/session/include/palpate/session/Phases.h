@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/servo/TickRecord.h>
 
 #include <cstdint>
@@ -40,10 +41,10 @@ struct PhaseSummary
     double peakForce_N = 0.0;
 };
 
-[[nodiscard]] PhaseSummary summary(const std::vector<Phase>& phases, Phase::Kind kind);
+[[nodiscard]] PALPATE_EXPORT PhaseSummary summary(const std::vector<Phase>& phases, Phase::Kind kind);
 
-/// Classifies contact into searching and pressing, tick by tick; definition in resources/docs/measures.md.
-class PhaseAccumulator
+/// Classifies contact into searching and pressing, tick by tick; definition in docs/measures.md.
+class PALPATE_EXPORT PhaseAccumulator
 {
   public:
     /// @param firstTick  first tick of the session; defaults to the first added tick

@@ -3,6 +3,7 @@
 
 #include "palpate/session/Recording.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/servo/ServoLoop.h>
 
@@ -17,7 +18,7 @@ namespace palpate::session {
 /// Enables recording in the servo loop from the next tick. Discards unread ticks and start states of an earlier
 /// recording.
 /// @return the start state, or nothing if the loop does not respond
-[[nodiscard]] std::optional<servo::RecordingStart> beginRecording(servo::ServoLoop& loop);
+[[nodiscard]] PALPATE_EXPORT std::optional<servo::RecordingStart> beginRecording(servo::ServoLoop& loop);
 
 /// Progress of a recording.
 struct RecorderStatus
@@ -37,7 +38,7 @@ struct RecorderStatus
 /// recording immediately; other disk errors end the recording if they persist for a minute. The last event in the file
 /// gives the reason. Haptic rendering continues in either case.
 /// @par Thread All functions from the same thread (the GUI thread). `start` and `stop` may block for a disk access.
-class Recorder
+class PALPATE_EXPORT Recorder
 {
   public:
     /// @param loop  must outlive this object; nothing else may pop ticks during a recording

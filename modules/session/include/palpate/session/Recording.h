@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/FileFrame.h>
 #include <palpate/core/Types.h>
 #include <palpate/device/HapticDevice.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/haptics/Palpator.h>
 
@@ -17,17 +18,17 @@
 
 namespace palpate::session {
 
-/// Version of the schema in resources/docs/recording.md, stored as the database's `user_version`.
+/// Version of the schema in docs/recording.md, stored as the database's `user_version`.
 inline constexpr int kRecordingVersion = 4;
 /// "Palp", the database's `application_id`.
 inline constexpr std::int32_t kRecordingApplicationId = 0x50616c70;
 
 /// Returns the version of Palpate, such as "0.1.0".
-[[nodiscard]] std::string palpateVersion();
+[[nodiscard]] PALPATE_EXPORT std::string palpateVersion();
 /// Returns the commit and compiler of this build; "unknown" without version control.
-[[nodiscard]] std::string buildId();
+[[nodiscard]] PALPATE_EXPORT std::string buildId();
 /// Returns true if a build id identifies the source uniquely: a known commit without uncommitted changes.
-[[nodiscard]] bool isExactBuild(std::string_view id);
+[[nodiscard]] PALPATE_EXPORT bool isExactBuild(std::string_view id);
 
 /// Origin of a structure's surface. A HapticScene does not store this information.
 struct StructureSource
@@ -38,7 +39,8 @@ struct StructureSource
     core::FileFrame frame =
         core::FileFrame::Untagged; ///< coordinate frame chosen for the file; Untagged: the file's tag, else LPS
     bool flipped = false;
-    std::string sha256;                                 ///< geometryHash of the repaired mesh in the world frame
+    /// geometryHash of the repaired mesh in the world frame; if empty, computed from `embed` when recorded
+    std::string sha256;
     core::Transform X_WM = core::Transform::Identity(); ///< pose
     /// Surface to embed in the recording; null stores only the name and the hash.
     std::shared_ptr<const geometry::RepairedMesh> embed;
@@ -67,8 +69,8 @@ struct SceneRecord
 
 /// Describes a haptic scene for a recording.
 /// @param sources  one entry per structure of `scene`, in the same order; missing entries are left empty
-[[nodiscard]] SceneRecord describeScene(std::uint32_t generation, const haptics::HapticScene& scene,
-                                        std::span<const StructureSource> sources);
+[[nodiscard]] PALPATE_EXPORT SceneRecord describeScene(std::uint32_t generation, const haptics::HapticScene& scene,
+                                                       std::span<const StructureSource> sources);
 
 /// Event at a tick. Event kinds by origin:
 /// - writer: "scene" (first tick of a generation), "tissue", "hidden", "shown", "layer" and "structures" (changes with

@@ -4,6 +4,7 @@
 #include "palpate/session/MotionFile.h"
 #include "palpate/session/Recording.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/servo/TickRecord.h>
 
@@ -42,13 +43,13 @@ struct RecordingExtent
 
 /// Describes the end of a recording in one clause, such as "complete" or "ended at 8.7 s because the disk was full;
 /// what was felt after is not in it".
-[[nodiscard]] core::Message endingText(const RecordingExtent& extent);
+[[nodiscard]] PALPATE_EXPORT core::Message endingText(const RecordingExtent& extent);
 
 /// Reads a recording from an untrusted source. Opens quickly and never loads the whole file: rows are streamed, and
 /// each block of ticks (a quarter of a second) is verified against the checksum before use. Never writes to the file or
 /// its folder.
 /// @par Thread One thread at a time. Several readers may be open on one file.
-class RecordingReader
+class PALPATE_EXPORT RecordingReader
 {
   public:
     /// Opens a recording. After a crash, the last incomplete transaction is rolled back in memory.
@@ -102,6 +103,6 @@ class RecordingReader
 };
 
 /// Returns true if the file starts like a SQLite database, which distinguishes a recording from a CSV file.
-[[nodiscard]] bool isRecordingFile(const std::filesystem::path& path);
+[[nodiscard]] PALPATE_EXPORT bool isRecordingFile(const std::filesystem::path& path);
 
 } // namespace palpate::session

@@ -3,6 +3,7 @@
 
 #include "palpate/session/Recording.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Scratch.h>
 #include <palpate/core/Status.h>
 #include <palpate/servo/TickRecord.h>
@@ -15,11 +16,11 @@
 
 namespace palpate::session {
 
-/// Writes a recording (`*.palpate`); the format is documented in resources/docs/recording.md. The file is a valid
+/// Writes a recording (`*.palpate`); the format is documented in docs/recording.md. The file is a valid
 /// prefix of the recording at any time: it contains only complete transactions, each with a quarter of a second of
 /// ticks and their checksum.
 /// @par Thread One thread at a time, never the servo thread: writing blocks on the disk.
-class RecordingWriter
+class PALPATE_EXPORT RecordingWriter
 {
   public:
     /// When to wait for the disk.

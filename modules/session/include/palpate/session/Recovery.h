@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 
 #include <cstdint>
@@ -23,7 +24,7 @@ struct Recovery
 /// @param to  an existing file or link is replaced once the copy is complete, unless another program is recording into
 ///            it
 /// @return a one-line error if the metadata table cannot be read or `to` cannot be written
-[[nodiscard]] core::Result<Recovery> recoverRecording(const std::filesystem::path& from,
-                                                      const std::filesystem::path& to);
+[[nodiscard]] PALPATE_EXPORT core::Result<Recovery> recoverRecording(const std::filesystem::path& from,
+                                                                     const std::filesystem::path& to);
 
 } // namespace palpate::session

@@ -4,6 +4,7 @@
 #include "palpate/session/MotionFile.h"
 #include "palpate/session/RecordingReader.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/servo/TickRecord.h>
@@ -24,21 +25,22 @@ using TickSink = std::function<bool(const servo::TickRecord&)>;
 /// Runs a motion through the Palpator as fast as possible with one sample per tick, using the same code as the servo
 /// thread. The god-object starts at the first HIP. `fSent_W` is the model force because there is no device.
 /// @par Cost `solve_ns` measures the Palpator's step only, with the monotonic clock.
-void replay(const haptics::HapticScene& scene, const Motion& motion, const TickSink& sink);
+PALPATE_EXPORT void replay(const haptics::HapticScene& scene, const Motion& motion, const TickSink& sink);
 
 /// Overrides for core::kTissueTerms, in the same order and units; empty entries keep the value.
 using TissueOverride = std::array<std::optional<double>, core::kTissueTerms.size()>;
 
 /// Applies the overrides to every structure. With any override, structures become a plain spring and damper: friction,
 /// maps and other force laws are removed.
-[[nodiscard]] haptics::HapticScene withTissue(const haptics::HapticScene& scene, const TissueOverride& given);
+[[nodiscard]] PALPATE_EXPORT haptics::HapticScene withTissue(const haptics::HapticScene& scene,
+                                                             const TissueOverride& given);
 
 /// Surfaces, keyed by geometryHash.
 using SurfacesByHash = std::map<std::string, std::shared_ptr<const geometry::SurfaceIndex>>;
 
 /// Rebuilds a recorded scene. @return Mismatch with the name of the structure whose geometry is missing
-[[nodiscard]] core::Result<std::shared_ptr<const haptics::HapticScene>> rebuildScene(const SceneRecord& record,
-                                                                                     const SurfacesByHash& surfaces);
+[[nodiscard]] PALPATE_EXPORT core::Result<std::shared_ptr<const haptics::HapticScene>>
+rebuildScene(const SceneRecord& record, const SurfacesByHash& surfaces);
 
 /// Comparison of a re-simulation with the recording.
 ///
@@ -64,7 +66,7 @@ struct Resimulation
 };
 
 /// Rounding tolerance in skins of the layer. The solver treats god-objects within this distance as one position: the
-/// god-object leaves a corner only if this brings it closer by at least this distance (resources/docs/god-object.md).
+/// god-object leaves a corner only if this brings it closer by at least this distance (docs/god-object.md).
 /// The rounding error of a plane distance is at most one eighth of a skin, so the tolerance also holds in a crease of 2
 /// degrees. The force tolerance is this distance times the stiffness.
 inline constexpr double kRoundingTolerance_skins = 16.0;
@@ -72,7 +74,7 @@ inline constexpr double kRoundingTolerance_skins = 16.0;
 /// Recomputes a recording from its start state, HIPs, resets and scene changes. Compares every god-object and force and
 /// their triangle and number of constraints bit for bit.
 /// @param sink  receives each recomputed tick; may be empty
-[[nodiscard]] core::Result<Resimulation> resimulate(const RecordingReader& recording, const SurfacesByHash& surfaces,
-                                                    const TickSink& sink = {});
+[[nodiscard]] PALPATE_EXPORT core::Result<Resimulation>
+resimulate(const RecordingReader& recording, const SurfacesByHash& surfaces, const TickSink& sink = {});
 
 } // namespace palpate::session

@@ -5,6 +5,7 @@
 #include "palpate/session/Recording.h"
 #include "palpate/session/StructureNames.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/servo/TickRecord.h>
 
 #include <filesystem>
@@ -13,9 +14,9 @@
 
 namespace palpate::session {
 
-/// Writes ticks as CSV with the columns of session/src/tables/TickColumns.h. Numbers have 17 significant digits and
-/// read back bit-exactly. Atomic like core::AtomicFile.
-class TickCsv
+/// Writes ticks as CSV with the columns of docs/recording.md, "As CSV". Numbers have 17 significant digits and read
+/// back bit-exactly. Atomic like core::AtomicFile.
+class PALPATE_EXPORT TickCsv
 {
   public:
     /// Content of the rows.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/geometry/TriangleMesh.h>
 
 #include <array>
@@ -13,11 +14,11 @@
 
 namespace palpate::session {
 
-/// Contact measures at the vertices of one structure's surface; definitions in resources/docs/measures.md.
+/// Contact measures at the vertices of one structure's surface; definitions in docs/measures.md.
 ///
 /// Triangles with edges longer than half the distance are split, so that coarse and fine meshes are measured at the
 /// same resolution. The vertices are sample points, each with its share of the area.
-class TouchedSurface
+class PALPATE_EXPORT TouchedSurface
 {
   public:
     /// @param distance_mm  > 0: distance within which the contact touches a surface point [mm]

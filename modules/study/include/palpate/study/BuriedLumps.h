@@ -4,6 +4,7 @@
 #include "palpate/study/StiffnessRatio.h"
 
 #include <palpate/buried/FeltSurface.h>
+#include <palpate/core/Export.h>
 #include <palpate/meshio/LoadScene.h>
 
 #include <cstddef>
@@ -24,7 +25,7 @@ struct SceneLump
 };
 
 /// Organ of a scene and the lumps inside.
-struct OrganWithLumps
+struct PALPATE_EXPORT OrganWithLumps
 {
     std::size_t organ; ///< index in the scene
     double radius_mm;  ///< radius of the finger's contact [mm]: from the scene, else kDefaultContactRadius_mm
@@ -45,29 +46,30 @@ struct OrganPalpability
 
 /// Returns true if a structure inside an organ is treated as a lump without an explicit entry in the scene: the name
 /// refers to a lump or to unknown anatomy, or the scene gives a stiffness ratio.
-[[nodiscard]] bool isLumpCandidate(const meshio::SceneStructure& structure);
+[[nodiscard]] PALPATE_EXPORT bool isLumpCandidate(const meshio::SceneStructure& structure);
 
 /// Finds the lumps of a scene and their organs by LumpRule.
 /// @param ratios  stiffness ratios by structure name; override the ratios in the scene
 /// @return NotFound if a name in `ratios` is not a lump; Empty if the scene has no lumps
-[[nodiscard]] core::Result<std::vector<OrganWithLumps>>
-organsWithLumps(const meshio::LoadedScene& scene, const std::map<std::string, double>& ratios = {});
+[[nodiscard]] PALPATE_EXPORT core::Result<std::vector<OrganWithLumps>>
+    PALPATE_EXPORT organsWithLumps(const meshio::LoadedScene& scene, const std::map<std::string, double>& ratios = {});
 
 /// Computes buried::feltSurface for an organ of a scene.
-[[nodiscard]] core::Result<buried::FeltSurface>
+[[nodiscard]] PALPATE_EXPORT core::Result<buried::FeltSurface> PALPATE_EXPORT
 feltSurface(const meshio::LoadedScene& scene, const OrganWithLumps& organ, const buried::FeltOptions& options);
 
 /// Computes how palpable all lumps of a scene are, for light touch and for presses of 2, 4 and 8 mm.
 /// @param known  earlier results; reused if still valid
 /// @param notes  receives a sentence for each organ that cannot be evaluated and for each omitted lump
 /// @return empty for a scene without lumps; Cancelled
-[[nodiscard]] core::Result<std::vector<OrganPalpability>>
-computePalpability(const meshio::LoadedScene& scene, std::vector<OrganPalpability> known = {},
-                   std::vector<std::string>* notes = nullptr, const std::function<bool(double)>& progress = {});
+[[nodiscard]] PALPATE_EXPORT core::Result<std::vector<OrganPalpability>>
+    PALPATE_EXPORT computePalpability(const meshio::LoadedScene& scene, std::vector<OrganPalpability> known = {},
+                                      std::vector<std::string>* notes = nullptr,
+                                      const std::function<bool(double)>& progress = {});
 
 /// Filters lumps by a predicate. @return organs with at least one accepted lump
-[[nodiscard]] std::vector<OrganWithLumps> filterLumps(std::vector<OrganWithLumps> organs,
-                                                      const std::function<bool(std::size_t structure)>& isTaken);
+[[nodiscard]] PALPATE_EXPORT std::vector<OrganWithLumps>
+filterLumps(std::vector<OrganWithLumps> organs, const std::function<bool(std::size_t structure)>& isTaken);
 
 /// Computes the effect of buried lumps on their organs, for scenes with lumps transmitted through the organ. The
 /// surface of such a lump is removed from contact in any layer. Scenes with lumps in separate layers stay unchanged;
@@ -77,8 +79,8 @@ computePalpability(const meshio::LoadedScene& scene, std::vector<OrganPalpabilit
 /// @param progress  progress callback (0 to 1). Return false to cancel. May be empty
 /// @param felt  receives the computed results; may be null
 /// @return Cancelled; Ok for a scene without lumps
-[[nodiscard]] core::Status applyBuriedLumps(meshio::LoadedScene& scene,
-                                            const std::function<bool(double)>& progress = {},
-                                            std::vector<OrganPalpability>* felt = nullptr);
+[[nodiscard]] PALPATE_EXPORT core::Status applyBuriedLumps(meshio::LoadedScene& scene,
+                                                           const std::function<bool(double)>& progress = {},
+                                                           std::vector<OrganPalpability>* felt = nullptr);
 
 } // namespace palpate::study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/device/HapticDevice.h>
 #include <palpate/haptics/HapticScene.h>
 
@@ -12,14 +13,14 @@
 namespace palpate::study {
 
 /// Returns the largest slope of force over depth on this structure [N/mm].
-[[nodiscard]] double maxStiffness(const haptics::HapticStructure& structure);
+[[nodiscard]] PALPATE_EXPORT double maxStiffness(const haptics::HapticStructure& structure);
 /// Returns the largest damping on this structure [N·s/mm].
-[[nodiscard]] double maxDamping(const haptics::HapticStructure& structure) noexcept;
+[[nodiscard]] PALPATE_EXPORT double maxDamping(const haptics::HapticStructure& structure) noexcept;
 
 /// Returns the largest tissue parameters allowed on a device.
 /// @param held_N_per_mm  stiffness that the device can render in scene units, see servo::heldStiffness_N_per_mm;
 ///               infinite: use 5 N/mm. A device without a stated damping gets 0.02 N·s/mm
-[[nodiscard]] haptics::Tissue maxTissue(const device::DeviceInfo& info, double held_N_per_mm) noexcept;
+[[nodiscard]] PALPATE_EXPORT haptics::Tissue maxTissue(const device::DeviceInfo& info, double held_N_per_mm) noexcept;
 
 /// Reduces the tissues so that the combined stiffness and damping stay within the device's limits.
 ///
@@ -29,13 +30,13 @@ namespace palpate::study {
 /// gets the rest. A force law below the limit keeps its shape.
 /// @param greatest  limits of the device; terms other than stiffness and damping apply to each structure separately
 /// @param structures  structures without a surface are ignored
-void limitTissues(const haptics::Tissue& greatest, std::span<haptics::HapticStructure> structures);
+PALPATE_EXPORT void limitTissues(const haptics::Tissue& greatest, std::span<haptics::HapticStructure> structures);
 
 /// Describes the changes made by `limitTissues` in one line, such as "at most 0.4 N/mm of liver (asked for 2 N/mm), at
 /// most …". Empty without changes.
 /// @param asked,held  before and after
-[[nodiscard]] std::string limitedText(std::span<const haptics::HapticStructure> asked,
-                                      std::span<const haptics::HapticStructure> held);
+[[nodiscard]] PALPATE_EXPORT std::string limitedText(std::span<const haptics::HapticStructure> asked,
+                                                     std::span<const haptics::HapticStructure> held);
 
 /// Part of a device's limit used by all layers except the layer of one structure.
 struct UsedByOtherLayers
@@ -44,7 +45,7 @@ struct UsedByOtherLayers
     std::vector<std::size_t> by;      ///< stiffest structure of each layer, outermost layer first
 };
 /// @param structures  after `limitTissues`
-[[nodiscard]] UsedByOtherLayers usedByOtherLayers(std::span<const haptics::HapticStructure> structures,
-                                                  std::size_t structure);
+[[nodiscard]] PALPATE_EXPORT UsedByOtherLayers usedByOtherLayers(std::span<const haptics::HapticStructure> structures,
+                                                                 std::size_t structure);
 
 } // namespace palpate::study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/haptics/HapticScene.h>
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 namespace palpate::study {
 
 /// Surface along the path of a straight press.
-struct PressedSurface
+struct PALPATE_EXPORT PressedSurface
 {
     const haptics::HapticStructure* structure = nullptr; ///< never null; must outlive this object
     std::uint32_t triangle = 0;                          ///< entry triangle: position in the SurfaceIndex
@@ -25,14 +26,14 @@ struct PressedSurface
 
 /// Returns the total reaction force after a travel [N]. Each surface is approximated by a plane; the force magnitudes
 /// are added.
-[[nodiscard]] double pressForce_N(std::span<const PressedSurface> surfaces, double way_mm) noexcept;
+[[nodiscard]] PALPATE_EXPORT double pressForce_N(std::span<const PressedSurface> surfaces, double way_mm) noexcept;
 
 /// Returns the shortest travel of a press at which the surfaces balance a force [mm], by bisection. Monotonic in the
 /// force. For a force law with a falling part, a rise and fall within 1/256 of the travel may be missed.
 /// @param force_N  0 and below: travel to the first contact
 /// @param deepest_mm  maximum travel; also the result if the force is not reached or there is no surface
 /// @par Cost A few hundred evaluations of force laws, microseconds. Not for the servo thread.
-[[nodiscard]] double pressTravel_mm(std::span<const PressedSurface> surfaces, double force_N,
-                                    double deepest_mm) noexcept;
+[[nodiscard]] PALPATE_EXPORT double pressTravel_mm(std::span<const PressedSurface> surfaces, double force_N,
+                                                   double deepest_mm) noexcept;
 
 } // namespace palpate::study

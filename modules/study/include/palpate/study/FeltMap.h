@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Tissue.h>
 #include <palpate/meshio/LoadScene.h>
 
@@ -21,14 +22,14 @@ struct FeltMap
 };
 
 /// @param most  limit of the device in the unit of `FeltMap`; larger values are clamped
-[[nodiscard]] FeltMap feltMap(const meshio::SurfaceMap& map, const core::Tissue& tissue,
-                              double most = std::numeric_limits<double>::infinity());
+[[nodiscard]] PALPATE_EXPORT FeltMap feltMap(const meshio::SurfaceMap& map, const core::Tissue& tissue,
+                                             double most = std::numeric_limits<double>::infinity());
 
 /// Interpolates values at a point on a surface; NaN if unknown.
 /// @param values  one per vertex or per triangle
 /// @param triangle  index in `surface`
 /// @param p_W  point on that triangle [mm]
-[[nodiscard]] double valueAt(const geometry::RepairedMesh& surface, const std::vector<float>& values,
-                             bool isPerTriangle, std::size_t triangle, const core::Vec3& p_W);
+[[nodiscard]] PALPATE_EXPORT double valueAt(const geometry::RepairedMesh& surface, const std::vector<float>& values,
+                                            bool isPerTriangle, std::size_t triangle, const core::Vec3& p_W);
 
 } // namespace palpate::study

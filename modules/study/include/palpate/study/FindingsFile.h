@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Finding.h>
 #include <palpate/core/Status.h>
 #include <palpate/session/RecordingReader.h>
@@ -13,7 +14,7 @@
 namespace palpate::study {
 
 // Exchange of findings with other programs: CSV tables and 3D Slicer point lists (*.mrk.json, schema 1.0.3). Columns
-// and rules: resources/docs/findings.md.
+// and rules: docs/findings.md.
 
 /// Columns of `findingsCsv`.
 inline constexpr const char* kFindingColumns =
@@ -22,15 +23,15 @@ inline constexpr const char* kFindingColumns =
 
 /// Returns the organ around the structure of a finding: the outermost touched layer if different from that structure,
 /// else empty.
-[[nodiscard]] std::string organOf(const core::Finding& finding);
+[[nodiscard]] PALPATE_EXPORT std::string organOf(const core::Finding& finding);
 
 /// Writes a table according to RFC 4180 in UTF-8 with a header and one row per finding. Numbers read back bit-exactly.
 /// A text that a spreadsheet would evaluate as a formula gets a leading `'`.
-[[nodiscard]] std::string findingsCsv(const std::vector<core::Finding>& findings);
+[[nodiscard]] PALPATE_EXPORT std::string findingsCsv(const std::vector<core::Finding>& findings);
 
 /// Writes one point list per type, in LPS and mm. Fields without an equivalent in a point list are stored in the
 /// point's field `palpate`, so that `readMarkups` restores equal findings, except for the place of recording.
-[[nodiscard]] std::string findingsMarkups(const std::vector<core::Finding>& findings);
+[[nodiscard]] PALPATE_EXPORT std::string findingsMarkups(const std::vector<core::Finding>& findings);
 
 /// Content of a markups file.
 struct Markups
@@ -45,9 +46,9 @@ inline constexpr std::size_t kMaxMarkups = 10000;
 /// Reads the point lists of a markups file. Converts RAS to LPS and µm to mm. A list with the name of a finding type
 /// assigns that type.
 /// @return Unreadable or BadFormat if the file is not a markups file or larger than 64 MiB
-[[nodiscard]] core::Result<Markups> readMarkups(const std::filesystem::path& path);
+[[nodiscard]] PALPATE_EXPORT core::Result<Markups> readMarkups(const std::filesystem::path& path);
 
 /// Returns the findings at the end of a recording, each with the time of marking.
-[[nodiscard]] std::vector<core::Finding> recordedFindings(const session::RecordingReader& reader);
+[[nodiscard]] PALPATE_EXPORT std::vector<core::Finding> recordedFindings(const session::RecordingReader& reader);
 
 } // namespace palpate::study

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/core/Export.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/meshio/LoadScene.h>
@@ -25,7 +26,7 @@ struct LayeredSurface
 };
 
 /// Containment of structures and the resulting haptic layers.
-struct Layering
+struct PALPATE_EXPORT Layering
 {
     struct Structure
     {
@@ -58,24 +59,26 @@ struct Layering
 /// Returns true if the surface has a reliable interior: closed everywhere, normals outwards. Edges with more than two
 /// triangles are allowed, because a surface counts as closed only if such edges are traversed equally often in both
 /// directions.
-[[nodiscard]] bool hasReliableInterior(const geometry::MeshReport& report) noexcept;
+[[nodiscard]] PALPATE_EXPORT bool hasReliableInterior(const geometry::MeshReport& report) noexcept;
 
 /// Returns true if all sampled vertices of `inner` (up to kSamples, evenly distributed) are not outside of `outer`.
 /// @par Cost about 2 µs per sample
-[[nodiscard]] bool isWhollyInside(const geometry::RepairedMesh& inner, const geometry::SurfaceIndex& outer);
+[[nodiscard]] PALPATE_EXPORT bool isWhollyInside(const geometry::RepairedMesh& inner,
+                                                 const geometry::SurfaceIndex& outer);
 
 /// Determines the nesting of structures. B is in A if A has a reliable interior and the larger volume, and at least
 /// kInsideShare of up to kSamples evenly distributed vertices of B are inside A. The layer of B is one below the
 /// deepest layer around B, at most haptics::kMaxLayers - 1. Structures with equal surfaces share a layer.
 /// @par Cost Bounding boxes first, then two or three rays per vertex: 0.5 ms for a nested pair. Uses all cores; not for
 ///           the servo thread. The result does not depend on the number of cores.
-[[nodiscard]] Layering layering(std::span<const LayeredSurface> surfaces);
+[[nodiscard]] PALPATE_EXPORT Layering layering(std::span<const LayeredSurface> surfaces);
 inline constexpr double kInsideShare = 0.9;
 inline constexpr std::size_t kSamples = 256;
 
 /// Assigns the layers from the nesting to the structures of a scene and of the haptic scene.
 /// @param felt  haptic scene with the same structures (see `hapticScene`)
 /// @return messages about the changes for the user
-std::vector<std::string> setLayers(meshio::LoadedScene& scene, std::shared_ptr<const haptics::HapticScene>& felt);
+PALPATE_EXPORT std::vector<std::string> setLayers(meshio::LoadedScene& scene,
+                                                  std::shared_ptr<const haptics::HapticScene>& felt);
 
 } // namespace palpate::study

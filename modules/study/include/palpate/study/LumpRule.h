@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Message.h>
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/geometry/Repair.h>
 #include <palpate/meshio/LoadScene.h>
 
 #include <cstddef>
@@ -31,7 +32,7 @@ struct PlacedStructure
 /// has a reliable interior (closed, normals outwards) and is no lump candidate itself; if all of them are candidates,
 /// the outermost one.
 /// @par Thread A value; the structures must outlive it.
-class LumpRule
+class PALPATE_EXPORT LumpRule
 {
   public:
     /// An organ, or the reason why there is none.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Types.h>
 #include <palpate/device/DevicePresets.h>
 #include <palpate/haptics/HapticScene.h>
@@ -24,10 +25,10 @@ struct Grip
 /// Grips used to evaluate a device. The light grip is the worst case with little mass and little damping (0.16 of
 /// critical on a Touch); its values are an assumption below published ones. "a fingertip" is the middle of the range
 /// measured at low force by Hajian & Howe, J. Biomech. Eng. 119 (1997) 109, doi:10.1115/1.2796052.
-[[nodiscard]] const std::vector<Grip>& grips();
+[[nodiscard]] PALPATE_EXPORT const std::vector<Grip>& grips();
 
 /// Returns the force of a resting hand [N]: 3 N, limited to 40 % of the device's maximum.
-[[nodiscard]] double restingPush_N(double maxForce_N) noexcept;
+[[nodiscard]] PALPATE_EXPORT double restingPush_N(double maxForce_N) noexcept;
 
 /// Properties of a device and its control loop that determine the oscillation of the tip.
 struct HeldDevice
@@ -39,13 +40,13 @@ struct HeldDevice
     double scale = 1.0;                ///< mm of the scene per mm of the device
 };
 /// @param delayTicks  delay of the force after the tick that computed it
-[[nodiscard]] HeldDevice heldDevice(const device::DevicePreset& preset, double rate_Hz, int delayTicks);
+[[nodiscard]] PALPATE_EXPORT HeldDevice heldDevice(const device::DevicePreset& preset, double rate_Hz, int delayTicks);
 /// Creates the same from the description of a device. Uses the mechanics of the preset with the same id. Unknown
 /// properties get the most unfavourable values: no friction and no damping in the device.
 /// @param scale  mm of the scene per mm of the device
 /// @return empty for a device without motors, which cannot sustain an oscillation
-[[nodiscard]] std::optional<HeldDevice> heldDevice(const device::DeviceInfo& info, double rate_Hz, int delayTicks,
-                                                   double scale = 1.0);
+[[nodiscard]] PALPATE_EXPORT std::optional<HeldDevice> heldDevice(const device::DeviceInfo& info, double rate_Hz,
+                                                                  int delayTicks, double scale = 1.0);
 
 /// Smallest peak-to-peak oscillation of the tip that is reported [mm of the device].
 inline constexpr double kMinSwing_mm = 0.05;
@@ -70,8 +71,8 @@ struct MapEdge
 /// the oscillation.
 /// @return for each structure with such an edge the worst edge over both grips
 /// @par Cost O(triangles). Any thread.
-/// @par Source resources/docs/stability.md, "A map's edges": describing function of a relay, with the damping, friction
+/// @par Source docs/stability.md, "A map's edges": describing function of a relay, with the damping, friction
 ///             and mass of device and hand.
-[[nodiscard]] std::vector<MapEdge> mapEdges(const haptics::HapticScene& scene, const HeldDevice& device);
+[[nodiscard]] PALPATE_EXPORT std::vector<MapEdge> mapEdges(const haptics::HapticScene& scene, const HeldDevice& device);
 
 } // namespace palpate::study

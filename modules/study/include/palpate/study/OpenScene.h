@@ -3,6 +3,7 @@
 
 #include "palpate/study/LumpRule.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Message.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/haptics/HapticScene.h>
@@ -71,7 +72,8 @@ struct SceneEvent
 using SceneEvents = std::vector<SceneEvent>; ///< in the order of occurrence
 
 /// Returns true if different surfaces must be built from the same mesh.
-[[nodiscard]] bool needsOtherSurface(const meshio::SceneStructure& a, const meshio::SceneStructure& b) noexcept;
+[[nodiscard]] PALPATE_EXPORT bool needsOtherSurface(const meshio::SceneStructure& a,
+                                                    const meshio::SceneStructure& b) noexcept;
 
 /// The open scene: structures, layers, lumps and maps. Edits are values, so that an undo step holds an edit and its
 /// inverse:
@@ -81,7 +83,7 @@ using SceneEvents = std::vector<SceneEvent>; ///< in the order of occurrence
 ///
 /// Structures keep their numbers. View, hand, panels and files read from here.
 /// @par Thread One thread at a time; the window's.
-class OpenScene
+class PALPATE_EXPORT OpenScene
 {
   public:
     /// Replaces all structures.

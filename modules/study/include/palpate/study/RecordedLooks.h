@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/meshio/SceneFile.h>
 
 #include <array>
@@ -22,11 +23,11 @@ struct RecordedLook
 };
 
 /// Serializes looks for RecordingInfo::looks, in the order of the recording's structures. See
-/// resources/docs/recording.md.
-[[nodiscard]] std::string looksText(const std::vector<RecordedLook>& looks);
+/// docs/recording.md.
+[[nodiscard]] PALPATE_EXPORT std::string looksText(const std::vector<RecordedLook>& looks);
 /// Parses the output of `looksText`. @return one entry per structure; invalid entries have no name and must be ignored
-[[nodiscard]] std::vector<RecordedLook> looksFrom(std::string_view text);
+[[nodiscard]] PALPATE_EXPORT std::vector<RecordedLook> looksFrom(std::string_view text);
 /// Returns the look of a structure of a scene.
-[[nodiscard]] RecordedLook lookOf(const meshio::SceneStructure& structure);
+[[nodiscard]] PALPATE_EXPORT RecordedLook lookOf(const meshio::SceneStructure& structure);
 
 } // namespace palpate::study

@@ -3,6 +3,7 @@
 
 #include "palpate/study/Layers.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Tissue.h>
 #include <palpate/geometry/SurfaceGap.h>
 #include <palpate/haptics/HapticScene.h>
@@ -36,28 +37,29 @@ struct NeighbourSurface
 };
 
 /// Returns force divided by depth of a light press of 2 mm [N/mm], without maps and buried lumps.
-[[nodiscard]] double pressStiffness(const core::Tissue& tissue);
+[[nodiscard]] PALPATE_EXPORT double pressStiffness(const core::Tissue& tissue);
 
 /// Returns the structures of a scene in order, without lumps that are transmitted through their organ because these
 /// have no contact surface. Valid for the lifetime of `scene` and `felt`.
 /// @param felt  haptic scene with the same structures (see `hapticScene`)
-[[nodiscard]] std::vector<NeighbourSurface> neighbours(const meshio::LoadedScene& scene,
-                                                       const haptics::HapticScene& felt);
+[[nodiscard]] PALPATE_EXPORT std::vector<NeighbourSurface> neighbours(const meshio::LoadedScene& scene,
+                                                                      const haptics::HapticScene& felt);
 
 /// Returns a sentence for each pair of structures in one layer that are closer than kNarrowGap_mm without touching or
 /// nesting, and for each pair that touch or intersect and whose stiffness differs by more than kPalpableSeamRatio: the
-/// force steps where the hand crosses the seam (resources/docs/god-object.md, "Several structures in one contact").
+/// force steps where the hand crosses the seam (docs/god-object.md, "Several structures in one contact").
 /// @par Cost See geometry::nearestWithin, on all cores. Not for the servo thread.
-[[nodiscard]] std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces, const Layering& found);
+[[nodiscard]] PALPATE_EXPORT std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces,
+                                                                  const Layering& found);
 /// Computes the layering and calls the function above.
-[[nodiscard]] std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces);
+[[nodiscard]] PALPATE_EXPORT std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces);
 
 /// Returns a sentence for each structure inside another one of the same layer, which cannot be felt through that one.
-[[nodiscard]] std::vector<std::string> maskedLumpNotes(std::span<const NeighbourSurface> surfaces,
-                                                       const Layering& found);
+[[nodiscard]] PALPATE_EXPORT std::vector<std::string> maskedLumpNotes(std::span<const NeighbourSurface> surfaces,
+                                                                      const Layering& found);
 
 /// Returns both kinds of notes for a scene.
-[[nodiscard]] std::vector<std::string> neighbourNotes(const meshio::LoadedScene& scene,
-                                                      const haptics::HapticScene& felt);
+[[nodiscard]] PALPATE_EXPORT std::vector<std::string> neighbourNotes(const meshio::LoadedScene& scene,
+                                                                     const haptics::HapticScene& felt);
 
 } // namespace palpate::study

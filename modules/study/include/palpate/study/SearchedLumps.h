@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/session/MeasureSession.h>
 
@@ -17,8 +18,8 @@ namespace palpate::study {
 /// @param progress  progress callback (0 to 1). Return false to cancel. May be empty
 /// @return empty for a scene without lumps; organs that cannot be evaluated are omitted; Cancelled, or the read error
 /// @par Thread Any. Do not use the reader from other threads at the same time.
-[[nodiscard]] core::Result<std::vector<session::LumpSearch>>
-searchedLumps(const session::RecordingReader& reader, const meshio::LoadedScene& scene, double distance_mm,
-              const std::function<bool(double)>& progress = {});
+[[nodiscard]] PALPATE_EXPORT core::Result<std::vector<session::LumpSearch>>
+    PALPATE_EXPORT searchedLumps(const session::RecordingReader& reader, const meshio::LoadedScene& scene,
+                                 double distance_mm, const std::function<bool(double)>& progress = {});
 
 } // namespace palpate::study

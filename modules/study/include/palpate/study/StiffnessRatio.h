@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/meshio/AnatomyKind.h>
 #include <palpate/meshio/SceneFile.h>
 
@@ -22,7 +23,7 @@ enum class RatioSource : std::uint8_t
 };
 
 /// Returns "as typed", "from the moduli", "from the tissues' stiffness" or "published for such lumps".
-[[nodiscard]] std::string_view sourceText(RatioSource source) noexcept;
+[[nodiscard]] PALPATE_EXPORT std::string_view sourceText(RatioSource source) noexcept;
 
 /// Ratio of stiffness, lump to organ [1].
 struct StiffnessRatio
@@ -48,31 +49,31 @@ struct PublishedRatio
     std::string_view name; ///< "malignant tumour of the liver"
 };
 /// Returns all published ratios, in display order.
-[[nodiscard]] std::span<const PublishedRatio> publishedRatios();
+[[nodiscard]] PALPATE_EXPORT std::span<const PublishedRatio> publishedRatios();
 /// Returns nullptr if there is no published ratio for this lump and organ.
-[[nodiscard]] const PublishedRatio* publishedRatio(meshio::AnatomyKind lump, meshio::AnatomyKind organ);
+[[nodiscard]] PALPATE_EXPORT const PublishedRatio* publishedRatio(meshio::AnatomyKind lump, meshio::AnatomyKind organ);
 
 /// Determines the stiffness ratio of a lump to the organ; shared by window, command line and scene files. Sources in
 /// order: entered ratio; moduli of both; stiffness of both tissues if chosen explicitly; published ratio for the names.
 /// @return empty without any source. Palpability must then not be reported, see `ratioQuestion`
 /// @param typed  ratio from the command line; takes precedence
-[[nodiscard]] std::optional<StiffnessRatio> stiffnessRatio(const meshio::SceneStructure& lump,
-                                                           const meshio::SceneStructure& organ,
-                                                           std::optional<double> typed = std::nullopt);
+[[nodiscard]] PALPATE_EXPORT std::optional<StiffnessRatio> stiffnessRatio(const meshio::SceneStructure& lump,
+                                                                          const meshio::SceneStructure& organ,
+                                                                          std::optional<double> typed = std::nullopt);
 
 /// Returns the stiffness of healthy tissue under a fingertip of 5 mm radius [N/mm]; empty for kinds without a value.
-/// @par Source resources/docs/felt.md#tissue-by-name
-[[nodiscard]] std::optional<double> tissueStiffness_N_per_mm(meshio::AnatomyKind kind);
+/// @par Source docs/felt.md#tissue-by-name
+[[nodiscard]] PALPATE_EXPORT std::optional<double> tissueStiffness_N_per_mm(meshio::AnatomyKind kind);
 
 /// Returns the stiffness under a fingertip of 5 mm radius that the name of a structure implies [N/mm]; empty for other
 /// names. For a lump: the organ's stiffness times the published ratio.
 /// @param organ  name of the enclosing structure; null: none
-/// @par Source resources/docs/felt.md#tissue-by-name
-[[nodiscard]] std::optional<double> namedStiffness_N_per_mm(const std::string& name,
-                                                            const std::string* organ = nullptr);
+/// @par Source docs/felt.md#tissue-by-name
+[[nodiscard]] PALPATE_EXPORT std::optional<double> namedStiffness_N_per_mm(const std::string& name,
+                                                                           const std::string* organ = nullptr);
 
 /// Returns a question about the ratio with the published choices: "lump x in thing: how many times as stiff as thing it
 /// is is not known; ...".
-[[nodiscard]] std::string ratioQuestion(const std::string& lump, const std::string& organ);
+[[nodiscard]] PALPATE_EXPORT std::string ratioQuestion(const std::string& lump, const std::string& organ);
 
 } // namespace palpate::study

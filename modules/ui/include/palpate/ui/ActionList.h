@@ -3,6 +3,8 @@
 
 #include "palpate/ui/Theme.h"
 
+#include <palpate/core/Export.h>
+
 #include <QKeySequence>
 #include <QList>
 #include <QObject>
@@ -46,7 +48,7 @@ enum class ActionGroup
 /// actions->fill(*window->menuBar()->addMenu(tr("File")), ActionGroup::File);
 /// actions->at("open").setEnabled(false);
 /// @endcode
-class ActionList : public QObject
+class PALPATE_EXPORT ActionList : public QObject
 {
     Q_OBJECT
   public:

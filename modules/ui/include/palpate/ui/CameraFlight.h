@@ -3,6 +3,7 @@
 
 #include "palpate/ui/VtkViewport.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/ViewPose.h>
 
 #include <QVariantAnimation>
@@ -10,15 +11,16 @@
 namespace palpate::ui {
 
 /// Current pose of the view's camera.
-[[nodiscard]] core::ViewPose viewPose(VtkViewport& viewport);
+[[nodiscard]] PALPATE_EXPORT core::ViewPose viewPose(VtkViewport& viewport);
 
 /// Interpolates between two camera poses. The camera orbits the focal point, so that it does not pass through the
 /// anatomy. For opposite viewing directions it rotates about `from.up_W`.
 /// @param share  fraction of the path, 0 to 1
-[[nodiscard]] core::ViewPose poseBetween(const core::ViewPose& from, const core::ViewPose& to, double share);
+[[nodiscard]] PALPATE_EXPORT core::ViewPose poseBetween(const core::ViewPose& from, const core::ViewPose& to,
+                                                        double share);
 
 /// Animates the view's camera to a pose within 0.3 s. The final pose is exact.
-class CameraFlight : public QObject
+class PALPATE_EXPORT CameraFlight : public QObject
 {
     Q_OBJECT
   public:

@@ -3,6 +3,8 @@
 
 #include "palpate/ui/Pieces.h"
 
+#include <palpate/core/Export.h>
+
 #include <QWidget>
 
 #include <vector>
@@ -14,7 +16,7 @@ namespace palpate::ui {
 /// Row of chips that adapts to the available width. When space runs out, chips of low weight are first shortened and
 /// then folded into a "»" button that lists them. Chips with a warning fold last; the button then shows "⚠ »". Chips
 /// added with `mustStay` never fold.
-class ChipRow : public QWidget
+class PALPATE_EXPORT ChipRow : public QWidget
 {
     Q_OBJECT
   public:

@@ -6,6 +6,7 @@
 #include "palpate/ui/PuckReader.h"
 #include "palpate/ui/VtkViewport.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/device/PluginHost.h>
 
 #include <QObject>
@@ -21,11 +22,11 @@ class QMenu;
 namespace palpate::ui {
 
 /// Device name for use within a sentence. Names of built-in devices are translated; plugins provide their own.
-[[nodiscard]] QString deviceName(const device::DeviceInfo& info);
+[[nodiscard]] PALPATE_EXPORT QString deviceName(const device::DeviceInfo& info);
 
 /// Selects the haptic device (mouse, simulated hand, playback of the open recording, or a plugin's device) and the role
 /// of a 6-axis mouse. Reports the device's state.
-class DeviceChoice : public QObject
+class PALPATE_EXPORT DeviceChoice : public QObject
 {
     Q_OBJECT
   public:

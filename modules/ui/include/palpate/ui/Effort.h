@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/study/EffortDepth.h>
 #include <palpate/view/SurfacePicker.h>
@@ -20,7 +21,7 @@ namespace palpate::ui {
 /// effort.begin(0.0); // the hand reaches the surface at t = 0 s
 /// double f_N = effort.force_N(2.0); // 2 N: kRise_N_per_s times 2 s
 /// @endcode
-class Effort
+class PALPATE_EXPORT Effort
 {
   public:
     static constexpr double kRise_N_per_s = 1.0;
@@ -54,7 +55,7 @@ class Effort
 /// @param press  starts at the hand's position; distances are measured from there
 /// @return surfaces with pointers into `scene`
 /// @par Cost O(log triangles) per structure.
-[[nodiscard]] std::vector<study::PressedSurface> surfacesAlongPress(const haptics::HapticScene& scene,
-                                                                    const view::Ray& press);
+[[nodiscard]] PALPATE_EXPORT std::vector<study::PressedSurface> surfacesAlongPress(const haptics::HapticScene& scene,
+                                                                                   const view::Ray& press);
 
 } // namespace palpate::ui

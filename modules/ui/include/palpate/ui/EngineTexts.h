@@ -3,6 +3,7 @@
 
 #include "palpate/ui/Translated.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 
 #include <QString>
@@ -16,7 +17,7 @@ namespace palpate::ui {
 /// English. An English window returns every line unchanged.
 ///
 /// @par Thread Any thread except the servo thread.
-[[nodiscard]] QString engineText(std::string_view line);
+[[nodiscard]] PALPATE_EXPORT QString engineText(std::string_view line);
 [[nodiscard]] inline QString engineText(const core::Status& status)
 {
     return status.text().isTranslatable() ? translated(status.text()) : engineText(status.message());

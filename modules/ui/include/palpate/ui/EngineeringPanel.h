@@ -3,6 +3,7 @@
 
 #include "palpate/ui/TouchPanel.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/TimingHistogram.h>
 #include <palpate/servo/RealtimeSetup.h>
 #include <palpate/servo/TimingReport.h>
@@ -43,7 +44,7 @@ struct EngineeringReading
 };
 
 /// Collects the state of the servo loop. @param shown  reading of the touch panel, live or from a recording
-[[nodiscard]] EngineeringReading engineeringReading(const LiveTouch& live, const TouchReading& shown);
+[[nodiscard]] PALPATE_EXPORT EngineeringReading engineeringReading(const LiveTouch& live, const TouchReading& shown);
 
 /// Summary of the touch loop's health in a few words.
 struct RunningState
@@ -52,11 +53,11 @@ struct RunningState
     QString text; ///< empty while nothing runs
     QString tip;  ///< explanation in one or two sentences
 };
-[[nodiscard]] RunningState runningState(const EngineeringReading& reading);
+[[nodiscard]] PALPATE_EXPORT RunningState runningState(const EngineeringReading& reading);
 
 /// Panel with solver, servo loop and device measurements and the CPU of the loop, for developers who build or tune a
 /// device.
-class EngineeringPanel : public QWidget
+class PALPATE_EXPORT EngineeringPanel : public QWidget
 {
     Q_OBJECT
   public:

@@ -3,6 +3,7 @@
 
 #include "palpate/ui/TouchHistory.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Tissue.h>
 #include <palpate/servo/TickRecord.h>
 #include <palpate/view/TouchCursor.h>
@@ -37,7 +38,7 @@ struct ContactStiffness
 };
 /// Looks up a structure's tissue; null for an unknown structure.
 using TissueOf = std::function<const core::Tissue*(std::uint32_t structure)>;
-[[nodiscard]] ContactStiffness contactStiffness(const servo::TickRecord& tick, const TissueOf& tissueOf);
+[[nodiscard]] PALPATE_EXPORT ContactStiffness contactStiffness(const servo::TickRecord& tick, const TissueOf& tissueOf);
 
 /// Name and display colour of a structure.
 struct LayerStyle
@@ -49,29 +50,31 @@ struct LayerStyle
 using LayerStyleLookup = std::function<LayerStyle(std::uint32_t structure)>;
 
 /// Friction state of a layer: "holds 0.4 N" or "slides 0.4 N"; empty without friction.
-[[nodiscard]] QString frictionText(const LayerShare& layer);
+[[nodiscard]] PALPATE_EXPORT QString frictionText(const LayerShare& layer);
 
 /// Lists the structures in contact, outermost layer first, within a layer by decreasing force.
 /// @param shown_N  magnitude of the force on the hand [N]; the model's forces are scaled in proportion
-[[nodiscard]] std::vector<LayerShare> layerShares(const servo::TickRecord& tick, double shown_N,
-                                                  const LayerStyleLookup& looks);
+[[nodiscard]] PALPATE_EXPORT std::vector<LayerShare> layerShares(const servo::TickRecord& tick, double shown_N,
+                                                                 const LayerStyleLookup& looks);
 /// One-line description: "liver 2.53 N · lump 20 mm 3.48 N, pressed in 5.8 mm". A single layer gives only the name. The
 /// forces are components along the total force and add up to the total.
-[[nodiscard]] QString layersText(const std::vector<LayerShare>& layers);
+[[nodiscard]] PALPATE_EXPORT QString layersText(const std::vector<LayerShare>& layers);
 /// Rich-text version of `layersText` with one line per layer and a mark in the structure's colour.
-[[nodiscard]] QString layersMarkup(const std::vector<LayerShare>& layers);
+[[nodiscard]] PALPATE_EXPORT QString layersMarkup(const std::vector<LayerShare>& layers);
 /// Converts layers to chart samples.
-[[nodiscard]] std::vector<LayerForce> layerForces(const std::vector<LayerShare>& layers);
+[[nodiscard]] PALPATE_EXPORT std::vector<LayerForce> layerForces(const std::vector<LayerShare>& layers);
 /// Adds the friction disc to the cursor: the region in which friction holds the god-object. Only for the outermost
 /// layer in contact with a face.
 /// @param tissue  tissue of the reported structure
-void showFriction(const servo::TickRecord& tick, const core::Tissue& tissue, view::TouchState& state);
+PALPATE_EXPORT void showFriction(const servo::TickRecord& tick, const core::Tissue& tissue, view::TouchState& state);
 /// Converts a tick to the cursor's state.
 /// @param f_W  force on the hand, world frame [N]
 /// @param tissue  tissue of the reported structure; null omits friction
-[[nodiscard]] view::TouchState touchState(const servo::TickRecord& tick, const core::Vec3& f_W, double fingertip_mm,
-                                          const std::vector<LayerShare>& layers, const core::Tissue* tissue);
+[[nodiscard]] PALPATE_EXPORT view::TouchState touchState(const servo::TickRecord& tick, const core::Vec3& f_W,
+                                                         double fingertip_mm, const std::vector<LayerShare>& layers,
+                                                         const core::Tissue* tissue);
 /// Adds the god-objects of the inner layers to the cursor.
-void showInner(const servo::TickRecord& tick, const std::vector<LayerShare>& layers, view::TouchState& state);
+PALPATE_EXPORT void showInner(const servo::TickRecord& tick, const std::vector<LayerShare>& layers,
+                              view::TouchState& state);
 
 } // namespace palpate::ui

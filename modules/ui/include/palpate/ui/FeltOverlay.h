@@ -6,6 +6,8 @@
 #include "palpate/ui/MapDisplay.h"
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
+
 #include <QObject>
 
 #include <vector>
@@ -13,7 +15,7 @@
 namespace palpate::ui {
 
 /// Draws the computed palpability of buried lumps (see LumpMaps) on the organs of the open scene.
-class FeltOverlay : public QObject
+class PALPATE_EXPORT FeltOverlay : public QObject
 {
     Q_OBJECT
   public:

@@ -3,6 +3,8 @@
 
 #include "palpate/ui/FeltOverlay.h"
 
+#include <palpate/core/Export.h>
+
 #include <QWidget>
 
 #include <optional>
@@ -20,7 +22,7 @@ namespace palpate::ui {
 /// hand detects the lump. Moves the camera to the best place and edits a lump's stiffness.
 ///
 /// @par Thread GUI thread only.
-class FeltPanel : public QWidget
+class PALPATE_EXPORT FeltPanel : public QWidget
 {
     Q_OBJECT
   public:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/buried/FeltSurface.h>
+#include <palpate/core/Export.h>
 #include <palpate/study/BuriedLumps.h>
 
 #include <QString>
@@ -11,27 +12,28 @@
 namespace palpate::ui {
 
 /// Change of response as text: "+8 %". @param ratio  k/k0 [1]
-[[nodiscard]] QString responseChangeText(double ratio);
+[[nodiscard]] PALPATE_EXPORT QString responseChangeText(double ratio);
 /// Translated verdict as printed by `palpate felt`: "not by hand".
-[[nodiscard]] QString verdictText(buried::Verdict verdict);
+[[nodiscard]] PALPATE_EXPORT QString verdictText(buried::Verdict verdict);
 /// Translated verdict with the underlying ratios, as in buried::verdictText.
-[[nodiscard]] QString verdictRangeText(const buried::FeltSurface::LumpPress& press,
-                                       const std::optional<buried::RatioRange>& ratio);
+[[nodiscard]] PALPATE_EXPORT QString verdictRangeText(const buried::FeltSurface::LumpPress& press,
+                                                      const std::optional<buried::RatioRange>& ratio);
 /// Translated verdict for the user's hand: "plainly felt", "felt by a trained hand".
-[[nodiscard]] QString verdictPhrase(buried::Verdict verdict);
+[[nodiscard]] PALPATE_EXPORT QString verdictPhrase(buried::Verdict verdict);
 /// Stiffness ratio with range: "4.4 (1 … 5.2)", or "unknown".
-[[nodiscard]] QString ratioRangeText(const std::optional<study::StiffnessRatio>& ratio);
+[[nodiscard]] PALPATE_EXPORT QString ratioRangeText(const std::optional<study::StiffnessRatio>& ratio);
 /// Translated name of a published ratio: "malignant tumour of the liver".
-[[nodiscard]] QString publishedName(const study::PublishedRatio& published);
+[[nodiscard]] PALPATE_EXPORT QString publishedName(const study::PublishedRatio& published);
 /// Colour-independent symbol of a verdict; a full disc stands for "plainly felt".
-[[nodiscard]] QString verdictSign(buried::Verdict verdict);
+[[nodiscard]] PALPATE_EXPORT QString verdictSign(buried::Verdict verdict);
 /// Source of a ratio: "from the tissues' stiffness".
-[[nodiscard]] QString ratioSourceText(study::RatioSource source);
+[[nodiscard]] PALPATE_EXPORT QString ratioSourceText(study::RatioSource source);
 
 /// Palpability at a place: "lump 12 mm: 6 mm below, +8 % (5 … 14 %): below what a trained hand tells; +17 % when
 /// pressed 4 mm". The part after the last semicolon is on a separate line.
 /// @param vertex  vertex of `felt.surface`
 /// @param press  index into `felt.press`
-[[nodiscard]] QString palpabilityText(const buried::FeltSurface& felt, std::size_t vertex, std::size_t press);
+[[nodiscard]] PALPATE_EXPORT QString palpabilityText(const buried::FeltSurface& felt, std::size_t vertex,
+                                                     std::size_t press);
 
 } // namespace palpate::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Finding.h>
 
 #include <QAbstractTableModel>
@@ -13,7 +14,7 @@ namespace palpate::ui {
 /// Editable table of the open scene's findings and notes. Every change can be undone.
 ///
 /// @par Thread GUI thread only.
-class FindingsModel : public QAbstractTableModel
+class PALPATE_EXPORT FindingsModel : public QAbstractTableModel
 {
     Q_OBJECT
   public:
@@ -73,10 +74,10 @@ class FindingsModel : public QAbstractTableModel
 };
 
 /// Location of a finding: "lump 20 mm in liver", with the structure and the surrounding organ.
-[[nodiscard]] QString whereText(const core::Finding& finding);
+[[nodiscard]] PALPATE_EXPORT QString whereText(const core::Finding& finding);
 /// Translated type name: "lump".
-[[nodiscard]] QString typeName(core::FindingType type);
+[[nodiscard]] PALPATE_EXPORT QString typeName(core::FindingType type);
 /// Symbol of a type, same shape as the marker in the view: "●".
-[[nodiscard]] QString typeSign(core::FindingType type);
+[[nodiscard]] PALPATE_EXPORT QString typeSign(core::FindingType type);
 
 } // namespace palpate::ui

@@ -3,6 +3,8 @@
 
 #include "palpate/ui/FindingsModel.h"
 
+#include <palpate/core/Export.h>
+
 #include <QPointer>
 #include <QWidget>
 
@@ -14,7 +16,7 @@ namespace palpate::ui {
 
 /// Table of findings and notes with an input line for notes. Keys: Enter moves the camera to the finding, Shift+Enter
 /// plays the recording from the time of the mark, F2 edits, Del deletes, Ctrl+C copies.
-class FindingsPanel : public QWidget
+class PALPATE_EXPORT FindingsPanel : public QWidget
 {
     Q_OBJECT
   public:

@@ -6,6 +6,8 @@
 #include "palpate/ui/StructurePanel.h"
 #include "palpate/ui/VtkViewport.h"
 
+#include <palpate/core/Export.h>
+
 #include <QObject>
 #include <QTimer>
 
@@ -16,7 +18,7 @@ namespace palpate::ui {
 
 /// Maps the device's workspace into the scene according to the panel's settings and follows the camera. The filled
 /// region is determined once, when requested; later changes of visibility or selection do not move the hand.
-class HandControl : public QObject
+class PALPATE_EXPORT HandControl : public QObject
 {
     Q_OBJECT
   public:

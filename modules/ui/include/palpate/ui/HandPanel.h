@@ -3,6 +3,7 @@
 
 #include "palpate/ui/HandSettings.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/device/HapticDevice.h>
 
 #include <QString>
@@ -35,7 +36,7 @@ struct HandStatus
 };
 
 /// Panel with the device's mapping into the scene and the stiffness range of the device.
-class HandPanel : public QWidget
+class PALPATE_EXPORT HandPanel : public QWidget
 {
     Q_OBJECT
   public:

@@ -3,6 +3,7 @@
 
 #include "palpate/ui/Effort.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/device/HapticDevice.h>
 #include <palpate/servo/WorkspaceMap.h>
 
@@ -41,7 +42,7 @@ enum class ButtonUse
 };
 
 /// Mapping settings of a device, saved per device id.
-struct HandSettings
+struct PALPATE_EXPORT HandSettings
 {
     static constexpr int kButtons = 4;
 
@@ -73,12 +74,12 @@ struct HandPlace
 };
 
 /// Box with the size of a lump around a place. [mm]
-[[nodiscard]] core::Box lumpAt(const core::Vec3& p_W);
+[[nodiscard]] PALPATE_EXPORT core::Box lumpAt(const core::Vec3& p_W);
 
 /// Computes the servo's workspace map. A margin around the filled region lets the hand approach from outside. Devices
 /// without a workspace (mouse, simulated hand) stay unmapped. Rate-controlled devices have no edge; their centre is
 /// placed in front of the region, so that a hand starting anywhere does not start inside the anatomy.
-[[nodiscard]] servo::MapSettings mapFor(const HandSettings& settings, const device::DeviceInfo& info,
-                                        const HandPlace& place);
+[[nodiscard]] PALPATE_EXPORT servo::MapSettings mapFor(const HandSettings& settings, const device::DeviceInfo& info,
+                                                       const HandPlace& place);
 
 } // namespace palpate::ui

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QLabel>
 
 namespace palpate::ui {
 
 /// Text of the status line. Elided at the end when space is short; a click opens the message list.
-class HintLine : public QLabel
+class PALPATE_EXPORT HintLine : public QLabel
 {
     Q_OBJECT
   public:

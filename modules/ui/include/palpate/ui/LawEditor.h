@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Tissue.h>
 
 #include <QWidget>
@@ -20,7 +21,7 @@ namespace palpate::ui {
 class LawPlot;
 
 /// Editor of a tissue's force law: kind, parameters and curve.
-class LawEditor : public QWidget
+class PALPATE_EXPORT LawEditor : public QWidget
 {
     Q_OBJECT
   public:

@@ -3,8 +3,9 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/device/PointerDevice.h>
-#include <palpate/study/LiveSession.h>
+#include <palpate/session/LiveSession.h>
 
 #include <QObject>
 #include <QTimer>
@@ -19,7 +20,7 @@ namespace palpate::ui {
 /// new scene to the servo loop after each change.
 ///
 /// @par Thread GUI thread only.
-class LiveTouch : public QObject
+class PALPATE_EXPORT LiveTouch : public QObject
 {
     Q_OBJECT
   public:
@@ -69,6 +70,9 @@ class LiveTouch : public QObject
     /// Sets rate and CPU of the loop. When a value changes, a running loop restarts while the device stays open. Fails
     /// while a recording runs, when `servo::checkCpu` rejects the CPU, or as `start`.
     core::Status setLoop(double rate_Hz, int cpu);
+    /// Sets whether the loop locks the memory of the whole program, from the next start; off by default. See
+    /// `servo::makeThreadRealtime`.
+    void setLocksMemory(bool locks) noexcept { m_options.lockMemory = locks; }
     /// Measured tick rate over the last half second. [Hz]
     [[nodiscard]] double measuredRate_Hz() const noexcept { return m_rate_Hz; }
     [[nodiscard]] servo::RealtimeReport realtime() const { return m_session.loop().realtime(); }
@@ -109,7 +113,7 @@ class LiveTouch : public QObject
     device::PointerDevice m_pointer;
     std::unique_ptr<device::HapticDevice> m_device; ///< null: the pointer
     device::DeviceInfo m_info;
-    study::LiveSession m_session;
+    session::LiveSession m_session;
     std::shared_ptr<const haptics::HapticScene> m_scene;
     QTimer m_meter;
     QTimer m_handOver; ///< coalesces the changes of one event into one new scene
@@ -119,7 +123,6 @@ class LiveTouch : public QObject
     std::int64_t m_measured_ns = 0;
     double m_rate_Hz = 0.0;
     int m_delayTicks = 1;
-    bool m_wasFaulted = false;
     servo::MapSettings m_map;
     servo::TickRecord m_newest;
     QString m_refused; ///< last message of `stiffnessRefused`

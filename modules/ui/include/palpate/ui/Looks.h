@@ -3,6 +3,8 @@
 
 #include "palpate/ui/ActionList.h"
 
+#include <palpate/core/Export.h>
+
 #include <QObject>
 
 namespace palpate::ui {
@@ -11,7 +13,7 @@ namespace palpate::ui {
 /// the system palette while the system theme is selected.
 ///
 /// @par Thread GUI thread only.
-class Looks : public QObject
+class PALPATE_EXPORT Looks : public QObject
 {
     Q_OBJECT
   public:

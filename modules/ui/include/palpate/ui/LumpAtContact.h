@@ -3,6 +3,8 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
+
 #include <optional>
 
 namespace palpate::ui {
@@ -15,14 +17,14 @@ struct LumpAtContact
 };
 
 /// Finds the lump that dominates the response at a place on an organ. Among several transmitted lumps this is the one
-/// with the largest share, which decreases with the fourth power of the distance (resources/docs/felt.md).
+/// with the largest share, which decreases with the fourth power of the distance (docs/felt.md).
 /// @param organRow  structure in contact
 /// @param p_WG  contact on the organ's surface [mm]
 /// @param depth_mm  penetration depth
 /// @return the lump; empty without a transmitted lump in the organ, or when the change is below 7 %, half of the
 /// detection threshold of a trained hand
 /// @par Cost O(vertices of the organ). Thread: GUI
-[[nodiscard]] std::optional<LumpAtContact> lumpAtContact(const StructureModel& model, int organRow,
-                                                         const core::Vec3& p_WG, double depth_mm);
+[[nodiscard]] PALPATE_EXPORT std::optional<LumpAtContact> lumpAtContact(const StructureModel& model, int organRow,
+                                                                        const core::Vec3& p_WG, double depth_mm);
 
 } // namespace palpate::ui

@@ -3,6 +3,7 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/study/FeltFile.h>
 
 #include <vtkPolyData.h>
@@ -34,7 +35,7 @@ using DisplayedOrgans = std::vector<std::shared_ptr<const DisplayedOrgan>>;
 /// ratio, contact radius or structures trigger a new computation. Nothing is computed until requested.
 ///
 /// @par Thread All functions and signals on the GUI thread.
-class LumpMaps : public QObject
+class PALPATE_EXPORT LumpMaps : public QObject
 {
     Q_OBJECT
   public:

@@ -3,6 +3,8 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
+
 #include <QObject>
 #include <QStringList>
 
@@ -25,15 +27,15 @@ struct SurfaceField
 
 /// Lists the available scalar fields: the resulting quantity of each map, then each array of the mesh. Values are not
 /// filled in.
-[[nodiscard]] std::vector<SurfaceField> surfaceFields(const meshio::LoadedStructure& structure);
+[[nodiscard]] PALPATE_EXPORT std::vector<SurfaceField> surfaceFields(const meshio::LoadedStructure& structure);
 /// Scalar field with values. @param felt  the structure in the haptic scene; values are clamped to the device's limit
-[[nodiscard]] SurfaceField surfaceFields(const meshio::LoadedStructure& structure, const QString& what,
-                                         const haptics::HapticStructure& felt);
+[[nodiscard]] PALPATE_EXPORT SurfaceField surfaceFields(const meshio::LoadedStructure& structure, const QString& what,
+                                                        const haptics::HapticStructure& felt);
 
 /// Colours one structure of the view by a scalar field with a legend and follows changes of the data.
 ///
 /// @par Thread GUI thread only.
-class MapDisplay : public QObject
+class PALPATE_EXPORT MapDisplay : public QObject
 {
     Q_OBJECT
   public:

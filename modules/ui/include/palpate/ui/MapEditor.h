@@ -3,6 +3,8 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
+
 #include <QWidget>
 
 #include <filesystem>
@@ -19,7 +21,7 @@ namespace palpate::ui {
 
 /// Editor of tissue maps: the mesh array or volume that varies a tissue parameter over the surface, and the scalar
 /// field that colours the structure.
-class MapEditor : public QWidget
+class PALPATE_EXPORT MapEditor : public QWidget
 {
     Q_OBJECT
   public:

@@ -3,6 +3,7 @@
 
 #include "palpate/ui/LiveTouch.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/study/MapEdges.h>
 
 #include <QObject>
@@ -21,7 +22,7 @@ namespace palpate::ui {
 /// shortly after the latest change of map, tissue or device.
 ///
 /// @par Thread All functions and signals on the GUI thread.
-class MapWarnings : public QObject
+class PALPATE_EXPORT MapWarnings : public QObject
 {
     Q_OBJECT
   public:

@@ -3,6 +3,8 @@
 
 #include "palpate/ui/Messages.h"
 
+#include <palpate/core/Export.h>
+
 #include <QFrame>
 
 #include <functional>
@@ -15,7 +17,7 @@ class QVBoxLayout;
 namespace palpate::ui {
 
 /// Single message over the view with icon, text and buttons.
-class MessageRow : public QFrame
+class PALPATE_EXPORT MessageRow : public QFrame
 {
     Q_OBJECT
   public:
@@ -43,7 +45,7 @@ class MessageRow : public QFrame
 /// messages are counted. Every message is also added to the message list and announced to screen readers.
 ///
 /// @par Thread GUI thread only.
-class MessageBar : public QWidget
+class PALPATE_EXPORT MessageBar : public QWidget
 {
     Q_OBJECT
   public:

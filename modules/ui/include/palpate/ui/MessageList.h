@@ -3,12 +3,14 @@
 
 #include "palpate/ui/Messages.h"
 
+#include <palpate/core/Export.h>
+
 #include <QListView>
 
 namespace palpate::ui {
 
 /// List view of all messages. Ctrl+C copies the selection, one message per line.
-class MessageList : public QListView
+class PALPATE_EXPORT MessageList : public QListView
 {
     Q_OBJECT
   public:

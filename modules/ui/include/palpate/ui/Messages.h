@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QAbstractListModel>
 #include <QIcon>
 #include <QTime>
@@ -13,7 +15,7 @@ namespace palpate::ui {
 /// `kMost`.
 ///
 /// @par Thread GUI thread only.
-class Messages : public QAbstractListModel
+class PALPATE_EXPORT Messages : public QAbstractListModel
 {
     Q_OBJECT
   public:

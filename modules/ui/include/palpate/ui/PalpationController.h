@@ -7,6 +7,8 @@
 #include "palpate/ui/TouchPanel.h"
 #include "palpate/ui/VtkViewport.h"
 
+#include <palpate/core/Export.h>
+
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
@@ -16,7 +18,7 @@ namespace palpate::ui {
 /// Uses the pointer as a haptic device: view → PointerHand → device, newest servo tick → cursor and readings. Active
 /// only while the pointer is over the view or another device is in use. The keyboard offers the same functions; a
 /// crosshair then marks the hand until the pointer takes over.
-class PalpationController : public QObject
+class PALPATE_EXPORT PalpationController : public QObject
 {
     Q_OBJECT
   public:

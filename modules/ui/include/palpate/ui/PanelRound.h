@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QDockWidget>
 #include <QPointer>
 #include <QWidget>
@@ -11,7 +13,7 @@ namespace palpate::ui {
 
 /// Focus navigation with F6 and Shift+F6. Moves the keyboard focus between the parts of the window and restores the
 /// last focus widget of each part. A tabbed panel is raised while focused.
-class PanelRound
+class PALPATE_EXPORT PanelRound
 {
   public:
     /// Appends a part.
@@ -31,7 +33,7 @@ class PanelRound
 };
 
 /// Frame around a widget that becomes visible with the keyboard focus.
-class FocusFrame : public QWidget
+class PALPATE_EXPORT FocusFrame : public QWidget
 {
     Q_OBJECT
   public:

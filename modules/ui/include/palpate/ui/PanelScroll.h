@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QScrollArea>
 
 namespace palpate::ui {
 
 /// Scroll area of a panel, so that no panel enlarges the window beyond the screen.
-class PanelScroll : public QScrollArea
+class PALPATE_EXPORT PanelScroll : public QScrollArea
 {
     Q_OBJECT
   public:

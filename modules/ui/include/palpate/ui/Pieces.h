@@ -4,6 +4,8 @@
 #include "palpate/ui/MessageBar.h"
 #include "palpate/ui/Theme.h"
 
+#include <palpate/core/Export.h>
+
 #include <QFrame>
 #include <QLabel>
 #include <QPointer>
@@ -18,7 +20,7 @@ namespace palpate::ui {
 class ActionList;
 
 /// Short fact in a rounded frame: "mouse", "1.00 kHz". The short form omits the text after the first comma.
-class Chip : public QLabel
+class PALPATE_EXPORT Chip : public QLabel
 {
     Q_OBJECT
   public:
@@ -58,7 +60,7 @@ class Chip : public QLabel
 };
 
 /// Start page of an empty view: open a file, try the phantom, recent scenes.
-class WelcomePage : public QWidget
+class PALPATE_EXPORT WelcomePage : public QWidget
 {
     Q_OBJECT
   public:
@@ -84,7 +86,7 @@ class WelcomePage : public QWidget
 
 /// Key card: all shortcuts on one card over the window. Arrow keys and wheel scroll a card that is too high; any other
 /// key or a click closes the card.
-class KeysCard : public QFrame
+class PALPATE_EXPORT KeysCard : public QFrame
 {
     Q_OBJECT
   public:

@@ -7,6 +7,8 @@
 #include "palpate/ui/TouchPanel.h"
 #include "palpate/ui/VtkViewport.h"
 
+#include <palpate/core/Export.h>
+
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
@@ -16,7 +18,7 @@
 namespace palpate::ui {
 
 /// Plays an open recording in the view. Shows the recorded ticks without recomputing contacts or forces.
-class Playback : public QObject
+class PALPATE_EXPORT Playback : public QObject
 {
     Q_OBJECT
   public:

@@ -4,6 +4,8 @@
 #include "palpate/ui/MapDisplay.h"
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
+
 #include <QObject>
 #include <QPointF>
 #include <QTimer>
@@ -22,7 +24,7 @@ class VtkViewport;
 /// and reports clicks. Includes structures that are not palpable.
 ///
 /// @par Thread GUI thread only.
-class PointedStructure : public QObject
+class PALPATE_EXPORT PointedStructure : public QObject
 {
     Q_OBJECT
   public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Types.h>
 #include <palpate/device/PointerDevice.h>
 
@@ -26,7 +27,7 @@ struct PointerHandSettings
 
 /// Returns settings scaled to the scene, so that a vessel and a whole body are pressed by a similar fraction of their
 /// size. The default depth of 4 mm applies from 200 mm on. A press can reach through the whole scene.
-[[nodiscard]] PointerHandSettings settingsForSize(double diagonal_mm);
+[[nodiscard]] PALPATE_EXPORT PointerHandSettings settingsForSize(double diagonal_mm);
 
 /// Converts pointer motion over a surface into motion of a hand: hovering above the picked point, pressing along the
 /// line of sight to the set depth, sliding on drag, lifting off on release. The device performs the motion tick by
@@ -43,7 +44,7 @@ struct PointerHandSettings
 /// hand.press();
 /// device::PointerState state = hand.state(0.1); // time in s
 /// @endcode
-class PointerHand
+class PALPATE_EXPORT PointerHand
 {
   public:
     enum class Phase

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/device/HapticDevice.h>
 
 #include <QObject>
@@ -14,7 +15,7 @@ namespace palpate::ui {
 
 /// Polls a rate-controlled input device, such as a 6-axis mouse, at display rate. Used for devices that are not the
 /// haptic device. At the end of the range the device is recentred, so that motion continues.
-class PuckReader : public QObject
+class PALPATE_EXPORT PuckReader : public QObject
 {
     Q_OBJECT
   public:
@@ -42,11 +43,12 @@ class PuckReader : public QObject
 /// Moves a camera as if the anatomy followed the motion of a hand: x right, y away from the viewer, z up on the screen.
 /// Translations scale with the camera's distance.
 /// @param from,to  hand poses before and after
-void moveWithHand(vtkCamera& camera, const device::DeviceState& from, const device::DeviceState& to);
+PALPATE_EXPORT void moveWithHand(vtkCamera& camera, const device::DeviceState& from, const device::DeviceState& to);
 
 /// Push strength of a 6-axis mouse: downward speed divided by 60 mm/s, the plugin's default at full deflection. Values
 /// below 0.02 count as rest.
 /// @return 0 to 1; 0 without a measurement
-[[nodiscard]] double pushOf(const device::DeviceState& from, const device::DeviceState& to, double passed_s) noexcept;
+[[nodiscard]] PALPATE_EXPORT double pushOf(const device::DeviceState& from, const device::DeviceState& to,
+                                           double passed_s) noexcept;
 
 } // namespace palpate::ui

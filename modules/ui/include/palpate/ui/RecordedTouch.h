@@ -3,6 +3,7 @@
 
 #include "palpate/ui/FeltLayers.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Finding.h>
 #include <palpate/session/RecordingReader.h>
 
@@ -19,7 +20,7 @@
 namespace palpate::ui {
 
 /// Opened recording with random access to ticks and an overview of the force for the timeline.
-class RecordedTouch : public QObject
+class PALPATE_EXPORT RecordedTouch : public QObject
 {
     Q_OBJECT
   public:
@@ -67,6 +68,6 @@ class RecordedTouch : public QObject
 };
 
 /// One-line message about the number of damaged places of a recording; empty for 0 places.
-[[nodiscard]] QString damageText(const std::filesystem::path& recording, std::size_t places);
+[[nodiscard]] PALPATE_EXPORT QString damageText(const std::filesystem::path& recording, std::size_t places);
 
 } // namespace palpate::ui

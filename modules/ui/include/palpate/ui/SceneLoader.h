@@ -3,6 +3,7 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/study/Layers.h>
 
 #include <QObject>
@@ -18,7 +19,7 @@
 namespace palpate::ui {
 
 /// Content of newly opened files for the window.
-struct OpenedScene
+struct PALPATE_EXPORT OpenedScene
 {
     std::vector<std::filesystem::path> files; ///< files that were opened
     meshio::SceneFile scene;
@@ -45,7 +46,7 @@ struct OpenSurface
 /// Opens files on a worker thread: reading, repair, display meshes and haptic copies. The window never blocks.
 ///
 /// @par Thread All functions and signals on the GUI thread.
-class SceneLoader : public QObject
+class PALPATE_EXPORT SceneLoader : public QObject
 {
     Q_OBJECT
   public:

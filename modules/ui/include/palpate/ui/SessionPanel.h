@@ -4,6 +4,8 @@
 #include "palpate/ui/AccessibleReadout.h"
 #include "palpate/ui/Transport.h"
 
+#include <palpate/core/Export.h>
+
 #include <QWidget>
 
 #include <utility>
@@ -19,7 +21,7 @@ namespace palpate::ui {
 
 /// Force waveform of the whole recording with a draggable playhead. Screen readers hear the position and the greatest
 /// force there.
-class ForceTimeline : public QWidget, public AccessibleReadout
+class PALPATE_EXPORT ForceTimeline : public QWidget, public AccessibleReadout
 {
     Q_OBJECT
   public:
@@ -60,7 +62,7 @@ class ForceTimeline : public QWidget, public AccessibleReadout
 };
 
 /// Panel of the current recording: transport, timeline, speed.
-class SessionPanel : public QWidget
+class PALPATE_EXPORT SessionPanel : public QWidget
 {
     Q_OBJECT
   public:
@@ -89,9 +91,9 @@ class SessionPanel : public QWidget
 };
 
 /// Rounded time: "01:02.3" for 62.3 s.
-[[nodiscard]] QString clockText(double seconds);
+[[nodiscard]] PALPATE_EXPORT QString clockText(double seconds);
 /// Loss summary: "109 late, 0 lost". @param late  ticks skipped by the servo loop
 /// @param lost  ticks lost because the disk was too slow
-[[nodiscard]] QString lossesText(qulonglong late, qulonglong lost);
+[[nodiscard]] PALPATE_EXPORT QString lossesText(qulonglong late, qulonglong lost);
 
 } // namespace palpate::ui

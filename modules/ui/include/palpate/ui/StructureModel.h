@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/meshio/LoadScene.h>
@@ -28,7 +29,7 @@ struct StructureRow : study::OpenStructure
 /// study::OpenScene, which view, haptics, panels and files share.
 ///
 /// @par Thread GUI thread only.
-class StructureModel : public QAbstractTableModel
+class PALPATE_EXPORT StructureModel : public QAbstractTableModel
 {
     Q_OBJECT
   public:
@@ -183,8 +184,8 @@ class StructureModel : public QAbstractTableModel
 };
 
 /// Display colour of a structure.
-[[nodiscard]] QColor colourOf(const meshio::SceneStructure& structure);
+[[nodiscard]] PALPATE_EXPORT QColor colourOf(const meshio::SceneStructure& structure);
 /// Readable name: "VH_F_liver_capsule" and "liver_capsule" become "liver capsule".
-[[nodiscard]] QString readableName(const std::string& name);
+[[nodiscard]] PALPATE_EXPORT QString readableName(const std::string& name);
 
 } // namespace palpate::ui

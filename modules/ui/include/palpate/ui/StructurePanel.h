@@ -5,6 +5,8 @@
 #include "palpate/ui/TissuePresets.h"
 #include "palpate/ui/TouchMode.h"
 
+#include <palpate/core/Export.h>
+
 #include <QWidget>
 
 #include <array>
@@ -28,7 +30,7 @@ struct TouchReading;
 
 /// Structure list with an editor for appearance and touch of the selection. An edit applies to all selected structures
 /// as one undo step.
-class StructurePanel : public QWidget
+class PALPATE_EXPORT StructurePanel : public QWidget
 {
     Q_OBJECT
   public:

@@ -3,6 +3,8 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
+
 #include <QAbstractItemModel>
 #include <QString>
 
@@ -12,7 +14,7 @@ namespace palpate::ui {
 
 /// Sorted, grouped and filtered tree of the scene's structures for the list. The columns are those of StructureModel;
 /// removed structures are omitted.
-class StructureTree : public QAbstractItemModel
+class PALPATE_EXPORT StructureTree : public QAbstractItemModel
 {
     Q_OBJECT
   public:

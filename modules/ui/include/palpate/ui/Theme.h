@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QColor>
 #include <QIcon>
 
@@ -22,42 +24,42 @@ enum class Theme
 /// system palette is dark.
 ///
 /// @par Thread GUI thread only.
-void applyTheme(Theme theme);
+PALPATE_EXPORT void applyTheme(Theme theme);
 
 /// Checks whether the application palette was changed externally after `applyTheme`. An external palette is taken as
 /// the system palette, and its brightness is recorded.
 /// @param mustAsk  fetches the system palette after a system change; the theme is lost until the next `applyTheme`
 /// @return true when `applyTheme` must be called again
-[[nodiscard]] bool noteSystemPalette(bool mustAsk);
+[[nodiscard]] PALPATE_EXPORT bool noteSystemPalette(bool mustAsk);
 
 /// Sets the text size of the application; 100: system size. [%]
-void applyTextSize(int percent);
+PALPATE_EXPORT void applyTextSize(int percent);
 /// Current text size. [%]
-[[nodiscard]] int textSize_percent();
+[[nodiscard]] PALPATE_EXPORT int textSize_percent();
 /// Scales a dimension with the text size, e.g. the size of an icon next to text.
 /// @param usual_px  size at 100 %
-[[nodiscard]] int withText_px(int usual_px);
+[[nodiscard]] PALPATE_EXPORT int withText_px(int usual_px);
 
 /// Keeps a widget's font at a fixed ratio to the parent's font, also after changes.
 /// @param weight  QFont::Weight
-void keepFont(QWidget& widget, double ratio, int weight);
+PALPATE_EXPORT void keepFont(QWidget& widget, double ratio, int weight);
 
 /// Scales the icons of a button, list or tool bar with the text size. @param usual_px  size at 100 %
-void keepIconSize(QWidget& widget, int usual_px);
+PALPATE_EXPORT void keepIconSize(QWidget& widget, int usual_px);
 
 /// True for a dark palette.
-[[nodiscard]] bool isDarkTheme();
+[[nodiscard]] PALPATE_EXPORT bool isDarkTheme();
 /// True for a high-contrast palette.
-[[nodiscard]] bool isHighContrast();
+[[nodiscard]] PALPATE_EXPORT bool isHighContrast();
 
 /// Semantic colours with a contrast of 4.5 : 1 or more on the window background, 7 : 1 in high contrast. The palette
 /// provides the warning colour as QPalette::BrightText, so that labels follow theme changes by role.
-[[nodiscard]] QColor forceColour();   ///< force curves
-[[nodiscard]] QColor depthColour();   ///< depth curves
-[[nodiscard]] QColor goodColour();    ///< normal state
-[[nodiscard]] QColor warningColour(); ///< warning
-[[nodiscard]] QColor recordColour();  ///< recording is running
-[[nodiscard]] QColor mutedColour();   ///< units and secondary text
+[[nodiscard]] PALPATE_EXPORT QColor forceColour();   ///< force curves
+[[nodiscard]] PALPATE_EXPORT QColor depthColour();   ///< depth curves
+[[nodiscard]] PALPATE_EXPORT QColor goodColour();    ///< normal state
+[[nodiscard]] PALPATE_EXPORT QColor warningColour(); ///< warning
+[[nodiscard]] PALPATE_EXPORT QColor recordColour();  ///< recording is running
+[[nodiscard]] PALPATE_EXPORT QColor mutedColour();   ///< units and secondary text
 
 /// Icons for buttons, drawn in the palette's text colour at any size.
 enum class Symbol
@@ -83,6 +85,6 @@ enum class Symbol
     Redo,
     Keys
 };
-[[nodiscard]] QIcon icon(Symbol symbol);
+[[nodiscard]] PALPATE_EXPORT QIcon icon(Symbol symbol);
 
 } // namespace palpate::ui

@@ -3,6 +3,7 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/study/Layers.h>
 
 #include <vector>
@@ -16,7 +17,7 @@ namespace palpate::ui {
 /// @param layering  containment by row; apparent containment in open meshes counts
 /// @param first  rows before this one are unchanged
 /// @return the changed descriptions
-[[nodiscard]] std::vector<StructureModel::Edited> tissueByName(const StructureModel& model,
-                                                               const study::Layering& layering, int first);
+[[nodiscard]] PALPATE_EXPORT std::vector<StructureModel::Edited>
+tissueByName(const StructureModel& model, const study::Layering& layering, int first);
 
 } // namespace palpate::ui

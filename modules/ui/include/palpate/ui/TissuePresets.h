@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Tissue.h>
 
 #include <vector>
@@ -14,11 +15,11 @@ struct TissuePreset
     const char* source; ///< source of the numbers, for the user
     core::Tissue tissue;
 };
-[[nodiscard]] const std::vector<TissuePreset>& tissuePresets();
+[[nodiscard]] PALPATE_EXPORT const std::vector<TissuePreset>& tissuePresets();
 /// Index of the preset that matches a tissue apart from friction; -1: no match.
-[[nodiscard]] int presetOf(const core::Tissue& tissue);
+[[nodiscard]] PALPATE_EXPORT int presetOf(const core::Tissue& tissue);
 /// Applies a preset and keeps the friction of `tissue`.
-[[nodiscard]] core::Tissue withPreset(core::Tissue tissue, const TissuePreset& preset);
+[[nodiscard]] PALPATE_EXPORT core::Tissue withPreset(core::Tissue tissue, const TissuePreset& preset);
 
 /// Named friction coefficient between surface and fingertip.
 struct FrictionPreset
@@ -26,8 +27,8 @@ struct FrictionPreset
     const char* name;
     double coefficient; ///< static and dynamic
 };
-[[nodiscard]] const std::vector<FrictionPreset>& frictionPresets();
+[[nodiscard]] PALPATE_EXPORT const std::vector<FrictionPreset>& frictionPresets();
 /// Index of the preset that matches a tissue's friction; -1: no match.
-[[nodiscard]] int frictionPresetOf(const core::Tissue& tissue);
+[[nodiscard]] PALPATE_EXPORT int frictionPresetOf(const core::Tissue& tissue);
 
 } // namespace palpate::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QObject>
 
 class QToolBar;
@@ -10,7 +12,7 @@ namespace palpate::ui {
 
 /// Hides the button texts of a narrow tool bar, last button first. Otherwise Qt would move widgets at the end of the
 /// bar, such as the chips, into the extension menu.
-class ToolTexts : public QObject
+class PALPATE_EXPORT ToolTexts : public QObject
 {
   public:
     /// @param bar  owner of this object; buttons that show text must have both icon and text

@@ -4,6 +4,8 @@
 #include "palpate/ui/AccessibleReadout.h"
 #include "palpate/ui/TouchHistory.h"
 
+#include <palpate/core/Export.h>
+
 #include <QPainterPath>
 #include <QWidget>
 
@@ -13,7 +15,7 @@ namespace palpate::ui {
 /// the area below the force is divided into the layers' components in the structures' colours, outermost at the bottom,
 /// inner layers hatched. A dotted line shows the tangential (friction) component. Screen readers hear the newest
 /// values.
-class TouchChart : public QWidget, public AccessibleReadout
+class PALPATE_EXPORT TouchChart : public QWidget, public AccessibleReadout
 {
     Q_OBJECT
   public:
@@ -35,7 +37,7 @@ class TouchChart : public QWidget, public AccessibleReadout
 };
 
 /// Bar from 0 to the device's force limit in the colours of the cursor sphere in the view.
-class ForceBar : public QWidget, public AccessibleReadout
+class PALPATE_EXPORT ForceBar : public QWidget, public AccessibleReadout
 {
     Q_OBJECT
   public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QColor>
 
 #include <deque>
@@ -26,7 +28,7 @@ struct TouchSample
 };
 
 /// Force and depth samples of the last `kLength_s` seconds.
-class TouchHistory
+class PALPATE_EXPORT TouchHistory
 {
   public:
     static constexpr double kLength_s = 10.0;
@@ -47,6 +49,6 @@ class TouchHistory
 };
 
 /// Upper end of an axis: the smallest 1, 2 or 5 times a power of ten at or above `value`; 1 for zero or less.
-[[nodiscard]] double axisTop(double value);
+[[nodiscard]] PALPATE_EXPORT double axisTop(double value);
 
 } // namespace palpate::ui

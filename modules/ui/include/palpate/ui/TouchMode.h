@@ -3,6 +3,8 @@
 
 #include "palpate/ui/StructureModel.h"
 
+#include <palpate/core/Export.h>
+
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -20,10 +22,10 @@ struct TouchMode
 /// Applies touch modes as one undo step, or does nothing when they already apply. Other transmitted lumps keep their
 /// mode. A structure without a surrounding organ keeps its layer.
 /// @param text  label of the undo step, "Feel below"
-void feel(StructureModel& model, const std::vector<TouchMode>& ways, const QString& text);
+PALPATE_EXPORT void feel(StructureModel& model, const std::vector<TouchMode>& ways, const QString& text);
 
 /// Organ through which a structure can be felt, or empty. Both meshes must be closed, and the organ's name must be
 /// unique because a scene file refers to organs by name.
-[[nodiscard]] std::optional<int> transmittingOrgan(const StructureModel& model, int row);
+[[nodiscard]] PALPATE_EXPORT std::optional<int> transmittingOrgan(const StructureModel& model, int row);
 
 } // namespace palpate::ui

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/ui/FeltLayers.h"
 #include "palpate/ui/TouchHistory.h"
+#include "palpate/ui/TouchReading.h"
+
+#include <palpate/core/Export.h>
 
 #include <QString>
 #include <QWidget>
 
 #include <optional>
-#include <vector>
 
 class QLabel;
 
@@ -16,23 +17,6 @@ namespace palpate::ui {
 
 class ForceBar;
 class TouchChart;
-
-/// One moment of touch for the panel.
-struct TouchReading
-{
-    double time_s = 0.0;
-    double force_N = 0.0; ///< force on the hand; model force for devices without motors
-    double depth_mm = 0.0;
-    QString structure;                ///< structure of the outermost layer; empty in free space
-    double stiffness_N_per_mm = 0.0;  ///< all layers in contact together; a healthy liver: about 0.1
-    double stiffnessRatio = 1.0;      ///< relative to the tissue of the outermost layer alone [1]
-    int constraints = 0;              ///< active constraints of the outermost layer, for the engineering panel
-    bool isSlidOff = false;           ///< pressing, but the surface has slid aside
-    bool isAtIterationLimit = false;  ///< the solver stopped at the iteration limit; the force lags
-    std::vector<LayerShare> layers{}; ///< outermost first
-    QString lump{};                   ///< lump felt through `structure` here; empty: no lump
-    double lumpRatio = 1.0;           ///< local stiffness relative to the organ without the lump [1]
-};
 
 /// Innermost structure under the hand: the innermost layer, with a transmitted lump before the organ.
 struct PalpatedStructure
@@ -42,12 +26,12 @@ struct PalpatedStructure
     double depth_mm = 0.0;
     std::optional<double> stiffnessRatio{}; ///< of a transmitted lump
 };
-[[nodiscard]] PalpatedStructure palpatedStructure(const TouchReading& reading);
+[[nodiscard]] PALPATE_EXPORT PalpatedStructure palpatedStructure(const TouchReading& reading);
 /// Location: "lump 20 mm in liver".
-[[nodiscard]] QString whereText(const PalpatedStructure& felt);
+[[nodiscard]] PALPATE_EXPORT QString whereText(const PalpatedStructure& felt);
 
 /// Current touch in digits that are readable at arm's length, with the chart of the last ten seconds.
-class TouchPanel : public QWidget
+class PALPATE_EXPORT TouchPanel : public QWidget
 {
     Q_OBJECT
   public:
@@ -90,12 +74,12 @@ class TouchPanel : public QWidget
 };
 
 /// Force with three significant digits: "2.31", "12.3", "123".
-[[nodiscard]] QString forceText(double force_N);
+[[nodiscard]] PALPATE_EXPORT QString forceText(double force_N);
 /// Depth with more digits for small values: "4.6". [mm]
-[[nodiscard]] QString depthText(double depth_mm);
+[[nodiscard]] PALPATE_EXPORT QString depthText(double depth_mm);
 /// Text for screen readers: "2.31 N, 4.6 mm deep".
-[[nodiscard]] QString touchText(const TouchReading& reading);
+[[nodiscard]] PALPATE_EXPORT QString touchText(const TouchReading& reading);
 /// Detail line without the structure's name: "4.6 mm deep · 0.50 N/mm".
-[[nodiscard]] QString detailText(const TouchReading& reading);
+[[nodiscard]] PALPATE_EXPORT QString detailText(const TouchReading& reading);
 
 } // namespace palpate::ui

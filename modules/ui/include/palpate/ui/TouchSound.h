@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QObject>
 #include <QString>
 
@@ -11,7 +13,7 @@ namespace palpate::ui {
 /// Sonification of touch: pitch for stiffness, loudness for force (see TouchTone). Off by default.
 ///
 /// @par Thread GUI thread; samples are generated on a separate thread.
-class TouchSound : public QObject
+class PALPATE_EXPORT TouchSound : public QObject
 {
     Q_OBJECT
   public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <atomic>
 #include <span>
 
@@ -9,9 +11,9 @@ namespace palpate::ui {
 /// Pitch of a stiffness ratio: 220 Hz for the unmodified tissue, one semitone up per just noticeable difference of 7 %
 /// in stiffness, down for softer places. Clamped to 55 … 3520 Hz, a well audible range.
 /// @param ratio  k/k0 [1]
-[[nodiscard]] double pitch_Hz(double ratio) noexcept;
+[[nodiscard]] PALPATE_EXPORT double pitch_Hz(double ratio) noexcept;
 /// Loudness of a force, proportional up to 0.6 of full scale at the limit; 0 in free space.
-[[nodiscard]] double loudness(double force_N, double limit_N) noexcept;
+[[nodiscard]] PALPATE_EXPORT double loudness(double force_N, double limit_N) noexcept;
 
 /// Sine generator with click-free changes of pitch and loudness. The timbre is constant, because a change of timbre can
 /// make stiff places seem soft.
@@ -25,7 +27,7 @@ namespace palpate::ui {
 /// std::array<float, 441> samples{};
 /// tone.fill(samples); // 10 ms
 /// @endcode
-class TouchTone
+class PALPATE_EXPORT TouchTone
 {
   public:
     static constexpr int kRate_Hz = 44100;

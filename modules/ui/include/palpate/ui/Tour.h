@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QFrame>
 #include <QPointer>
 #include <QRect>
@@ -16,7 +18,7 @@ namespace palpate::ui {
 /// The window stays usable.
 ///
 /// @par Thread GUI thread only.
-class Tour : public QFrame
+class PALPATE_EXPORT Tour : public QFrame
 {
     Q_OBJECT
   public:

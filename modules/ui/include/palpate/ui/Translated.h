@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Message.h>
 
 #include <QString>
@@ -12,6 +13,6 @@ namespace palpate::ui {
 /// the result equals `message.english()`.
 ///
 /// @par Thread Any thread except the servo thread.
-[[nodiscard]] QString translated(const core::Message& message);
+[[nodiscard]] PALPATE_EXPORT QString translated(const core::Message& message);
 
 } // namespace palpate::ui

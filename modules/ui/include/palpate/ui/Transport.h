@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 namespace palpate::ui {
 
 /// Playback state of a recording: position, play, pause, seek, speed. The caller provides the time.
@@ -13,7 +15,7 @@ namespace palpate::ui {
 /// transport.play();
 /// transport.advance(2.0); // position is 1 s
 /// @endcode
-class Transport
+class PALPATE_EXPORT Transport
 {
   public:
     /// Rewinds and pauses. @param duration_s  >= 0

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QWidget>
 
 namespace palpate::ui {
@@ -8,7 +10,7 @@ namespace palpate::ui {
 /// Event filter for typing in lists. In a list, letters search for entries instead of triggering single-letter
 /// commands. Home and End move to the ends of lists, sliders and selectable texts, as in text fields. Elsewhere
 /// letters, Home and End remain commands of the window.
-class TypeAhead : public QObject
+class PALPATE_EXPORT TypeAhead : public QObject
 {
     Q_OBJECT
   public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QObject>
 
 class QKeyEvent;
@@ -15,7 +17,7 @@ class VtkViewport;
 /// Ctrl+arrows move the hand, Enter presses or releases, Page Up and Page Down set the depth.
 ///
 /// @par Thread GUI thread only.
-class ViewKeys : public QObject
+class PALPATE_EXPORT ViewKeys : public QObject
 {
     Q_OBJECT
   public:

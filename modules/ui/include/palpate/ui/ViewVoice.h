@@ -3,6 +3,8 @@
 
 #include "palpate/ui/RateLimiter.h"
 
+#include <palpate/core/Export.h>
+
 #include <QObject>
 #include <QWidget>
 
@@ -14,7 +16,7 @@ class TouchPanel;
 /// 2.31 N, 4.6 mm deep", updated at most twice a second.
 ///
 /// @par Thread GUI thread only.
-class ViewVoice : public QObject
+class PALPATE_EXPORT ViewVoice : public QObject
 {
     Q_OBJECT
   public:

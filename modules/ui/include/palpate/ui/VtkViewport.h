@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/view/SceneView.h>
 
 #include <QOpenGLWidget>
@@ -20,7 +21,7 @@ namespace palpate::ui {
 /// Draws on request (`update()`) and on camera motion, without a continuous render loop. Ambient occlusion is enabled
 /// when the first frames show a sufficiently fast graphics card. On slow systems the sorting of translucent folds is
 /// delayed until the picture is still; colours are the same in motion.
-class VtkViewport : public QOpenGLWidget
+class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
 {
     Q_OBJECT
   public:

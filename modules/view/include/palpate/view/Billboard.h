@@ -4,6 +4,7 @@
 #include "palpate/view/ColourMap.h"
 #include "palpate/view/TextStyle.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Types.h>
 
 #include <vtkActor.h>
@@ -18,7 +19,7 @@ using core::Vec3;
 inline constexpr Colour kDarkRim{0.07, 0.08, 0.10};
 
 /// View parameters for shapes of constant size on screen: camera axes and the size of a pixel at each depth.
-struct ViewFrame
+struct PALPATE_EXPORT ViewFrame
 {
     Vec3 eye_W = Vec3::Zero();
     Vec3 right_W = Vec3::UnitX();
@@ -44,14 +45,14 @@ struct ViewFrame
 
 /// Turns an unlit flat shape to face the viewer at `p_W`. The shape is modelled in pixels: x right, y up, z to the
 /// viewer.
-void placeBillboard(vtkActor& actor, const Vec3& p_W, const ViewFrame& frame);
+PALPATE_EXPORT void placeBillboard(vtkActor& actor, const Vec3& p_W, const ViewFrame& frame);
 
 /// Makes a flat ring for `placeBillboard`. @param lift_px  offset towards the viewer, which orders rings at one point
-[[nodiscard]] vtkSmartPointer<vtkActor> makeRing(double inner_px, double outer_px, const Colour& colour,
-                                                 double lift_px);
+[[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkActor> makeRing(double inner_px, double outer_px, const Colour& colour,
+                                                                double lift_px);
 
 /// Straight line of constant width on screen that faces the viewer.
-class BillboardLine
+class PALPATE_EXPORT BillboardLine
 {
   public:
     BillboardLine(double width_px, const Colour& colour);
@@ -64,7 +65,7 @@ class BillboardLine
 };
 
 /// Circle of constant line width on screen and variable radius that faces the viewer.
-class BillboardCircle
+class PALPATE_EXPORT BillboardCircle
 {
   public:
     BillboardCircle(double width_px, const Colour& colour);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Types.h>
 
 #include <vtkCamera.h>
@@ -22,15 +23,15 @@ enum class ViewFrom
 /// Points the camera at `bounds` from direction `from` and fits all of `bounds` into the view. The patient's head is
 /// up; when seen from the head or the feet, the patient's front is up.
 /// @param aspect  width over height of the view, > 0
-void lookFrom(vtkCamera& camera, ViewFrom from, const core::Box& bounds, double aspect);
+PALPATE_EXPORT void lookFrom(vtkCamera& camera, ViewFrom from, const core::Box& bounds, double aspect);
 
 /// Moves the camera along its viewing direction until all of `bounds` is in view.
-void fit(vtkCamera& camera, const core::Box& bounds, double aspect);
+PALPATE_EXPORT void fit(vtkCamera& camera, const core::Box& bounds, double aspect);
 
 /// Orbits the camera around its focal point. @param right_deg, up_deg  motion of the viewer
-void turn(vtkCamera& camera, double right_deg, double up_deg);
+PALPATE_EXPORT void turn(vtkCamera& camera, double right_deg, double up_deg);
 
 /// Pans the camera parallel to the screen. @param right, up  motion of the viewer, in view heights at the focal point
-void shift(vtkCamera& camera, double right, double up);
+PALPATE_EXPORT void shift(vtkCamera& camera, double right, double up);
 
 } // namespace palpate::view

@@ -4,6 +4,8 @@
 #include "palpate/view/Billboard.h"
 #include "palpate/view/SurfaceColours.h"
 
+#include <palpate/core/Export.h>
+
 #include <Eigen/Geometry>
 
 #include <vtkActor2D.h>
@@ -19,7 +21,7 @@ namespace palpate::view {
 
 /// Colour legend of a structure: a colour bar at the left of the view with title, unit and numbers. A legend with
 /// marks is wider and is placed in the corner where it hides less tissue.
-class ColourLegend
+class PALPATE_EXPORT ColourLegend
 {
   public:
     /// Labelled value beside the bar, for example a threshold.

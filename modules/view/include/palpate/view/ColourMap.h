@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <array>
 
 namespace palpate::view {
@@ -12,6 +14,6 @@ using Colour = std::array<double, 3>;
 /// blindness.
 /// @param t  0 to 1, clamped; from dark blue to yellow with uniformly increasing lightness
 /// @par Source Nuñez, Anderton, Renslow 2018, doi:10.1371/journal.pone.0199239
-[[nodiscard]] Colour cividis(double t) noexcept;
+[[nodiscard]] PALPATE_EXPORT Colour cividis(double t) noexcept;
 
 } // namespace palpate::view

@@ -4,6 +4,8 @@
 #include "palpate/view/Billboard.h"
 #include "palpate/view/TouchCursor.h"
 
+#include <palpate/core/Export.h>
+
 #include <vtkActor.h>
 
 namespace palpate::view {
@@ -20,7 +22,7 @@ namespace palpate::view {
 /// On the surface, u = d c / sqrt(r² + c²) along e, without a tangential component. c = a / pi. Linear elasticity
 /// folds the tissue below the surface when d > 27/8 c. From d = 3 c on, z in u is therefore multiplied by 3 c / d, so
 /// that the descending surface pushes a lump ahead.
-struct Dimple
+struct PALPATE_EXPORT Dimple
 {
     static constexpr double kPointRadius_mm = 5.0; ///< a of a point-like hand: radius of a fingertip
     static constexpr double kRigid_N_per_mm = 2.0; ///< stiffer structures are drawn rigid, like bone
@@ -47,10 +49,10 @@ struct Dimple
 /// Adds the dent to an actor's shaders; colours and lines stay. With software rendering a bent actor costs a tenth of
 /// a frame, so only actors near the contact are bent.
 /// @param actor  mapped by a vtkPolyDataMapper, with point normals and without a user matrix
-void startBending(vtkActor& actor);
-void stopBending(vtkActor& actor);
+PALPATE_EXPORT void startBending(vtkActor& actor);
+PALPATE_EXPORT void stopBending(vtkActor& actor);
 
 /// Updates the dent of an actor prepared by `startBending`. @param frame  view parameters of the next frame
-void bend(vtkActor& actor, const Dimple& dimple, const ViewFrame& frame);
+PALPATE_EXPORT void bend(vtkActor& actor, const Dimple& dimple, const ViewFrame& frame);
 
 } // namespace palpate::view

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/geometry/TriangleMesh.h>
 
 #include <vtkActor.h>
@@ -24,12 +25,13 @@ struct FeltColours
 /// `drawPalpabilityContours`.
 /// @param picture  made from `mesh` by `makeSurface`; points and triangles are shared, not copied
 /// @param colours  one entry per vertex of the mesh
-/// @par Cost O(triangles). @par Thread Any.
-[[nodiscard]] vtkSmartPointer<vtkPolyData> palpabilityColoured(vtkPolyData& picture, const geometry::TriangleMesh& mesh,
-                                                               const FeltColours& colours);
+/// @par Cost O(triangles)
+/// @par Thread Any
+[[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkPolyData>
+palpabilityColoured(vtkPolyData& picture, const geometry::TriangleMesh& mesh, const FeltColours& colours);
 
 /// Makes an actor draw the contour lines and hatching of a picture from `palpabilityColoured`. With any other picture,
 /// removes them. Lines have constant width on screen. @par Thread The view's.
-void drawPalpabilityContours(vtkActor& actor, vtkPolyData& picture);
+PALPATE_EXPORT void drawPalpabilityContours(vtkActor& actor, vtkPolyData& picture);
 
 } // namespace palpate::view

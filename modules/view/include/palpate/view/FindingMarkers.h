@@ -4,6 +4,7 @@
 #include "palpate/view/Billboard.h"
 #include "palpate/view/LabelLayout.h"
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Finding.h>
 
 #include <vtkSmartPointer.h>
@@ -31,7 +32,7 @@ struct FindingMark
 ///
 /// All markers are drawn by two actors, whatever their number. Geometry is rebuilt only when the view or the findings
 /// change.
-class FindingMarkers
+class PALPATE_EXPORT FindingMarkers
 {
   public:
     /// Opacity of markers hidden behind tissue.

@@ -3,6 +3,8 @@
 
 #include "palpate/view/Billboard.h"
 
+#include <palpate/core/Export.h>
+
 #include <string>
 
 namespace palpate::view {
@@ -10,7 +12,7 @@ namespace palpate::view {
 /// Force on the hand. Seen from the side, the force is an arrow of proportional length. Seen end-on, where an arrow
 /// shrinks to a dot, a circle around the start replaces the arrow; the radius grows with the force. Line widths are
 /// constant on screen.
-class ForceArrow
+class PALPATE_EXPORT ForceArrow
 {
   public:
     static constexpr double kLength_mm_per_N = 8.0;

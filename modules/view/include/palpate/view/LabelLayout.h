@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -27,8 +29,8 @@ struct DiscLabel
 ///
 /// Each label tries at most 146 places and tests them against its neighbours on screen only.
 /// @param taken  a few additional boxes to avoid, logical pixels from the centre of the view
-void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px,
-                 const std::vector<Eigen::AlignedBox2d>& taken = {});
+PALPATE_EXPORT void placeLabels(std::vector<DiscLabel>& labels, double discRadius_px,
+                                const std::vector<Eigen::AlignedBox2d>& taken = {});
 
 /// Text beside a point on screen, at one of a fixed set of candidate places.
 struct PointLabel
@@ -44,7 +46,7 @@ struct PointLabel
 /// overlaps `taken` but stays inside the view.
 /// @param taken  boxes to avoid; @param view  box of the view; all in logical pixels
 /// @return the centre of the text. @par Cost At most 192 places, each tested against all of `taken`.
-[[nodiscard]] Eigen::Vector2d placeBeside(PointLabel& label, const std::vector<Eigen::AlignedBox2d>& taken,
-                                          const Eigen::AlignedBox2d& view);
+[[nodiscard]] PALPATE_EXPORT Eigen::Vector2d
+placeBeside(PointLabel& label, const std::vector<Eigen::AlignedBox2d>& taken, const Eigen::AlignedBox2d& view);
 
 } // namespace palpate::view

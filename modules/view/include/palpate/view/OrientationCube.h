@@ -3,6 +3,8 @@
 
 #include "palpate/view/Billboard.h"
 
+#include <palpate/core/Export.h>
+
 #include <vtkAnnotatedCubeActor.h>
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
@@ -15,7 +17,7 @@ namespace palpate::view {
 
 /// Orientation cube in the lower left of the view. Faces are labelled R, L, A, P, S, I, each with a question mark
 /// while the orientation of the meshes is not known for certain.
-class OrientationCube
+class PALPATE_EXPORT OrientationCube
 {
   public:
     OrientationCube();

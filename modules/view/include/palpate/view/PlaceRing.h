@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Types.h>
 
 #include <vtkActor.h>
@@ -14,7 +15,7 @@ namespace palpate::view {
 /// Ring on a surface that marks a place to press, with the size of the finger's contact area. Tissue does not hide
 /// the ring.
 /// @par Thread The view's.
-class PlaceRing
+class PALPATE_EXPORT PlaceRing
 {
   public:
     PlaceRing();

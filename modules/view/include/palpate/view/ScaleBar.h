@@ -3,6 +3,8 @@
 
 #include "palpate/view/Billboard.h"
 
+#include <palpate/core/Export.h>
+
 #include <vtkActor2D.h>
 #include <vtkTextActor.h>
 
@@ -11,10 +13,10 @@
 namespace palpate::view {
 
 /// Length of a scale bar: the greatest 1, 2 or 5 times a power of ten that is at most `longest_mm`. [mm]
-[[nodiscard]] double roundScaleLength(double longest_mm);
+[[nodiscard]] PALPATE_EXPORT double roundScaleLength(double longest_mm);
 
 /// Scale bar in the lower right of the view, labelled in mm. Exact at the depth of the camera's focal point.
-class ScaleBar
+class PALPATE_EXPORT ScaleBar
 {
   public:
     ScaleBar();

@@ -11,6 +11,8 @@
 #include "palpate/view/SurfacePicker.h"
 #include "palpate/view/TouchCursor.h"
 
+#include <palpate/core/Export.h>
+
 #include <vtkRenderWindow.h>
 
 #include <memory>
@@ -45,7 +47,7 @@ struct ScenePick
 /// window.Render();
 /// @endcode
 /// @par Thread The thread of the render window only.
-class SceneView
+class PALPATE_EXPORT SceneView
 {
   public:
     SceneView();

@@ -4,6 +4,8 @@
 #include "palpate/view/ColourMap.h"
 #include "palpate/view/Dimple.h"
 
+#include <palpate/core/Export.h>
+
 #include <vtkActor.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -22,7 +24,7 @@ struct Appearance
 /// Actor of one structure: smooth shading with soft highlights; back faces are slightly darker. Back faces of closed
 /// translucent structures are culled, because they would double the rendering time and hide inner structures.
 /// @par Thread Construct in any thread; use in the view's thread only once added to a view.
-class StructureActor
+class PALPATE_EXPORT StructureActor
 {
   public:
     /// Makes the actor.

@@ -3,7 +3,8 @@
 
 #include "palpate/view/ColourMap.h"
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/core/Export.h>
+#include <palpate/geometry/Repair.h>
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -17,7 +18,7 @@ inline constexpr Colour kUnknownColour{0.88, 0.88, 0.88};
 
 /// Maps a value to a colour: cividis, lightened so that shading remains visible on the dark end.
 /// @param t  0 to 1, clamped
-[[nodiscard]] Colour surfaceColour(double t) noexcept;
+[[nodiscard]] PALPATE_EXPORT Colour surfaceColour(double t) noexcept;
 
 /// Value range of a colour map.
 struct ColourRange
@@ -30,14 +31,17 @@ struct ColourRange
 /// Computes the range of a colour map, robust against outliers.
 /// @return the 2nd to the 98th percentile of the finite values; minimum to maximum where these percentiles are equal;
 /// {0, 1} without finite values
-[[nodiscard]] ColourRange colourRange(std::span<const float> values);
+[[nodiscard]] PALPATE_EXPORT ColourRange colourRange(std::span<const float> values);
 
 /// Colours a picture with `surfaceColour`; unknown values are light grey.
 /// @param picture  made from `surface` by `makeSurface`; points and triangles are shared, not copied
 /// @param values  one per vertex or one per triangle of the surface; with any other size the result has no colours
-/// @return a picture with colours at points or triangles. @par Cost O(triangles). @par Thread Any.
-[[nodiscard]] vtkSmartPointer<vtkPolyData> coloured(vtkPolyData& picture, const geometry::RepairedMesh& surface,
-                                                    std::span<const float> values, bool isPerTriangle,
-                                                    const ColourRange& range);
+/// @return a picture with colours at points or triangles
+/// @par Cost O(triangles)
+/// @par Thread Any
+[[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkPolyData> coloured(vtkPolyData& picture,
+                                                                   const geometry::RepairedMesh& surface,
+                                                                   std::span<const float> values, bool isPerTriangle,
+                                                                   const ColourRange& range);
 
 } // namespace palpate::view

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <palpate/geometry/MeshReport.h>
+#include <palpate/core/Export.h>
+#include <palpate/geometry/Repair.h>
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -16,6 +17,6 @@ inline constexpr double kFeatureAngle_deg = 60.0;
 /// @param surface  world frame [mm]
 /// @return data owned by the caller
 /// @par Thread Any; uses no graphics context.
-[[nodiscard]] vtkSmartPointer<vtkPolyData> makeSurface(const geometry::RepairedMesh& surface);
+[[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkPolyData> makeSurface(const geometry::RepairedMesh& surface);
 
 } // namespace palpate::view

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
 #include <palpate/core/Types.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/geometry/TriangleMesh.h>
@@ -32,11 +33,11 @@ struct RayHit
 /// pointer hits exactly the surface that the hand touches.
 /// @return nothing when the ray misses
 /// @par Cost About log n: microseconds on a million triangles.
-[[nodiscard]] std::optional<RayHit> firstHit(const geometry::SurfaceIndex& surface, const Ray& ray);
+[[nodiscard]] PALPATE_EXPORT std::optional<RayHit> firstHit(const geometry::SurfaceIndex& surface, const Ray& ray);
 
 /// Same for a mesh without hierarchy, which cannot be touched.
 /// @param bounds  bounding box of the mesh. @par Cost O(triangles) when the ray hits `bounds`, a few ns per triangle.
-[[nodiscard]] std::optional<RayHit> firstHit(const geometry::TriangleMesh& mesh, const core::Box& bounds,
-                                             const Ray& ray);
+[[nodiscard]] PALPATE_EXPORT std::optional<RayHit> firstHit(const geometry::TriangleMesh& mesh, const core::Box& bounds,
+                                                            const Ray& ray);
 
 } // namespace palpate::view

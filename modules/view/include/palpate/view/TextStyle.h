@@ -3,6 +3,8 @@
 
 #include "palpate/view/ColourMap.h"
 
+#include <palpate/core/Export.h>
+
 #include <string>
 
 class vtkTextProperty;
@@ -25,7 +27,7 @@ inline constexpr Colour kTextColour{1.0, 1.0, 1.0};
 
 /// Lightens a structure's colour for use as text colour, readable on the dark background even where tissue shines
 /// through.
-[[nodiscard]] Colour textColourOf(const Colour& colour);
+[[nodiscard]] PALPATE_EXPORT Colour textColourOf(const Colour& colour);
 
 /// Purpose of a text.
 enum class TextUse
@@ -35,14 +37,14 @@ enum class TextUse
 };
 
 /// Font size, at least 8. @param pixelRatio  device pixels per logical pixel  [device px]
-[[nodiscard]] int letterSize_px(const TextStyle& style, TextUse use, double pixelRatio);
+[[nodiscard]] PALPATE_EXPORT int letterSize_px(const TextStyle& style, TextUse use, double pixelRatio);
 
 /// Sets font and font size.
-void setFont(vtkTextProperty& text, const TextStyle& style, TextUse use, double pixelRatio);
+PALPATE_EXPORT void setFont(vtkTextProperty& text, const TextStyle& style, TextUse use, double pixelRatio);
 
 /// Formats with a fixed number of decimals ("4.60"), independent of the C locale.
-[[nodiscard]] std::string fixedText(double value, int decimals, const std::string& decimalPoint);
+[[nodiscard]] PALPATE_EXPORT std::string fixedText(double value, int decimals, const std::string& decimalPoint);
 /// Formats with at most `digits` significant digits ("0.0425"), independent of the C locale.
-[[nodiscard]] std::string shortText(double value, int digits, const std::string& decimalPoint);
+[[nodiscard]] PALPATE_EXPORT std::string shortText(double value, int digits, const std::string& decimalPoint);
 
 } // namespace palpate::view

@@ -5,6 +5,8 @@
 #include "palpate/view/ForceArrow.h"
 #include "palpate/view/TouchLabels.h"
 
+#include <palpate/core/Export.h>
+
 #include <Eigen/Geometry>
 
 #include <array>
@@ -51,7 +53,7 @@ struct TouchState
 /// colours of their structures; from each disc on, the line has the disc's colour and a depth label. A faint disc
 /// shows where friction holds. Sizes are in screen pixels, so the cursor is readable on a vessel as well as on a
 /// whole body.
-class TouchCursor
+class PALPATE_EXPORT TouchCursor
 {
   public:
     static constexpr double kBall_px = 12.0; ///< diameter

@@ -4,6 +4,8 @@
 #include "palpate/view/Billboard.h"
 #include "palpate/view/LabelLayout.h"
 
+#include <palpate/core/Export.h>
+
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
@@ -14,7 +16,7 @@
 namespace palpate::view {
 
 /// Numbers beside the cursor, kept inside the view and clear of the cursor and of each other.
-class TouchLabels
+class PALPATE_EXPORT TouchLabels
 {
   public:
     /// Text and the point to label.

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/geometry/Repair.h"
+
 #include "palpate/geometry/EdgeTable.h"
-#include "palpate/geometry/MeshReport.h"
+#include "palpate/geometry/MeshCheck.h"
 #include "palpate/geometry/Reshape.h"
 
-#include "CarryArrays.h"
-#include "Orientation.h"
+#include "repair/CarryArrays.h"
+#include "repair/FirstSeen.h"
+#include "repair/Orientation.h"
+#include "repair/Weld.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -15,8 +18,6 @@
 namespace palpate::geometry {
 
 namespace {
-
-constexpr std::uint32_t kNone = 0xffffffffu;
 
 class DisjointSets
 {
@@ -48,72 +49,6 @@ class DisjointSets
     std::vector<std::uint32_t> m_parent;
 };
 
-std::uint64_t mix(std::uint64_t h)
-{
-    h ^= h >> 33;
-    h *= 0xff51afd7ed558ccdull;
-    h ^= h >> 33;
-    h *= 0xc4ceb9fe1a85ec53ull;
-    return h ^ (h >> 33);
-}
-
-/// Hash set that maps equal items to the index of the first occurrence.
-template<class Hash, class Equal>
-class FirstSeen
-{
-  public:
-    FirstSeen(std::size_t n, Hash hash, Equal equal)
-        : m_slots(std::bit_ceil(2 * n + 2), kNone)
-        , m_hash(hash)
-        , m_equal(equal)
-    {
-    }
-    /// @return the first index equal to `i`, or `i` if new.
-    std::uint32_t insert(std::uint32_t i)
-    {
-        for (std::size_t at = m_hash(i) & (m_slots.size() - 1);; at = (at + 1) & (m_slots.size() - 1)) {
-            if (m_slots[at] == kNone) {
-                m_slots[at] = i;
-                return i;
-            }
-            if (m_equal(m_slots[at], i)) {
-                return m_slots[at];
-            }
-        }
-    }
-
-  private:
-    std::vector<std::uint32_t> m_slots;
-    Hash m_hash;
-    Equal m_equal;
-};
-
-/// Welds vertices with equal coordinates. @return new index of each vertex.
-std::vector<std::uint32_t> weld(const std::vector<Vec3>& in, std::vector<Vec3>& out)
-{
-    const auto hash = [&in](std::uint32_t i) {
-        std::uint64_t h = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            h = mix(h ^ std::bit_cast<std::uint64_t>(in[i][axis] + 0.0)); // + 0.0 maps -0 to 0
-        }
-        return h;
-    };
-    const auto equal = [&in](std::uint32_t a, std::uint32_t b) { return in[a] == in[b]; };
-    FirstSeen seen(in.size(), hash, equal);
-    std::vector<std::uint32_t> renumbered(in.size());
-    out.reserve(in.size());
-    for (std::uint32_t i = 0; i < in.size(); ++i) {
-        const std::uint32_t first = seen.insert(i);
-        if (first == i) {
-            renumbered[i] = static_cast<std::uint32_t>(out.size());
-            out.push_back(in[i]);
-        } else {
-            renumbered[i] = renumbered[first];
-        }
-    }
-    return renumbered;
-}
-
 /// True if the area is within the rounding error, so that the normal is undefined. The rounding error of a cross
 /// product is a few ulp of the squared longest edge.
 bool isZeroArea(const Vec3& a, const Vec3& b, const Vec3& c)
@@ -123,9 +58,10 @@ bool isZeroArea(const Vec3& a, const Vec3& b, const Vec3& c)
     return !(ab.cross(ac).norm() > 8.0 * std::numeric_limits<double>::epsilon() * longest2);
 }
 
-void dropUnusedVertices(TriangleMesh& mesh)
+/// @return new index of each vertex, kNoVertex for removed ones
+std::vector<std::uint32_t> dropUnusedVertices(TriangleMesh& mesh)
 {
-    std::vector<std::uint32_t> renumbered(mesh.vertices.size(), kNone);
+    std::vector<std::uint32_t> renumbered(mesh.vertices.size(), kNoVertex);
     for (const Triangle& t : mesh.triangles) {
         for (const std::uint32_t v : t) {
             renumbered[v] = 0;
@@ -154,6 +90,7 @@ void dropUnusedVertices(TriangleMesh& mesh)
             v = renumbered[v];
         }
     }
+    return renumbered;
 }
 
 double signedVolume6(const TriangleMesh& mesh, const Triangle& t, const Vec3& origin)
@@ -201,15 +138,17 @@ class Repairer
 {
   public:
     /// @param turnsOutwards  also reverse consistently oriented closed components that are inside out
-    explicit Repairer(const TriangleMesh& input, bool turnsOutwards = false)
+    explicit Repairer(const TriangleMesh& input, bool turnsOutwards = false, double weldWithin_mm = 0.0)
         : m_input(input)
         , m_turnsOutwards(turnsOutwards)
+        , m_weldWithin_mm(weldWithin_mm)
     {
     }
     RepairedMesh run();
 
   private:
     void weldAndDrop();
+    void mapVertices(const std::vector<std::uint32_t>& welded, const std::vector<std::uint32_t>& kept);
     void findComponents(const EdgeTable& edges);
     void orient(const EdgeTable& edges);
     void measureComponents();
@@ -233,6 +172,7 @@ class Repairer
 
     const TriangleMesh& m_input;
     bool m_turnsOutwards;
+    double m_weldWithin_mm;
     RepairedMesh m_result;
     TriangleMesh& m_mesh = m_result.mesh;
     MeshReport& m_report = m_result.report;
@@ -244,7 +184,7 @@ class Repairer
 /// Welds the vertices and drops zero-area and duplicate triangles.
 void Repairer::weldAndDrop()
 {
-    const std::vector<std::uint32_t> renumbered = weld(m_input.vertices, m_mesh.vertices);
+    const std::vector<std::uint32_t> renumbered = weld(m_input.vertices, m_weldWithin_mm, m_mesh.vertices);
     m_report.weldedVertices = m_input.vertices.size() - m_mesh.vertices.size();
     m_mesh.arrays = weldArrays(m_input.arrays, renumbered, m_mesh.vertices.size(), m_report.mixedValues);
     std::vector<Triangle> candidates(m_input.triangles.size());
@@ -279,7 +219,23 @@ void Repairer::weldAndDrop()
         }
     }
     keepTriangles(m_mesh.arrays, m_result.source);
-    dropUnusedVertices(m_mesh);
+    mapVertices(renumbered, dropUnusedVertices(m_mesh));
+}
+
+/// Relates the vertices to those of the input.
+/// @param welded  vertex after welding of each input vertex
+/// @param kept  final index of each welded vertex, or kNoVertex
+void Repairer::mapVertices(const std::vector<std::uint32_t>& welded, const std::vector<std::uint32_t>& kept)
+{
+    m_result.vertexSource.assign(m_mesh.vertices.size(), kNoVertex);
+    m_result.vertexOfSource.resize(welded.size());
+    for (std::uint32_t i = 0; i < welded.size(); ++i) {
+        const std::uint32_t vertex = kept[welded[i]];
+        m_result.vertexOfSource[i] = vertex;
+        if (vertex != kNoVertex && m_result.vertexSource[vertex] == kNoVertex) {
+            m_result.vertexSource[vertex] = i;
+        }
+    }
 }
 
 /// Finds the sets of triangles connected by edges, numbered in the order of their first triangles.
@@ -475,6 +431,7 @@ RepairedMesh chained(const RepairedMesh& before, RepairedMesh again)
     report.zeroAreaTriangles += was.zeroAreaTriangles;
     report.duplicateTriangles += was.duplicateTriangles;
     report.inconsistentEdges = was.inconsistentEdges;
+    report.turnedComponents += was.turnedComponents;
     report.reorientedTriangles = was.reorientedTriangles; // reversed for consistency; excludes reversals on request
     if (again.turned.empty() && !before.turned.empty()) {
         again.turned.assign(again.source.size(), 0);
@@ -486,14 +443,53 @@ RepairedMesh chained(const RepairedMesh& before, RepairedMesh again)
             again.turned[i] ^= before.turned[from];
         }
     }
+    if (before.vertexSource.size() != before.mesh.vertices.size()) { // unknown, as from a recording
+        again.vertexSource.clear();
+        again.vertexOfSource.clear();
+        return again;
+    }
+    for (std::uint32_t& vertex : again.vertexSource) {
+        vertex = before.vertexSource[vertex];
+    }
+    std::vector<std::uint32_t> vertexOfSource(before.vertexOfSource);
+    for (std::uint32_t& vertex : vertexOfSource) {
+        vertex = vertex == kNoVertex ? kNoVertex : again.vertexOfSource[vertex];
+    }
+    again.vertexOfSource = std::move(vertexOfSource);
     return again;
 }
 
 } // namespace
 
-RepairedMesh repair(const TriangleMesh& input)
+RepairedMesh repair(const TriangleMesh& input, const RepairOptions& options)
 {
-    return Repairer(input).run();
+    RepairedMesh surface = Repairer(input, false, options.weldWithin_mm).run();
+    if (options.facing == Facing::Outward) {
+        const std::size_t insideOut = surface.report.insideOutComponents;
+        if (std::optional<RepairedMesh> outward = orientedOutwards(surface)) {
+            surface = std::move(*outward);
+            surface.report.turnedComponents = insideOut - surface.report.insideOutComponents;
+        }
+    }
+    return surface;
+}
+
+core::Result<RepairedMesh> surfaceOf(const TriangleMesh& mesh, const RepairOptions& options)
+{
+    if (const MeshCheck found = check(mesh); !found.isOk()) {
+        return found.status();
+    }
+    if (!(options.weldWithin_mm >= 0.0 && options.weldWithin_mm <= kMostCoordinate_mm)) {
+        return core::Status(core::StatusCode::OutOfRange, PALPATE_TEXT("weldWithin_mm: found %1, expected 0 to %2 mm"),
+                            options.weldWithin_mm, kMostCoordinate_mm);
+    }
+    RepairedMesh surface = repair(mesh, options);
+    if (surface.mesh.triangles.empty()) {
+        return core::Status(core::StatusCode::Empty,
+                            PALPATE_TEXT("none of the %1 triangles has an area; check the unit, expected mm"),
+                            core::Count(mesh.triangles.size()));
+    }
+    return surface;
 }
 
 std::optional<RepairedMesh> orientedOutwards(const RepairedMesh& surface)
@@ -506,7 +502,7 @@ RepairedMesh withVertices(const RepairedMesh& surface, std::vector<Vec3> vertice
 {
     TriangleMesh moved = surface.mesh;
     moved.vertices = std::move(vertices);
-    return chained(surface, repair(moved));
+    return chained(surface, repair(moved, Facing::AsGiven));
 }
 
 } // namespace palpate::geometry

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "palpate/core/Float4.h"
-#include "palpate/core/Realtime.h"
+#include <palpate/core/Float4.h>
+#include <palpate/core/Realtime.h>
 
 /// Function multiversioning for eight-lane functions: an additional AVX2 version, selected at program start. Disabled
 /// under the sanitizers, which are not yet initialised at that time.
@@ -13,7 +13,7 @@
 #define PALPATE_WIDE_LANES
 #endif
 
-namespace palpate::core {
+namespace palpate::haptics::internal {
 
 /// Eight floats as a SIMD vector (compiler vector extension). Comparisons yield a Mask8. Use a scalar operand to
 /// broadcast: a broadcast function would be compiled for narrow lanes.
@@ -49,9 +49,9 @@ PALPATE_ALWAYS_INLINE Float8 greatest(Float8 a, Float8 b) noexcept
 /// @return bit i is set if lane i is all ones.
 PALPATE_ALWAYS_INLINE std::uint32_t laneBits(Mask8 mask) noexcept
 {
-    Mask4 half[2];
+    core::Mask4 half[2];
     std::memcpy(half, &mask, sizeof half);
-    return laneBits(half[0]) | laneBits(half[1]) << 4;
+    return core::laneBits(half[0]) | core::laneBits(half[1]) << 4;
 }
 
-} // namespace palpate::core
+} // namespace palpate::haptics::internal

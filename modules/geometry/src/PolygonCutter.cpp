@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "formats/PolygonCutter.h"
+#include "palpate/geometry/PolygonCutter.h"
 
 #include <algorithm>
 #include <numeric>
 
-namespace palpate::meshio::internal {
+namespace palpate::geometry {
 
-using core::Vec3;
 using Eigen::Vector2d;
 
 namespace {
@@ -96,4 +95,4 @@ void PolygonCutter::cut(const std::vector<Vec3>& points, std::span<const std::ui
     m_crossing += isSimple ? 0 : 1;
 }
 
-} // namespace palpate::meshio::internal
+} // namespace palpate::geometry
