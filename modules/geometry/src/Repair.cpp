@@ -4,12 +4,12 @@
 #include "palpate/geometry/Reshape.h"
 
 #include "CarryArrays.h"
+#include "DisjointSets.h"
 #include "Orientation.h"
 
 #include <algorithm>
 #include <bit>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace palpate::geometry {
@@ -17,36 +17,6 @@ namespace palpate::geometry {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
-
-class DisjointSets
-{
-  public:
-    explicit DisjointSets(std::size_t n)
-        : m_parent(n)
-    {
-        std::iota(m_parent.begin(), m_parent.end(), 0u);
-    }
-    std::uint32_t find(std::uint32_t i)
-    {
-        while (m_parent[i] != i) {
-            m_parent[i] = m_parent[m_parent[i]];
-            i = m_parent[i];
-        }
-        return i;
-    }
-    // The smaller index becomes the representative, so that the result does not depend on the order.
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        if (a != b) {
-            m_parent[std::max(a, b)] = std::min(a, b);
-        }
-    }
-
-  private:
-    std::vector<std::uint32_t> m_parent;
-};
 
 std::uint64_t mix(std::uint64_t h)
 {
@@ -507,6 +477,16 @@ RepairedMesh withVertices(const RepairedMesh& surface, std::vector<Vec3> vertice
     TriangleMesh moved = surface.mesh;
     moved.vertices = std::move(vertices);
     return chained(surface, repair(moved));
+}
+
+RepairedMesh withTriangles(const RepairedMesh& surface, const TriangleMesh& mesh,
+                           const std::vector<std::uint32_t>& parents)
+{
+    RepairedMesh again = repair(mesh);
+    for (std::uint32_t& source : again.source) {
+        source = parents[source];
+    }
+    return chained(surface, std::move(again));
 }
 
 } // namespace palpate::geometry
