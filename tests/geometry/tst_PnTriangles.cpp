@@ -50,7 +50,9 @@ TriangleMesh cylinder(int sides, int rows, double radius_mm, double height_mm)
     return mesh;
 }
 
-/// Largest distance of the facets from the unit sphere, at corners, edge middles and centres.
+constexpr double kRadius_mm = 30.0;
+
+/// Largest distance of the facets from the sphere as a share of its radius, at corners, edge middles and centres.
 double errorOfSphere(const TriangleMesh& mesh)
 {
     double most = 0.0;
@@ -58,7 +60,7 @@ double errorOfSphere(const TriangleMesh& mesh)
         const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
         for (const Vec3& p :
              {a, b, c, Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2), Vec3((a + b + c) / 3)}) {
-            most = std::max(most, std::abs(p.norm() - 1.0));
+            most = std::max(most, std::abs(p.norm() / kRadius_mm - 1.0));
         }
     }
     return most;
@@ -92,11 +94,12 @@ class PnTriangles : public QObject
   private Q_SLOTS:
     void makesASphereRound()
     {
-        const RepairedMesh coarse = repair(sphere(8, 1.0));
+        const RepairedMesh coarse = repair(sphere(8, kRadius_mm));
         QCOMPARE(coarse.mesh.triangles.size(), std::size_t{1280});
         PnOptions fine;
         fine.turn_deg = 0.4;
         fine.mostPieces = 64;
+        fine.leastPiece_mm = 1e-3;
         const PnSurface limit = pnTriangles(coarse, fine), usual = pnTriangles(coarse);
         QVERIFY(limit.surface && usual.surface);
         qInfo(
@@ -105,12 +108,14 @@ class PnTriangles : public QObject
             turnOfSphere(usual.surface->mesh), limit.triangles, errorOfSphere(limit.surface->mesh),
             turnOfSphere(limit.surface->mesh));
         QVERIFY(errorOfSphere(limit.surface->mesh) < 5e-5);
-        // The patches' own error, and the sagitta of a piece: 0.75° is 0.0131, whose square over 6 is 2.9e-5 at the
-        // centre of an equilateral piece; the pieces of a facet differ by up to a quarter.
-        QVERIFY(errorOfSphere(usual.surface->mesh) < 3.2e-5 + 1.5 * 2.9e-5);
-        QVERIFY(turnOfSphere(usual.surface->mesh) < 1.0);
+        // The patches' own error, and the sagitta at the centre of an equilateral piece whose edge is 1/16 of the
+        // longest of the coarse facets, 10.5°.
+        const double piece = 10.5 / 16.0 * kPi / 180.0;
+        QVERIFY(errorOfSphere(usual.surface->mesh) < 3.2e-5 + piece * piece / 6.0);
+        QVERIFY(turnOfSphere(usual.surface->mesh) < 0.7);
         QVERIFY(usual.surface->report.isClosed());
-        QVERIFY(std::abs(usual.surface->report.volume_mm3 - 4.0 / 3.0 * kPi) < 2e-4 * 4.0 / 3.0 * kPi);
+        const double volume_mm3 = 4.0 / 3.0 * kPi * std::pow(kRadius_mm, 3);
+        QVERIFY(std::abs(usual.surface->report.volume_mm3 / volume_mm3 - 1.0) < 1e-4);
         QCOMPARE(usual.flatTriangles, std::size_t{0});
         QCOMPARE(usual.triangles, usual.surface->mesh.triangles.size());
     }
@@ -122,9 +127,10 @@ class PnTriangles : public QObject
         PnOptions fine;
         fine.turn_deg = 0.4;
         fine.mostPieces = 64;
-        const double coarse = errorOfSphere(pnTriangles(repair(sphere(4, 1.0)), fine).surface->mesh);
+        fine.leastPiece_mm = 1e-3;
+        const double coarse = errorOfSphere(pnTriangles(repair(sphere(4, kRadius_mm)), fine).surface->mesh);
         fine.turn_deg = 0.3;
-        const double half = errorOfSphere(pnTriangles(repair(sphere(8, 1.0)), fine).surface->mesh);
+        const double half = errorOfSphere(pnTriangles(repair(sphere(8, kRadius_mm)), fine).surface->mesh);
         qInfo("320 facets: %.3g, 1,280 facets: %.3g", coarse, half);
         QVERIFY(coarse / half > 11.0 && coarse / half < 21.0);
     }
@@ -171,7 +177,7 @@ class PnTriangles : public QObject
         options.crease_deg = 50.0;
         QVERIFY(pnTriangles(prism, options).surface.has_value());
         options.crease_deg = 0.0;
-        QVERIFY(!pnTriangles(repair(sphere(4, 1.0)), options).surface);
+        QVERIFY(!pnTriangles(repair(sphere(4, kRadius_mm)), options).surface);
     }
 
     void closesEverySeamBetweenUnequalNumbersOfPieces()
@@ -222,7 +228,7 @@ class PnTriangles : public QObject
     {
         PnOptions few;
         few.mostTriangles = 1'000;
-        const PnSurface refused = pnTriangles(repair(sphere(4, 1.0)), few);
+        const PnSurface refused = pnTriangles(repair(sphere(4, kRadius_mm)), few);
         QVERIFY(refused.isRefused && !refused.surface && refused.triangles > few.mostTriangles);
     }
 
@@ -242,6 +248,19 @@ class PnTriangles : public QObject
         const PnSurface same = pnTriangles(folded);
         QCOMPARE(same.flatTriangles, std::size_t{kRibs});
         QVERIFY(!same.surface);
+    }
+
+    void dividesLessWhereItWouldBecomeTooMany()
+    {
+        PnOptions options;
+        const RepairedMesh coarse = repair(sphere(8, kRadius_mm));
+        const std::size_t fine = pnTriangles(coarse, options).triangles;
+        options.manyTriangles = fine - 1;
+        const std::size_t few = pnTriangles(coarse, options).triangles;
+        QVERIFY2(few < fine / 3 && few > fine / 5, qPrintable(QString::number(few)));
+        // No piece is shorter than 0.1 mm: edges of 0.15 mm are not divided.
+        const PnSurface tiny = pnTriangles(repair(sphere(8, 1.0)));
+        QVERIFY(!tiny.surface);
     }
 
     void isDeterministic()

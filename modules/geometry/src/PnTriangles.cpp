@@ -189,7 +189,7 @@ class PnDivision
   private:
     void findNormals(const EdgeTable& edges);
     void keepSteepFacetsFlat();
-    void curveEdges(const EdgeTable& edges);
+    void curveEdges(const EdgeTable& edges, std::uint32_t mostPieces);
     [[nodiscard]] bool isCurved(const EdgeUse* uses, std::size_t count) const;
     [[nodiscard]] std::size_t countTriangles() const;
     void divide();
@@ -276,7 +276,7 @@ void PnDivision::keepSteepFacetsFlat()
     }
 }
 
-void PnDivision::curveEdges(const EdgeTable& edges)
+void PnDivision::curveEdges(const EdgeTable& edges, std::uint32_t mostPieces)
 {
     m_edges.clear();
     m_edgesOf.resize(m_mesh.triangles.size());
@@ -303,8 +303,9 @@ void PnDivision::curveEdges(const EdgeTable& edges)
             // A circular arc of length L and angle a is L a / 8 away from its chord; n pieces reduce that by n².
             const double bySag = std::sqrt((q - p).norm() * turn / (8.0 * m_options.sag_mm));
             const double needed = std::ceil(std::max(turn / (m_options.turn_deg * kDegree), bySag) - 1e-6);
-            edge.pieces =
-                static_cast<std::uint32_t>(std::clamp(needed, 1.0, static_cast<double>(m_options.mostPieces)));
+            const double most =
+                std::min(std::floor((q - p).norm() / m_options.leastPiece_mm), static_cast<double>(mostPieces));
+            edge.pieces = static_cast<std::uint32_t>(std::max(1.0, std::min(needed, most)));
         }
         const auto number = static_cast<std::uint32_t>(m_edges.size());
         m_edges.push_back(edge);
@@ -446,8 +447,12 @@ PnSurface PnDivision::run()
     findNormals(edges);
     keepSteepFacetsFlat();
     do { // ends, because each round keeps more facets flat
-        curveEdges(edges);
+        curveEdges(edges, m_options.mostPieces);
         out.triangles = countTriangles();
+        if (out.triangles > m_options.manyTriangles) {
+            curveEdges(edges, m_options.mostPieces / 2);
+            out.triangles = countTriangles();
+        }
         out.isRefused = out.triangles > m_options.mostTriangles;
         if (!out.isRefused && out.triangles > m_mesh.triangles.size()) {
             divide();

@@ -12,10 +12,13 @@ namespace palpate::geometry {
 /// How finely `pnTriangles` divides a surface.
 struct PnOptions
 {
-    double crease_deg = 40.0; ///< facets that meet at a larger angle stay apart: their edge is sharp [degree]
-    double turn_deg = 0.75;   ///< largest angle between neighbouring pieces of a curved edge [degree]
-    double sag_mm = 0.02;     ///< largest distance between a curved edge and its pieces [mm]
+    double crease_deg = 40.0;   ///< facets that meet at a larger angle stay apart: their edge is sharp [degree]
+    double turn_deg = 0.5;      ///< largest angle between neighbouring pieces of a curved edge [degree]
+    double sag_mm = 0.02;       ///< largest distance between a curved edge and its pieces [mm]
+    double leastPiece_mm = 0.1; ///< no piece is shorter, whatever its angle: a hand at 25 mm/s passes it in 4 ms [mm]
     std::uint32_t mostPieces = 16; ///< of an edge
+    /// If more triangles than this would result, an edge gets at most half of `mostPieces`.
+    std::size_t manyTriangles = 2'000'000;
     std::size_t mostTriangles = 20'000'000;
 };
 
@@ -41,7 +44,7 @@ struct PnSurface
 /// Largest errors of an icosphere of 1,280 triangles (radius 1) at the usual options, 191,360 pieces: 6.6e-5 and 0.8°
 /// (facets: 4.5e-3 and 5.5°); the patches themselves are 3.2e-5 off.
 /// @param surface  result of `repair` [mm]
-/// @pre 0 <= crease_deg <= 180, turn_deg > 0, sag_mm > 0, mostPieces >= 1
+/// @pre 0 <= crease_deg <= 180, turn_deg, sag_mm, leastPiece_mm > 0, mostPieces >= 1
 /// @par Source Vlachos, Peters, Boyd, Mitchell: Curved PN Triangles (I3D 2001); Max: Weights for Computing Vertex
 /// Normals from Facet Normals (JGT 4, 1999).
 /// @par Cost O(n log n), about 1 us per resulting triangle. Any thread. Deterministic.
