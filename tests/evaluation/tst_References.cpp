@@ -10,6 +10,7 @@
 #include <palpate/evaluation/ProductSolver.h>
 #include <palpate/evaluation/RaySolver.h>
 #include <palpate/evaluation/Shapes.h>
+#include <palpate/evaluation/SmoothComparison.h>
 #include <palpate/evaluation/Subject.h>
 #include <palpate/evaluation/VectorFieldSolver.h>
 #include <palpate/meshio/MeshFile.h>
@@ -174,6 +175,31 @@ class References : public QObject
             QVERIFY2(std::abs(c.godObject - 1.0) < 1e-8,
                      qPrintable(QString("%1 degrees: %2").arg(c.angle_deg).arg(c.godObject)));
         }
+    }
+
+    void smoothSurfacesAreNearerToTheTrueOnes()
+    {
+        const std::vector<SmoothRow> rows = compareSmoothSurfaces();
+        QCOMPARE(rows.size(), std::size_t{12});
+        for (std::size_t i = 0; i < rows.size(); i += 4) {
+            const SmoothRow &facets = rows[i], &pn = rows[i + 1], &shaded = rows[i + 2], &twoPasses = rows[i + 3];
+            for (const SmoothRow& row : {facets, pn, shaded, twoPasses}) {
+                qInfo("%-9s %-46s %7zu: %.3g of the radius, %.3g deg, %.3g N, %.3g of %.3g mJ", row.shape.c_str(),
+                      row.way.c_str(), row.triangles, row.position_mm / row.extent_mm, row.direction_deg, row.step_N,
+                      row.work_mJ, row.press_mJ);
+            }
+            // Edges in up to 16 pieces: sagittas shrink by up to 256, angles, steps and the work by up to 16.
+            QVERIFY(pn.position_mm < facets.position_mm / 30.0);
+            QVERIFY(pn.direction_deg < facets.direction_deg / 5.0 && pn.step_N < facets.step_N / 8.0);
+            QVERIFY(pn.work_mJ < facets.work_mJ / 10.0);
+            // Shading leaves the god-object on the facets; a shaded goal lifts it off the surface.
+            QCOMPARE(shaded.position_mm, facets.position_mm);
+            QVERIFY(shaded.work_mJ > pn.work_mJ);
+            QVERIFY(twoPasses.position_mm > 10.0 * pn.position_mm);
+            QVERIFY(twoPasses.step_N < pn.step_N);
+        }
+        // A sphere's normal is exact at the vertices, and the force steps by the pieces' angle: 2 N times 1° a tick.
+        QVERIFY(rows[1].position_mm / rows[1].extent_mm < 7e-5 && rows[1].step_N < 0.04);
     }
 
     void paperBodyHas616TrianglesAndAnInside()

@@ -408,7 +408,7 @@ class Report : public QObject
         const QJsonObject json = QJsonDocument::fromJson(contentOf(out + "/results.json")).object();
         QCOMPARE(json["trials"].toArray().size(), qsizetype(m_evaluation.trials.size()));
         for (const char* key : {"machine", "seed", "subjects", "hard_cases", "cost_by_size", "elimination_operations",
-                                "paper_body", "corner_force"}) {
+                                "paper_body", "corner_force", "smooth_surfaces"}) {
             QVERIFY2(json.contains(key), key);
         }
         QVERIFY(!json["machine"].toObject()["build"].toString().isEmpty());

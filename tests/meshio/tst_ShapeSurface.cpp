@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 using namespace palpate;
@@ -130,7 +131,7 @@ class ShapeSurface : public QObject
         scene.structures.back().mesh = folder.path("a.stl");
         QVERIFY(meshio::writeScene(folder.path("s.palpate.json"), scene).isOk());
         const std::string text = test::fileBytes(folder.path("s.palpate.json"));
-        for (const char* field : {"surface", "smoothing", "outwards"}) {
+        for (const char* field : {"surface", "smoothing", "crease_deg", "outwards"}) {
             QVERIFY2(text.find(field) == std::string::npos, field);
         }
     }
@@ -141,7 +142,7 @@ class ShapeSurface : public QObject
         QTest::addColumn<std::string>("complaint");
         QTest::newRow("surface") << std::string(R"("surface": "waxed")")
                                  << std::string("structures[0].surface: found \"waxed\", expected one of facets, "
-                                                "smooth, smoothed");
+                                                "smooth, smoothed, smoothed and smooth");
         QTest::newRow("smoothing") << std::string(R"("smoothing": 1.5)")
                                    << std::string("structures[0].smoothing: found 1.5");
         QTest::newRow("outwards") << std::string(R"("outwards": 1)") << std::string("structures[0].outwards");
@@ -158,18 +159,39 @@ class ShapeSurface : public QObject
         QVERIFY2(scene.status().message().find(complaint) != std::string::npos, scene.status().message().c_str());
     }
 
-    /// Curved facets are not supported yet: reported, simulated as flat facets, and stored.
-    void curvedFacetsAreSaidToBeMissing()
+    void curvesFacetsOnRequest()
     {
         const test::Folder folder;
-        QVERIFY(meshio::writeMesh(folder.path("a.stl"), std::vector{test::tetrahedron("a")}).isOk());
-        const auto file =
-            folder.write("s.palpate.json", R"({"version": 1, "structures": [{"mesh": "a.stl", "surface": "smooth"}]})");
-        const auto loaded = meshio::loadScene(file);
-        QVERIFY(loaded.isOk());
-        QVERIFY(contains(loaded.value().warnings, "curved facets are not available in this version"));
-        QVERIFY(loaded.value().structures.front().description.surface == SurfaceKind::Smooth);
-        QVERIFY(!loaded.value().structures.front().smoothing.has_value());
+        const std::vector<meshio::MeshStructure> ball{{"ball", test::sphere(4, 20.0), std::nullopt}};
+        QVERIFY(meshio::writeMesh(folder.path("ball.vtp"), ball).isOk());
+        const auto load = [&folder](const std::string& fields) {
+            const auto file = folder.write("s.palpate.json",
+                                           R"({"version": 1, "structures": [{"mesh": "ball.vtp", )" + fields + "}]}");
+            const auto loaded = meshio::loadScene(file);
+            return loaded.isOk() ? loaded.value() : meshio::LoadedScene();
+        };
+        const meshio::LoadedScene facets = load(R"("surface": "facets")"), curved = load(R"("surface": "smooth")"),
+                                  sharp = load(R"("surface": "smooth", "crease_deg": 5)"),
+                                  both = load(R"("surface": "smoothed and smooth", "smoothing": 0)");
+        QVERIFY(!facets.structures.front().curving);
+        QCOMPARE(curved.structures.front().curving->before, std::size_t{320});
+        QCOMPARE(curved.structures.front().curving->triangles,
+                 curved.structures.front().surface->mesh.triangles.size());
+        QVERIFY(contains(curved.warnings, "curved facets: "));
+        const double truth = 4.0 / 3.0 * std::numbers::pi * 8000.0;
+        const auto error = [truth](const meshio::LoadedScene& scene) {
+            return std::abs(scene.structures.front().surface->report.volume_mm3 / truth - 1.0);
+        };
+        QVERIFY2(error(facets) > 0.02 && error(curved) < 1e-3, qPrintable(QString::number(error(curved))));
+        QVERIFY(contains(sharp.warnings, "no facet is curved"));
+        QCOMPARE(sharp.structures.front().surface->mesh.triangles.size(), std::size_t{320});
+        QVERIFY(both.structures.front().smoothing && both.structures.front().curving);
+        QCOMPARE(curved.scene.structures.front().crease_deg, 40.0);
+        QCOMPARE(sharp.scene.structures.front().crease_deg, 5.0);
+        QVERIFY(meshio::writeScene(folder.path("t.palpate.json"), sharp.scene).isOk());
+        const auto again = meshio::readScene(folder.path("t.palpate.json"));
+        QVERIFY(again.isOk() && again.value().structures.front().crease_deg == 5.0);
+        QVERIFY(again.value().structures.front().surface == SurfaceKind::Smooth);
     }
 
     void optionsTurnAndSmoothWhatIsRead()

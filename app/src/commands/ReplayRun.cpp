@@ -33,14 +33,14 @@ double seconds(std::chrono::steady_clock::time_point start)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Describes surface changes (smoothing, orientation) relative to the files; empty without changes.
+/// Describes surface changes (smoothing, curved facets, orientation) relative to the files; empty without changes.
 std::string surfaceChangesOf(const meshio::LoadedScene& scene)
 {
     std::vector<study::RecordedLook> looks;
     bool isAny = false;
     for (const meshio::LoadedStructure& one : scene.structures) {
         looks.push_back(study::lookOf(one.description));
-        isAny = isAny || one.description.outwards || one.smoothing;
+        isAny = isAny || one.description.outwards || one.smoothing || one.curving;
     }
     return isAny ? study::looksText(looks) : std::string();
 }

@@ -99,6 +99,9 @@ std::vector<std::string> sentencesOf(const meshio::LoadedStructure& structure)
     if (structure.smoothing) {
         lines.push_back(structure.smoothing->sentence());
     }
+    if (structure.curving) {
+        lines.push_back(structure.curving->message().english());
+    }
     return lines;
 }
 
@@ -255,7 +258,7 @@ void add(const std::optional<geometry::SurfaceExamination>& examined, std::size_
     }
 }
 
-/// Adds the voxel staircase and the effect of smoothing.
+/// Adds the voxel staircase and the effects of smoothing and of curved facets.
 void addShape(const meshio::LoadedStructure& structure, QJsonObject& object)
 {
     if (const auto& stairs = structure.staircase) {
@@ -271,6 +274,13 @@ void addShape(const meshio::LoadedStructure& structure, QJsonObject& object)
                                          {"limit_mm", done->limit_mm},
                                          {"volume_before_mm3", done->volumeBefore_mm3},
                                          {"volume_after_mm3", done->volumeAfter_mm3}};
+    }
+    if (const auto& curving = structure.curving) {
+        object["curved"] = QJsonObject{{"crease_deg", structure.description.crease_deg},
+                                       {"triangles_before", static_cast<qint64>(curving->before)},
+                                       {"triangles_after", static_cast<qint64>(curving->triangles)},
+                                       {"flat_triangles", static_cast<qint64>(curving->flatTriangles)},
+                                       {"refused", curving->isRefused}};
     }
 }
 

@@ -28,12 +28,15 @@ void SurfaceOptions::addTo(CLI::App& command)
 {
     command.add_flag("--smooth", isSmoothed,
                      "Smooth the surfaces against the steps of voxels, by at most half a voxel; the files stay");
+    command.add_flag("--curved", isCurved,
+                     "Curve the facets between their normals (PN triangles); sharp edges and the files stay");
     command.add_flag("--outwards", turnsOutwards, "Turn closed surfaces that are inside out; the files stay");
 }
 
 void SurfaceOptions::applyTo(meshio::ReadOptions& read) const
 {
     read.isSmoothed = isSmoothed;
+    read.isCurved = isCurved;
     read.turnsOutwards = turnsOutwards;
 }
 
@@ -45,6 +48,9 @@ std::vector<std::string> surfaceNotes(const meshio::LoadedScene& scene, const ha
         const std::string& name = one.description.name;
         if (one.smoothing) {
             lines.push_back(name + ": " + one.smoothing->sentence());
+        }
+        if (one.curving) {
+            lines.push_back(name + ": " + one.curving->message().english());
         }
         if (felt.structures()[i].surface == nullptr && !one.isTransmitted) {
             continue;

@@ -11,10 +11,11 @@
 
 namespace palpate::app {
 
-/// Surface processing before contact: options `--smooth` and `--outwards`.
+/// Surface processing before contact: options `--smooth`, `--curved` and `--outwards`.
 struct SurfaceOptions
 {
     bool isSmoothed = false;
+    bool isCurved = false;
     bool turnsOutwards = false;
 
     void addTo(CLI::App& command);

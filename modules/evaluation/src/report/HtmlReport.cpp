@@ -290,6 +290,31 @@ std::string tissueCard(const Evaluation& evaluation)
                                tag("table", head({"", "µs, median", "tail"}) + tag("tbody", rows)));
 }
 
+/// Section that compares the ways to hide facets.
+std::string smoothSection(const Evaluation& evaluation)
+{
+    std::string rows;
+    for (const SmoothRow& r : evaluation.smooth) {
+        rows += tag("tr", cell(escaped(r.shape), true) + cell(escaped(r.way), true) + cell(core::grouped(r.triangles)) +
+                              cell(number(r.position_mm / r.extent_mm)) + cell(number(r.direction_deg)) +
+                              cell(number(r.step_N)) + cell(number(r.work_mJ)));
+    }
+    return rows.empty()
+               ? ""
+               : tag("h2", "Smooth surfaces") +
+                     "<p class='soft'>Facets of a sphere, a cylinder and a torus against the true surface, "
+                     "frictionless: "
+                     "the largest distance of the god-object from the true surface, the largest angle of the force, "
+                     "its "
+                     "largest change in a tick at 25 mm/s and a depth of 4 mm, and the work on the hand over a closed "
+                     "path, which is 0 for a spring. The press itself holds " +
+                     number(evaluation.smooth.front().press_mJ) + " mJ.</p><div class='card'>" +
+                     tag("table", head({"", "", "triangles", "position<br>[radius]", "direction<br>[°]", "step<br>[N]",
+                                        "work<br>[mJ]"}) +
+                                      tag("tbody", rows)) +
+                     "</div>";
+}
+
 std::string notes(const Evaluation& evaluation)
 {
     std::string text;
@@ -369,7 +394,7 @@ std::string reportHtml(const Evaluation& evaluation)
             card("Error over time, " + (evaluation.motions.empty() ? "" : evaluation.motions.front()) + ": " + s.name,
                  errorOverTimeChart(evaluation, s.name));
     }
-    body += "</div>" + hardCaseSection(evaluation) + methodSection(evaluation);
+    body += "</div>" + hardCaseSection(evaluation) + smoothSection(evaluation) + methodSection(evaluation);
     return "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
            "content='width=device-width, initial-scale=1'><title>Palpate: speed against error</title><style>" +
            std::string(kReportStyle) + kChartStyle + "</style></head><body>" + tag("main", body) + "</body></html>\n";

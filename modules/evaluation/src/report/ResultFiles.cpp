@@ -259,7 +259,7 @@ std::string hardCasesCsv(const Evaluation& evaluation)
 
 std::string resultsJson(const Evaluation& evaluation)
 {
-    QJsonArray subjects, trials, paperBody, corners, sizes, tissues, cases, advice, ratios, operations;
+    QJsonArray subjects, trials, paperBody, corners, smooth, sizes, tissues, cases, advice, ratios, operations;
     for (const SubjectInfo& s : evaluation.subjects) {
         QJsonArray structures;
         for (const SubjectStructure& structure : s.structures) {
@@ -286,6 +286,17 @@ std::string resultsJson(const Evaluation& evaluation)
         corners.append(QJsonObject{{"angle_deg", c.angle_deg},
                                    {"vector_field_over_right", c.vectorField},
                                    {"god_object_over_right", c.godObject}});
+    }
+    for (const SmoothRow& r : evaluation.smooth) {
+        smooth.append(QJsonObject{{"shape", text(r.shape)},
+                                  {"way", text(r.way)},
+                                  {"triangles", qint64(r.triangles)},
+                                  {"extent_mm", r.extent_mm},
+                                  {"position_mm", r.position_mm},
+                                  {"direction_deg", r.direction_deg},
+                                  {"step_n", r.step_N},
+                                  {"work_mj", r.work_mJ},
+                                  {"press_mj", r.press_mJ}});
     }
     for (const SizePoint& p : evaluation.sizes) {
         sizes.append(object(p));
@@ -330,6 +341,7 @@ std::string resultsJson(const Evaluation& evaluation)
                           {"trials", trials},
                           {"paper_body", paperBody},
                           {"corner_force", corners},
+                          {"smooth_surfaces", smooth},
                           {"cost_by_size", sizes},
                           {"cost_of_tissue", tissues},
                           {"ratios", ratios},

@@ -141,6 +141,11 @@ Evaluation Evaluator::run(const std::vector<std::shared_ptr<const Subject>>& sub
     m_result.isQuick = m_options.isQuick;
     m_result.vectorField = measureVectorField();
     m_result.corners = forceInCorners();
+    if (m_options.isQuick) {
+        m_result.skippedItems.push_back("smooth surfaces");
+    } else {
+        m_result.smooth = compareSmoothSurfaces();
+    }
     elimination();
     const double pathCount = m_extent.seeds + static_cast<double>(given.size());
     m_parts = m_subjects * pathCount * 3.0 + (m_options.withHardCases ? m_subjects * pathCount : 0.0) + 3.0;

@@ -6,48 +6,18 @@
 #include "palpate/geometry/Reshape.h"
 
 #include "repair/CarryArrays.h"
+#include "repair/DisjointSets.h"
 #include "repair/FirstSeen.h"
 #include "repair/Orientation.h"
 #include "repair/Weld.h"
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace palpate::geometry {
 
 namespace {
-
-class DisjointSets
-{
-  public:
-    explicit DisjointSets(std::size_t n)
-        : m_parent(n)
-    {
-        std::iota(m_parent.begin(), m_parent.end(), 0u);
-    }
-    std::uint32_t find(std::uint32_t i)
-    {
-        while (m_parent[i] != i) {
-            m_parent[i] = m_parent[m_parent[i]];
-            i = m_parent[i];
-        }
-        return i;
-    }
-    // The smaller index becomes the representative, so that the result does not depend on the order.
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        if (a != b) {
-            m_parent[std::max(a, b)] = std::min(a, b);
-        }
-    }
-
-  private:
-    std::vector<std::uint32_t> m_parent;
-};
 
 /// True if the area is within the rounding error, so that the normal is undefined. The rounding error of a cross
 /// product is a few ulp of the squared longest edge.
@@ -449,7 +419,8 @@ RepairedMesh chained(const RepairedMesh& before, RepairedMesh again)
         return again;
     }
     for (std::uint32_t& vertex : again.vertexSource) {
-        vertex = before.vertexSource[vertex];
+        // A subdivision has more vertices, numbered after those that it divides.
+        vertex = vertex < before.vertexSource.size() ? before.vertexSource[vertex] : kNoVertex;
     }
     std::vector<std::uint32_t> vertexOfSource(before.vertexOfSource);
     for (std::uint32_t& vertex : vertexOfSource) {
@@ -503,6 +474,16 @@ RepairedMesh withVertices(const RepairedMesh& surface, std::vector<Vec3> vertice
     TriangleMesh moved = surface.mesh;
     moved.vertices = std::move(vertices);
     return chained(surface, repair(moved, Facing::AsGiven));
+}
+
+RepairedMesh withTriangles(const RepairedMesh& surface, const TriangleMesh& mesh,
+                           const std::vector<std::uint32_t>& parents)
+{
+    RepairedMesh again = repair(mesh, Facing::AsGiven);
+    for (std::uint32_t& source : again.source) {
+        source = parents[source];
+    }
+    return chained(surface, std::move(again));
 }
 
 } // namespace palpate::geometry

@@ -278,8 +278,9 @@ void Loader::repairAll()
         if (m_options.turnsOutwards) {
             pending.description.outwards = true;
         }
-        if (m_options.isSmoothed) {
-            pending.description.surface = SurfaceKind::Smoothed;
+        if (m_options.isSmoothed || m_options.isCurved) {
+            pending.description.surface = surfaceKind(m_options.isSmoothed || isSmoothed(pending.description.surface),
+                                                      m_options.isCurved || isCurved(pending.description.surface));
         }
         pending.shaped = shapeSurface(pending.asRead, pending.description);
         const double share = static_cast<double>(++done) / static_cast<double>(m_pending.size());
@@ -301,9 +302,9 @@ void Loader::noteSurface(const Pending& pending)
     if (pending.shaped.smoothing) {
         m_scene.warnings.push_back(name + pending.shaped.smoothing->sentence());
     }
-    if (pending.description.surface == SurfaceKind::Smooth) {
-        m_scene.warnings.push_back(name + "surface \"smooth\": curved facets are not available in this version; "
-                                          "felt and drawn as facets");
+    if (pending.shaped.curving) {
+        const SurfaceCurving& curving = *pending.shaped.curving;
+        (curving.isRefused ? m_scene.losses : m_scene.warnings).push_back(name + curving.message().english());
     }
 }
 
@@ -326,6 +327,7 @@ void Loader::collect()
         loaded.asRead = std::move(pending.asRead);
         loaded.staircase = pending.shaped.staircase;
         loaded.smoothing = pending.shaped.smoothing;
+        loaded.curving = pending.shaped.curving;
         resolveMaps(m_scene.structures.back(), m_scene.warnings, m_scene.losses, [this] {
             m_isCancelled = m_isCancelled || (m_options.progress && !m_options.progress(1.0));
             return !m_isCancelled;

@@ -197,6 +197,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
     fields.read("outwards", s.outwards);
     readName(fields, "surface", kSurfaceNames, s.surface);
     fields.read("smoothing", s.smoothing, 0.0, 1.0);
+    fields.read("crease_deg", s.crease_deg, 0.0, 180.0);
     readTissue(fields, s.tissue);
     if (fields.has("maps")) {
         s.maps.emplace();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/ShapeSurface.h"
 
+#include <palpate/geometry/PnTriangles.h>
 #include <palpate/geometry/Reshape.h>
 
 #include <vtkCellArray.h>
@@ -139,20 +140,33 @@ std::string SurfaceSmoothing::sentence() const
     return text.data();
 }
 
-ShapedSurface shapeSurface(std::shared_ptr<const RepairedMesh> asRead, const SceneStructure& description)
+core::Message SurfaceCurving::message() const
 {
-    ShapedSurface out{asRead, geometry::findStaircase(asRead->mesh), std::nullopt};
-    if (description.outwards) {
-        if (std::optional<RepairedMesh> turned = geometry::orientedOutwards(*asRead)) {
-            out.surface = std::make_shared<const RepairedMesh>(std::move(*turned));
-        }
+    using core::Count;
+    if (isRefused) {
+        return {
+            PALPATE_TEXT("curved facets would be %1 triangles, expected at most %2; the surface is felt and drawn as "
+                         "facets"),
+            Count(triangles), Count(geometry::PnOptions().mostTriangles)};
     }
-    if (description.surface != SurfaceKind::Smoothed || out.surface->mesh.triangles.empty()) {
-        return out;
+    if (triangles == before) {
+        return core::Message(PALPATE_TEXT("no facet is curved: all edges are flat or sharp"));
     }
+    if (flatTriangles > 0) {
+        return {
+            PALPATE_TEXT("curved facets: %1 triangles instead of %2; facets kept flat, because they would fold: %3"),
+            Count(triangles), Count(before), Count(flatTriangles)};
+    }
+    return {PALPATE_TEXT("curved facets: %1 triangles instead of %2"), Count(triangles), Count(before)};
+}
+
+namespace {
+
+void smooth(ShapedSurface& out, double smoothing)
+{
     const RepairedMesh& before = *out.surface;
     const MoveLimit limit = limitFor(before.mesh, out.staircase);
-    std::vector<Vec3> vertices = filtered(before.mesh, description.smoothing);
+    std::vector<Vec3> vertices = filtered(before.mesh, smoothing);
     SurfaceSmoothing& done = out.smoothing.emplace();
     done.limit_mm = limit.half_mm.maxCoeff();
     done.volumeBefore_mm3 = std::abs(before.report.volume_mm3);
@@ -164,6 +178,35 @@ ShapedSurface shapeSurface(std::shared_ptr<const RepairedMesh> asRead, const Sce
     auto smoothed = std::make_shared<const RepairedMesh>(geometry::withVertices(before, std::move(vertices)));
     done.volumeAfter_mm3 = std::abs(smoothed->report.volume_mm3);
     out.surface = std::move(smoothed);
+}
+
+void curve(ShapedSurface& out, double crease_deg)
+{
+    geometry::PnOptions options;
+    options.crease_deg = crease_deg;
+    geometry::PnSurface curved = geometry::pnTriangles(*out.surface, options);
+    out.curving = {out.surface->mesh.triangles.size(), curved.triangles, curved.flatTriangles, curved.isRefused};
+    if (curved.surface) {
+        out.surface = std::make_shared<const RepairedMesh>(std::move(*curved.surface));
+    }
+}
+
+} // namespace
+
+ShapedSurface shapeSurface(std::shared_ptr<const RepairedMesh> asRead, const SceneStructure& description)
+{
+    ShapedSurface out{asRead, geometry::findStaircase(asRead->mesh), {}, {}};
+    if (description.outwards) {
+        if (std::optional<RepairedMesh> turned = geometry::orientedOutwards(*asRead)) {
+            out.surface = std::make_shared<const RepairedMesh>(std::move(*turned));
+        }
+    }
+    if (isSmoothed(description.surface) && !out.surface->mesh.triangles.empty()) {
+        smooth(out, description.smoothing);
+    }
+    if (isCurved(description.surface) && !out.surface->mesh.triangles.empty()) {
+        curve(out, description.crease_deg);
+    }
     return out;
 }
 

@@ -109,6 +109,9 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
     if (s.smoothing != kDefaultSmoothing) {
         out["smoothing"] = s.smoothing;
     }
+    if (s.crease_deg != kDefaultCrease_deg) {
+        out["crease_deg"] = s.crease_deg;
+    }
     for (const core::TissueTerm& term : core::kTissueTerms) {
         const double value = s.tissue.*term.member;
         if (term.group.empty()) {

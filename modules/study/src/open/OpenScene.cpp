@@ -28,7 +28,8 @@ void refreshTouchMaps(OpenStructure& one)
 bool needsOtherSurface(const meshio::SceneStructure& a, const meshio::SceneStructure& b) noexcept
 {
     return a.outwards != b.outwards || a.surface != b.surface ||
-           (a.smoothing != b.smoothing && b.surface == meshio::SurfaceKind::Smoothed);
+           (a.smoothing != b.smoothing && meshio::isSmoothed(b.surface)) ||
+           (a.crease_deg != b.crease_deg && meshio::isCurved(b.surface));
 }
 
 void OpenScene::reset(std::vector<OpenStructure> structures, meshio::BuriedTouch buried)

@@ -32,9 +32,15 @@ RecordedLook lookIn(const QJsonObject& json)
                       {colour[0].toDouble(), colour[1].toDouble(), colour[2].toDouble()},
                       json["opacity"].toDouble()};
     look.outwards = json["outwards"].toBool();
-    if (json["surface"].toString() == nameOf(meshio::SurfaceKind::Smoothed)) {
-        look.surface = meshio::SurfaceKind::Smoothed;
-        look.smoothing = isShare(json["smoothing"]) ? json["smoothing"].toDouble() : meshio::kDefaultSmoothing;
+    for (const auto kind :
+         {meshio::SurfaceKind::Smooth, meshio::SurfaceKind::Smoothed, meshio::SurfaceKind::SmoothedSmooth}) {
+        look.surface = json["surface"].toString() == nameOf(kind) ? kind : look.surface;
+    }
+    if (meshio::isSmoothed(look.surface) && isShare(json["smoothing"])) {
+        look.smoothing = json["smoothing"].toDouble();
+    }
+    if (meshio::isCurved(look.surface) && json["crease_deg"].isDouble()) {
+        look.crease_deg = std::clamp(json["crease_deg"].toDouble(), 0.0, 180.0);
     }
     return look;
 }
@@ -51,9 +57,14 @@ std::string looksText(const std::vector<RecordedLook>& looks)
         if (one.outwards) {
             look["outwards"] = true;
         }
-        if (one.surface == meshio::SurfaceKind::Smoothed) {
+        if (one.surface != meshio::SurfaceKind::Facets) {
             look["surface"] = nameOf(one.surface);
+        }
+        if (meshio::isSmoothed(one.surface)) {
             look["smoothing"] = one.smoothing;
+        }
+        if (meshio::isCurved(one.surface)) {
+            look["crease_deg"] = one.crease_deg;
         }
         all.append(look);
     }
@@ -72,8 +83,8 @@ std::vector<RecordedLook> looksFrom(std::string_view text)
 
 RecordedLook lookOf(const meshio::SceneStructure& structure)
 {
-    return {structure.name,     structure.colour,  structure.opacity,
-            structure.outwards, structure.surface, structure.smoothing};
+    return {structure.name,    structure.colour,    structure.opacity,   structure.outwards,
+            structure.surface, structure.smoothing, structure.crease_deg};
 }
 
 } // namespace palpate::study

@@ -60,7 +60,8 @@ meshio::ReadOptions readAs(const RecordingReader& reader, const fs::path& file)
     if (const auto number = static_cast<std::size_t>(named == all.end() ? 0 : named - all.begin());
         number < looks.size()) {
         options.turnsOutwards = looks[number].outwards;
-        options.isSmoothed = looks[number].surface == meshio::SurfaceKind::Smoothed;
+        options.isSmoothed = meshio::isSmoothed(looks[number].surface);
+        options.isCurved = meshio::isCurved(looks[number].surface);
     }
     return options;
 }

@@ -357,6 +357,7 @@ void SceneLoader::buildSurface(int row, const meshio::LoadedStructure& structure
         one.surface = std::move(shaped.surface);
         one.staircase = shaped.staircase;
         one.smoothing = shaped.smoothing;
+        one.curving = shaped.curving;
         std::vector<std::string> warnings, losses;
         meshio::resolveMaps(one, warnings, losses);
         for (const std::string& line : losses) {

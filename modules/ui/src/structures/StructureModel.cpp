@@ -335,7 +335,7 @@ std::vector<int> StructureModel::steppedRows() const
     for (int row = 0; row < rowCount(); ++row) {
         const study::OpenStructure& one = this->rows()[static_cast<std::size_t>(row)];
         if (!one.isRemoved && isReshapable(row) && one.loaded.staircase &&
-            structure(row).surface != meshio::SurfaceKind::Smoothed) {
+            !meshio::isSmoothed(structure(row).surface)) {
             rows.push_back(row);
         }
     }
@@ -358,7 +358,8 @@ void StructureModel::smooth(const std::vector<int>& rows)
     std::vector<Edited> edits;
     for (const int row : rows) {
         edits.push_back({row, structure(row)});
-        edits.back().description.surface = meshio::SurfaceKind::Smoothed;
+        meshio::SurfaceKind& kind = edits.back().description.surface;
+        kind = meshio::surfaceKind(true, meshio::isCurved(kind));
     }
     editAll(std::move(edits), rows.size() == 1 ? tr("Smooth %1").arg(readableName(structure(rows.front()).name))
                                                : tr("Smooth %1 surfaces").arg(rows.size()));
@@ -385,6 +386,9 @@ QStringList StructureModel::findings(int row) const
     }
     if (one.smoothing) {
         lines << engineText(one.smoothing->sentence());
+    }
+    if (one.curving) {
+        lines << translated(one.curving->message());
     }
     return lines;
 }

@@ -320,36 +320,48 @@ void StructurePanel::addLayer(QFormLayout& form, int place, QWidget* box)
     connect(m_layer, &QComboBox::activated, this, [this](int chosen) { setLayer(m_layer->itemData(chosen)); });
 }
 
-/// Row of the surface choice, visible for voxel staircases and smoothed surfaces.
 void StructurePanel::addSurface(QFormLayout& form, int place, QWidget* box)
 {
     m_surface = new ShownComboBox(box);
-    m_surface->addItem(tr("As in the file"));
-    m_surface->addItem(tr("Smoothed"));
+    m_surface->addItem(tr("As in the file"), static_cast<int>(meshio::SurfaceKind::Facets));
+    m_surface->addItem(tr("Smoothed"), static_cast<int>(meshio::SurfaceKind::Smoothed));
+    m_surface->addItem(tr("Curved facets"), static_cast<int>(meshio::SurfaceKind::Smooth));
+    m_surface->addItem(tr("Smoothed, curved facets"), static_cast<int>(meshio::SurfaceKind::SmoothedSmooth));
     m_surface->setAccessibleName(tr("Surface"));
     m_surface->setToolTip(tr("Smoothing removes voxel steps for display and touch, moving the surface by at most half "
-                             "a voxel. The file is not changed."));
+                             "a voxel. Curved facets make coarse facets round; edges of more than 40° stay sharp. The "
+                             "file is not changed."));
     m_surfaceRow = new BoxRow(tr("Surface"), m_surface, box);
     form.insertRow(place, m_surfaceRow);
+    m_surfaceCost = new QLabel(box);
+    m_surfaceCost->setWordWrap(true);
+    form.insertRow(place + 1, m_surfaceCost);
     connect(m_surface, &QComboBox::activated, this, [this](int chosen) {
-        const auto kind = chosen == 1 ? meshio::SurfaceKind::Smoothed : meshio::SurfaceKind::Facets;
-        if (kind == meshio::SurfaceKind::Smoothed) {
-            m_model.smooth(selectedRows());
-        } else {
-            change(selectedRows(), [kind](meshio::SceneStructure& structure) { structure.surface = kind; });
-        }
+        const auto kind = static_cast<meshio::SurfaceKind>(m_surface->itemData(chosen).toInt());
+        change(selectedRows(), [kind](meshio::SceneStructure& structure) { structure.surface = kind; });
     });
 }
 
 void StructurePanel::showSurface(const std::vector<int>& rows)
 {
-    const auto isSmoothed = [this](int row) { return m_model.structure(row).surface == meshio::SurfaceKind::Smoothed; };
-    const bool isAny = std::any_of(rows.begin(), rows.end(), [&](int row) {
-        return isSmoothed(row) || m_model.rows()[static_cast<std::size_t>(row)].loaded.staircase.has_value();
-    });
-    m_form->setRowVisible(m_surfaceRow, isAny);
+    m_form->setRowVisible(m_surfaceRow, !rows.empty());
     m_surface->setEnabled(std::all_of(rows.begin(), rows.end(), [this](int row) { return m_model.isReshapable(row); }));
-    m_surface->setCurrentIndex(std::all_of(rows.begin(), rows.end(), isSmoothed) ? 1 : 0);
+    std::size_t triangles = 0, bytes = 0;
+    bool isCurved = false;
+    for (const int row : rows) {
+        const meshio::LoadedStructure& one = m_model.rows()[static_cast<std::size_t>(row)].loaded;
+        const auto& touch = m_model.rows()[static_cast<std::size_t>(row)].touch;
+        isCurved = isCurved || one.curving;
+        triangles += one.surface != nullptr ? one.surface->mesh.triangles.size() : 0;
+        bytes += touch != nullptr ? touch->byteSize() : 0;
+    }
+    if (!rows.empty()) {
+        m_surface->setCurrentIndex(m_surface->findData(static_cast<int>(m_model.structure(rows.front()).surface)));
+    }
+    m_surfaceCost->setText(tr("%1 triangles, %2 MiB for touch")
+                               .arg(QLocale().toString(static_cast<qulonglong>(triangles)),
+                                    QLocale().toString(static_cast<double>(bytes) / (1 << 20), 'f', 1)));
+    m_form->setRowVisible(m_surfaceCost, isCurved);
 }
 
 QWidget* StructurePanel::makeTissueBox()

@@ -3,6 +3,7 @@
 
 #include "palpate/evaluation/CornerForce.h"
 #include "palpate/evaluation/HardCases.h"
+#include "palpate/evaluation/SmoothComparison.h"
 #include "palpate/evaluation/Spread.h"
 #include "palpate/evaluation/Subject.h"
 #include "palpate/evaluation/VectorFieldSolver.h"
@@ -183,6 +184,7 @@ struct Evaluation
     std::vector<Advice> advice;
     VectorFieldFigures vectorField;
     std::vector<CornerForce> corners;
+    std::vector<SmoothRow> smooth;              ///< empty in a quick run
     std::vector<Trial> paperBody;               ///< PaperSolver, then the product, on paperBody() with 616 triangles
     std::array<int, 3> eliminationOperations{}; ///< for 1, 2 and 3 planes
 };

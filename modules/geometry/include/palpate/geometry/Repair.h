@@ -29,7 +29,8 @@ struct RepairedMesh
     /// reversed.
     std::vector<std::uint8_t> turned;
     MeshReport report;
-    /// For each vertex: index in the input mesh, the lowest of the welded ones. Like `vertexOfSource` empty in a
+    /// For each vertex: index in the input mesh, the lowest of the welded ones, or kNoVertex for a vertex that a
+    /// subdivision added. Like `vertexOfSource` empty in a
     /// surface read from a recording.
     std::vector<std::uint32_t> vertexSource{};
     /// For each input vertex: index in `mesh`, or kNoVertex. Carries values at the vertices of `mesh` back to all input

@@ -5,6 +5,7 @@
 
 #include <palpate/core/Export.h>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,5 +24,13 @@ namespace palpate::geometry {
 /// @param vertices  new positions, one for each vertex of `surface` [mm], finite
 /// @par Cost As `repair`. Any thread.
 [[nodiscard]] PALPATE_EXPORT RepairedMesh withVertices(const RepairedMesh& surface, std::vector<Vec3> vertices);
+
+/// Replaces the triangles of a repaired surface by others that lie on the same surface, for example by a subdivision,
+/// and repairs the result. `source`, `turned` and the report are as for `withVertices`, but the corners of a triangle
+/// are no longer those of its source.
+/// @param parents  for each triangle of `mesh` the triangle of `surface` that it belongs to
+/// @par Cost As `repair`. Any thread.
+[[nodiscard]] PALPATE_EXPORT RepairedMesh withTriangles(const RepairedMesh& surface, const TriangleMesh& mesh,
+                                                        const std::vector<std::uint32_t>& parents);
 
 } // namespace palpate::geometry

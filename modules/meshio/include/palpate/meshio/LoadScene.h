@@ -39,6 +39,7 @@ struct LoadedStructure
     std::shared_ptr<const geometry::RepairedMesh> asRead{};
     std::optional<geometry::Staircase> staircase{}; ///< found in `asRead`
     std::optional<SurfaceSmoothing> smoothing{};    ///< result of smoothing, when applied
+    std::optional<SurfaceCurving> curving{};        ///< result of curving the facets, when applied
 };
 
 /// A scene with the meshes.

@@ -52,10 +52,11 @@ struct ReadOptions
     FileFrame frame = FileFrame::Untagged;
     /// Uses the unit from 3D Slicer's `SCALE=` in an STL header, if present and `unit_mm` is 1.
     bool readsScale = true;
-    /// Options of `loadScene` for every structure, overriding the scene: turn inverted closed parts, and smooth the
-    /// surface (SurfaceKind::Smoothed).
+    /// Options of `loadScene` for every structure, overriding the scene: turn inverted closed parts, smooth the surface
+    /// (SurfaceKind::Smoothed) and curve the facets (SurfaceKind::Smooth).
     bool turnsOutwards = false;
     bool isSmoothed = false;
+    bool isCurved = false;
 };
 
 /// Reads a mesh file in a format of MeshFormats.h, detected from the content.

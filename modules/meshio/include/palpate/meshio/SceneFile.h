@@ -23,11 +23,27 @@ namespace palpate::meshio {
 /// Surface model of a structure.
 enum class SurfaceKind : std::uint8_t
 {
-    Facets,   ///< the triangles of the mesh as they are
-    Smooth,   ///< curved facets: reserved, currently treated as facets
-    Smoothed, ///< the mesh after a low-pass filter against voxel steps: see shapeSurface
+    Facets,         ///< the triangles of the mesh as they are
+    Smooth,         ///< curved facets: see geometry::pnTriangles
+    Smoothed,       ///< the mesh after a low-pass filter against voxel steps: see shapeSurface
+    SmoothedSmooth, ///< curved facets of the filtered mesh
 };
-inline constexpr std::array<std::string_view, 3> kSurfaceNames{"facets", "smooth", "smoothed"};
+inline constexpr std::array<std::string_view, 4> kSurfaceNames{"facets", "smooth", "smoothed", "smoothed and smooth"};
+[[nodiscard]] constexpr bool isSmoothed(SurfaceKind kind) noexcept
+{
+    return kind == SurfaceKind::Smoothed || kind == SurfaceKind::SmoothedSmooth;
+}
+[[nodiscard]] constexpr bool isCurved(SurfaceKind kind) noexcept
+{
+    return kind == SurfaceKind::Smooth || kind == SurfaceKind::SmoothedSmooth;
+}
+[[nodiscard]] constexpr SurfaceKind surfaceKind(bool isSmoothed, bool isCurved) noexcept
+{
+    return isSmoothed ? (isCurved ? SurfaceKind::SmoothedSmooth : SurfaceKind::Smoothed)
+                      : (isCurved ? SurfaceKind::Smooth : SurfaceKind::Facets);
+}
+/// Facets that meet at a larger angle have a sharp edge, if curved [degree].
+inline constexpr double kDefaultCrease_deg = 40.0;
 /// 3D Slicer's own default, 0.5, leaves more ripple on voxels that are three times as high as wide.
 inline constexpr double kDefaultSmoothing = 0.7;
 
@@ -48,7 +64,8 @@ struct SceneStructure
     bool flipped = false;  ///< turn the surface inside out on import
     bool outwards = false; ///< turn inverted closed parts on import, after `flipped`
     SurfaceKind surface = SurfaceKind::Facets;
-    double smoothing = kDefaultSmoothing; ///< strength of SurfaceKind::Smoothed, 0 (nearly none) … 1
+    double smoothing = kDefaultSmoothing;   ///< strength of the low-pass filter, 0 (nearly none) … 1
+    double crease_deg = kDefaultCrease_deg; ///< crease angle of curved facets, 0 … 180 [degree]
     core::Tissue tissue;
     std::uint32_t layer = 0;           ///< 0 is the outermost
     std::string inside;                ///< organ that contains this lump; empty: unspecified, and then `layer` is 0

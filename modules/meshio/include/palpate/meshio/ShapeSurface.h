@@ -4,9 +4,11 @@
 #include "palpate/meshio/SceneFile.h"
 
 #include <palpate/core/Export.h>
+#include <palpate/core/Message.h>
 #include <palpate/geometry/Repair.h>
 #include <palpate/geometry/Staircase.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,16 +27,29 @@ struct PALPATE_EXPORT SurfaceSmoothing
     [[nodiscard]] std::string sentence() const;
 };
 
+/// Result of curving the facets of a surface.
+struct PALPATE_EXPORT SurfaceCurving
+{
+    std::size_t before = 0;        ///< triangles
+    std::size_t triangles = 0;     ///< triangles afterwards, also if it was refused
+    std::size_t flatTriangles = 0; ///< of `before`, kept flat because their patches would fold
+    bool isRefused = false;        ///< more triangles than geometry::PnOptions::mostTriangles: facets are used
+
+    [[nodiscard]] core::Message message() const;
+};
+
 /// A surface for display and haptics, and the data of the processing steps.
 struct ShapedSurface
 {
     std::shared_ptr<const geometry::RepairedMesh> surface;
     std::optional<geometry::Staircase> staircase; ///< of the input surface
     std::optional<SurfaceSmoothing> smoothing;
+    std::optional<SurfaceCurving> curving;
 };
 
 /// Applies the surface options of a description to a repaired surface: turns inverted closed parts (`outwards`) and
-/// smooths (`surface`, `smoothing`). Does not change the input, and returns the input itself when no option applies.
+/// smooths (`surface`, `smoothing`) and curves the facets (`surface`, `crease_deg`; geometry::pnTriangles). Does not
+/// change the input, and returns the input itself when no option applies.
 ///
 /// Smoothing is VTK's windowed sinc filter with the settings of 3D Slicer's closed surfaces: 20 iterations, pass band
 /// 10^(-4 smoothing), boundary edges kept. No vertex moves by more than half a voxel along a voxel edge, so that the

@@ -20,6 +20,7 @@ struct RecordedLook
     bool outwards = false;          ///< see meshio::SceneStructure
     meshio::SurfaceKind surface = meshio::SurfaceKind::Facets;
     double smoothing = meshio::kDefaultSmoothing;
+    double crease_deg = meshio::kDefaultCrease_deg;
 };
 
 /// Serializes looks for RecordingInfo::looks, in the order of the recording's structures. See

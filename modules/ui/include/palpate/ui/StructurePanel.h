@@ -127,10 +127,11 @@ class PALPATE_EXPORT StructurePanel : public QWidget
     QComboBox* m_friction = nullptr;
     QFormLayout* m_form = nullptr;
     std::array<QDoubleSpinBox*, core::kTissueTerms.size()> m_terms{};
-    QComboBox* m_surface = nullptr; ///< items: as in the file, smoothed
+    QComboBox* m_surface = nullptr; ///< the data of each item is a meshio::SurfaceKind
     QWidget* m_surfaceRow = nullptr;
-    QComboBox* m_layer = nullptr; ///< item data: layer; invalid: transmitted through the surrounding organ
-    QLabel* m_bound = nullptr;    ///< effective values when limited by the device
+    QLabel* m_surfaceCost = nullptr; ///< triangles and memory of curved surfaces
+    QComboBox* m_layer = nullptr;    ///< item data: layer; invalid: transmitted through the surrounding organ
+    QLabel* m_bound = nullptr;       ///< effective values when limited by the device
     QLabel* m_refusal = nullptr;
     haptics::Tissue m_greatest = core::unbounded(); ///< unbounded until a device is known
     QString m_limitReason;
