@@ -203,7 +203,7 @@ class Repair : public QObject
         geometry::flip(inward);
         geometry::TriangleMesh mesh = inward; // of vtkMarchingCubes, for example, beside one that faces outwards
         append(mesh, moved(sphere(4, 5.0), Vec3(20, 0, 0)));
-        const RepairedMesh r = repair(mesh);
+        const RepairedMesh r = repair(mesh, geometry::Facing::Outward);
         QCOMPARE(r.report.insideOutComponents, std::size_t{0});
         QCOMPARE(r.report.turnedComponents, std::size_t{1});
         QVERIFY(std::abs(r.report.volume_mm3 - 2.0 * repair(sphere(4, 5.0)).report.volume_mm3) < 1e-9);
@@ -222,7 +222,8 @@ class Repair : public QObject
         geometry::TriangleMesh mesh = sphere(4, 10.0);
         append(mesh, cavity);
         append(mesh, sheet(30.0, 2)); // open: has no outside
-        const RepairedMesh given = repair(mesh, geometry::Facing::AsGiven), out = repair(mesh);
+        const RepairedMesh given = repair(mesh, geometry::Facing::AsGiven),
+                           out = repair(mesh, geometry::Facing::Outward);
         QVERIFY(given.mesh.vertices == out.mesh.vertices && given.mesh.triangles == out.mesh.triangles);
         QCOMPARE(out.report.turnedComponents, std::size_t{0});
     }

@@ -29,7 +29,7 @@ int main(int argc, char** argv)
     plate.vertices = {{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}};
     plate.triangles = {{0, 1, 2}, {0, 2, 3}};
     session::StructureSource source; // what a recording stores about a surface
-    source.embed = std::make_shared<const geometry::RepairedMesh>(geometry::repair(plate));
+    source.embed = std::make_shared<const geometry::RepairedMesh>(geometry::repair(plate, geometry::Facing::Outward));
     haptics::HapticStructure structure;
     structure.name = "plate";
     structure.surface = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(*source.embed));

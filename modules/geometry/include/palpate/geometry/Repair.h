@@ -67,8 +67,9 @@ struct RepairOptions
 /// is closed if every edge is traversed equally often in both directions.
 /// @pre `check(mesh)` finds no error
 /// @par Cost O(n log n). Any thread.
-[[nodiscard]] PALPATE_EXPORT RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {});
-[[nodiscard]] inline RepairedMesh repair(const TriangleMesh& mesh, Facing facing)
+[[nodiscard]] PALPATE_EXPORT RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options);
+/// As above, without welding by distance. Meshes from files keep their facing; for meshes from memory see `surfaceOf`.
+[[nodiscard]] inline RepairedMesh repair(const TriangleMesh& mesh, Facing facing = Facing::AsGiven)
 {
     return repair(mesh, RepairOptions{.facing = facing});
 }
