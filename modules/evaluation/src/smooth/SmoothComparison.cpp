@@ -23,7 +23,7 @@ namespace palpate::evaluation {
 namespace {
 
 constexpr double kStiffness_N_per_mm = 0.5;
-constexpr double kDepth_mm = 4.0, kDepthSwing_mm = 1.5;
+constexpr double kPressDepth_mm = 4.0, kDepthSwing_mm = 1.5;
 constexpr double kSlide_mm_per_tick = 0.025; // 25 mm/s at 1 kHz
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -158,19 +158,19 @@ class SmoothSolver
 struct ClosedPath
 {
     double centerU, centerV; ///< [rad]
-    double swing_mm;         ///< amplitude of the depth around kDepth_mm
+    double swing_mm;         ///< amplitude of the depth around kPressDepth_mm
     int lobes;               ///< periods of the depth
     double phase;            ///< [rad]
 };
 
 constexpr double kCircle_mm = 8.0;
-constexpr int kTicks = static_cast<int>(2.0 * std::numbers::pi * kCircle_mm / kSlide_mm_per_tick);
+constexpr int kRoundTicks = static_cast<int>(2.0 * std::numbers::pi * kCircle_mm / kSlide_mm_per_tick);
 
 Vec3 hipAt(const TrueShape& shape, const ClosedPath& path, int tick)
 {
-    const double a = 2.0 * std::numbers::pi * tick / kTicks, around = kCircle_mm / shape.radius_mm;
+    const double a = 2.0 * std::numbers::pi * tick / kRoundTicks, around = kCircle_mm / shape.radius_mm;
     const SurfacePoint at = shape.at(path.centerU + around * std::cos(a), path.centerV + around * std::sin(a));
-    return at.p_W - (kDepth_mm + path.swing_mm * std::sin(path.lobes * a + path.phase)) * at.n_W;
+    return at.p_W - (kPressDepth_mm + path.swing_mm * std::sin(path.lobes * a + path.phase)) * at.n_W;
 }
 
 /// Follows a path twice and measures the second round, which starts and ends in the same state.
@@ -181,10 +181,10 @@ void follow(const TrueShape& shape, SmoothSolver& solver, const ClosedPath& path
     double work = 0.0;
     Vec3 before_WH = Vec3::Zero();
     Felt before;
-    for (int tick = 0; tick <= 2 * kTicks; ++tick) {
+    for (int tick = 0; tick <= 2 * kRoundTicks; ++tick) {
         const Vec3 p_WH = hipAt(shape, path, tick);
         const Felt felt = solver.step(p_WH);
-        if (tick > kTicks) {
+        if (tick > kRoundTicks) {
             const SurfacePoint truth = shape.closest(p_WH);
             row.position_mm = std::max(row.position_mm, (felt.p_WG - shape.closest(felt.p_WG).p_W).norm());
             const double turn = std::atan2(felt.f_W.cross(truth.n_W).norm(), felt.f_W.dot(truth.n_W));
@@ -208,7 +208,7 @@ SmoothRow measure(const TrueShape& shape, Way way, const char* name)
         mesh = curved.surface ? std::move(*curved.surface) : std::move(mesh);
     }
     SmoothRow row{shape.name, name, mesh.mesh.triangles.size(), shape.radius_mm};
-    row.press_mJ = 0.5 * kStiffness_N_per_mm * kDepth_mm * kDepth_mm;
+    row.press_mJ = 0.5 * kStiffness_N_per_mm * kPressDepth_mm * kPressDepth_mm;
     SmoothSolver solver(mesh, way);
     for (const ClosedPath& path : {ClosedPath{0.11, 0.07, 0.0, 1, 0.0}, ClosedPath{-0.2, 0.3, kDepthSwing_mm, 1, 0.4},
                                    ClosedPath{0.4, -0.1, kDepthSwing_mm, 3, 1.7}}) {

@@ -10,7 +10,7 @@ namespace palpate::evaluation {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 /// Grid of `columns` x `rows` squares, closed where its first and last points are to be the same.
 template<class Point>
@@ -74,12 +74,12 @@ std::vector<TrueShape> trueShapes()
     sphere.facets = shapes::bumpySphere(8, sphere.radius_mm, 0.0);
     // The ends are open and out of reach: the paths stay within 10 mm of the middle.
     cylinder.facets = grid(32, 28, false, [&](double i, double j) {
-        const double a = kTurn * i;
+        const double a = kFullTurn * i;
         return Vec3(20.0 * std::sin(a), 100.0 * (j - 0.5), 20.0 * std::cos(a));
     });
     torus.radius_mm = 12.0;
     torus.facets = grid(24, 32, true, [&](double i, double j) {
-        const double a = kTurn * i, b = kTurn * j;
+        const double a = kFullTurn * i, b = kFullTurn * j;
         const Vec3 out(std::cos(b), std::sin(b), 0.0);
         return Vec3(torus.ring_mm * out + torus.radius_mm * (std::sin(a) * out + std::cos(a) * Vec3::UnitZ()));
     });
