@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "English.h"
 #include "Samples.h"
 #include "TestRunner.h"
 
@@ -108,8 +109,8 @@ class Frames : public QObject
         QCOMPARE(one.surface->report.insideOutComponents, std::size_t{0});
         QCOMPARE(one.description.frame, chosen);
         const bool isTold = !head.empty() && chosen != FileFrame::Untagged;
-        QCOMPARE(mentions(scene.value().warnings, "as was chosen"), isTold);
-        QCOMPARE(mentions(scene.value().warnings, "no SPACE tag: coordinates taken as LPS"),
+        QCOMPARE(test::mentions(scene.value().warnings, "as was chosen"), isTold);
+        QCOMPARE(test::mentions(scene.value().warnings, "no SPACE tag: coordinates taken as LPS"),
                  head.empty() && chosen == FileFrame::Untagged);
     }
 
@@ -130,7 +131,7 @@ class Frames : public QObject
         const auto asked = meshio::loadScene(path, as(FileFrame::Ras));
         QVERIFY(asked.value().structures[0].surface->mesh.vertices ==
                 again.value().structures[0].surface->mesh.vertices);
-        QVERIFY(mentions(asked.value().warnings, "taken as Y-up, as the scene file says; not as RAS"));
+        QVERIFY(test::mentions(asked.value().warnings, "taken as Y-up, as the scene file says; not as RAS"));
         // In memory, reinterpreted in another frame.
         meshio::SceneFile turned = again.value().scene;
         turned.structures[0].frame = FileFrame::Ras;

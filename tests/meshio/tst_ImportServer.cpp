@@ -325,7 +325,7 @@ void ImportServer::manyAtOnceAndNothingLeft()
     QVERIFY2(scene.isOk(), scene.status().message().c_str());
     QCOMPARE(scene.value().structures.size(), std::size_t{40});
     QCOMPARE(scene.value().losses.size(), std::size_t{1});
-    QVERIFY(scene.value().losses[0].starts_with("segv.stl: "));
+    QVERIFY(scene.value().losses[0].english().starts_with("segv.stl: "));
     QCOMPARE(openDescriptors(), before);
 }
 
@@ -548,8 +548,8 @@ void ImportServer::mapsGoThroughTheChild()
     QVERIFY2(scene.isOk(), scene.status().message().c_str());
     QVERIFY(scene.value().structures[0].maps.empty());
     QCOMPARE(scene.value().losses.size(), std::size_t{1});
-    QVERIFY2(scene.value().losses[0].find("segv.mha: the process that read it crashed") != std::string::npos,
-             scene.value().losses[0].c_str());
+    QVERIFY2(scene.value().losses[0].english().find("segv.mha: the process that read it crashed") != std::string::npos,
+             scene.value().losses[0].english().c_str());
 }
 
 void ImportServer::liesAboutAVolumeAreRefused_data()

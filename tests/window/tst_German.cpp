@@ -3,9 +3,9 @@
 #include "Shapes.h"
 #include "TestRunner.h"
 
-#include <palpate/ui/EngineTexts.h>
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/Messages.h>
+#include <palpate/ui/Translated.h>
 
 #include <QAbstractItemView>
 #include <QFile>
@@ -140,22 +140,28 @@ class German : public QObject
         QCOMPARE(englishIn(lines), QString());
     }
 
-    void whatIsNotKnownSaysItsLanguage()
+    void foreignTextsSayTheirLanguage()
     {
-        QCOMPARE(ui::engineText("a.stl: the moon is in the way"),
+        QCOMPARE(ui::translated(core::Message::untranslated("a.stl: the moon is in the way")),
                  QStringLiteral("a.stl: the moon is in the way (auf Englisch)"));
-        QCOMPARE(ui::engineText("the file is empty"), QStringLiteral("die Datei ist leer"));
-        QCOMPARE(ui::engineText("the 100 %1 box.stl: line 7: \"the end\" is not a number; expected three numbers"),
-                 QStringLiteral("the 100 %1 box.stl: Zeile 7: \"the end\" ist keine Zahl; erwartet: drei Zahlen"));
-        QCOMPARE(ui::engineText(""), QString());
+        QCOMPARE(ui::translated(core::Message()), QString());
+    }
+
+    void namesAreNotTranslatedAndNumbersAreLocal()
+    {
+        QCOMPARE(ui::translated(core::Message(PALPATE_TEXT("the file is empty"))),
+                 QStringLiteral("die Datei ist leer"));
+        const core::Message line(PALPATE_TEXT("line %1"), 7);
+        QCOMPARE(ui::translated(core::Message(PALPATE_TEXT("%1: %2"), "the 100 %1 box.stl", line)),
+                 QStringLiteral("the 100 %1 box.stl: Zeile 7"));
     }
 
     /// In English the engine's own messages stay unchanged.
     void inEnglishNothingChanges()
     {
         QCoreApplication::removeTranslator(&m_german);
-        const QString line = QStringLiteral("a.stl: 1,234 open edges: the surface has holes or a rim");
-        QCOMPARE(ui::engineText(line.toStdString()), line);
+        const core::Message line(PALPATE_TEXT("%1 open edges: the surface has holes or a rim"), core::Count(1234));
+        QCOMPARE(ui::translated(line), QStringLiteral("1,234 open edges: the surface has holes or a rim"));
         QCoreApplication::installTranslator(&m_german);
     }
 

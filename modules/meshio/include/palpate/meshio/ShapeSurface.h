@@ -3,12 +3,12 @@
 
 #include "palpate/meshio/SceneFile.h"
 
+#include <palpate/core/Message.h>
 #include <palpate/geometry/MeshReport.h>
 #include <palpate/geometry/Staircase.h>
 
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace palpate::meshio {
 
@@ -21,7 +21,7 @@ struct SurfaceSmoothing
     double volumeAfter_mm3 = 0.0;
 
     /// "smoothed: vertices moved by at most 0.62 mm, volume +0.31 %"
-    [[nodiscard]] std::string sentence() const;
+    [[nodiscard]] core::Message sentence() const;
 };
 
 /// A surface for display and haptics, and the data of the processing steps.
