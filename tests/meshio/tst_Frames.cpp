@@ -15,18 +15,6 @@ using core::Vec3;
 
 namespace {
 
-bool mentions(const std::vector<std::string>& lines, std::string_view part)
-{
-    return std::any_of(lines.begin(), lines.end(),
-                       [&](const std::string& line) { return line.find(part) != std::string::npos; });
-}
-
-bool mentions(const std::vector<core::Message>& lines, std::string_view part)
-{
-    return std::ranges::any_of(
-        lines, [&](const core::Message& line) { return line.english().find(part) != std::string::npos; });
-}
-
 /// Returns a tetrahedron with edges of 10, 20 and 30 mm along x, y and z from (1, 2, 3), normals outwards.
 std::string lopsided(const std::string& head = "")
 {
@@ -222,8 +210,8 @@ class Frames : public QObject
             QVERIFY2(file.isOk(), file.status().message().c_str());
             QCOMPARE(file.value().unit_mm, taken_mm);
             QVERIFY(file.value().structures[0].mesh.bounds().max() == Vec3(2.5, 1.5, 0) * taken_mm);
-            QCOMPARE(mentions(file.value().notes, "SCALE="), !note.isEmpty());
-            QVERIFY(mentions(file.value().notes, note.toStdString()) || note.isEmpty());
+            QCOMPARE(test::mentions(file.value().notes, "SCALE="), !note.isEmpty());
+            QVERIFY(test::mentions(file.value().notes, note.toStdString()) || note.isEmpty());
             // A scene file states its unit, and keeps the unit from the mesh header.
             const auto scene = meshio::loadScene(path, {unit_mm, {}});
             QCOMPARE(scene.value().scene.structures[0].unit_mm, taken_mm);
@@ -272,8 +260,8 @@ class Frames : public QObject
         const test::Folder folder;
         const auto file = meshio::readMesh(folder.write(name.toStdString(), bytes));
         QVERIFY2(file.isOk(), file.status().message().c_str());
-        QCOMPARE(mentions(file.value().notes, "colours not read"), !note.isEmpty());
-        QVERIFY(note.isEmpty() || mentions(file.value().notes, note.toStdString()));
+        QCOMPARE(test::mentions(file.value().notes, "colours not read"), !note.isEmpty());
+        QVERIFY(note.isEmpty() || test::mentions(file.value().notes, note.toStdString()));
     }
 
     void otherPrograms_data()

@@ -390,7 +390,7 @@ QJsonObject toJson(const FileReport& report)
                                              {"index_s", report.index_s},
                                              {"examine_s", report.examine_s}}}};
     if (report.layers) {
-        object["layers"] = texts(*report.layers);
+        object["layers"] = texts(english(*report.layers));
     }
     object["lumps"] = study::lumpsJson(report.scene, report.lumps);
     return object;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
 #include <palpate/session/Measures.h>
 #include <palpate/session/Replay.h>
 #include <palpate/session/StructureNames.h>

@@ -4,6 +4,7 @@
 #include "palpate/study/StiffnessRatio.h"
 
 #include <palpate/buried/FeltSurface.h>
+#include <palpate/core/Message.h>
 #include <palpate/meshio/LoadScene.h>
 
 #include <cstddef>

@@ -3,6 +3,8 @@
 
 #include "palpate/study/BuriedLumps.h"
 
+#include <palpate/core/Message.h>
+
 #include <QJsonArray>
 
 #include <span>

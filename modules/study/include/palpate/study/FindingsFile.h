@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/Finding.h>
+#include <palpate/core/Message.h>
 #include <palpate/core/Status.h>
 #include <palpate/session/RecordingReader.h>
 

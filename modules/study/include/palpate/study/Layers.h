@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
 #include <palpate/geometry/MeshReport.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/haptics/HapticScene.h>

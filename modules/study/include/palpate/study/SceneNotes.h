@@ -3,6 +3,7 @@
 
 #include "palpate/study/Layers.h"
 
+#include <palpate/core/Message.h>
 #include <palpate/core/Tissue.h>
 #include <palpate/geometry/SurfaceGap.h>
 #include <palpate/haptics/HapticScene.h>
