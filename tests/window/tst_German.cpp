@@ -108,7 +108,7 @@ class German : public QObject
         row("flat",
             m_desk->writeStl("flat.stl",
                              {{core::Vec3(0, 0, 0), core::Vec3(1, 0, 0), core::Vec3(2, 0, 0)}, {{0, 1, 2}}}),
-            "hat keine Fläche");
+            "keines der Dreiecke hat eine Fläche");
         const double nan = std::numeric_limits<double>::quiet_NaN();
         row("not numbers", m_desk->writeStl("nan.stl", withCorner(core::Vec3(nan, 0, 0))), "keine Zahlen");
         row("far", m_desk->writeStl("far.stl", withCorner(core::Vec3(1e9, 0, 0))), "weiter als 10 km");
