@@ -99,7 +99,8 @@ meshio::MeshFile twoStructures()
     meshio::MeshFile file;
     file.format = "VTP";
     file.frame = meshio::FileFrame::Ras;
-    file.notes = {"one", "two"};
+    file.notes = {core::Message(PALPATE_TEXT("one")), core::Message(PALPATE_TEXT("%1 and %2"), 1, "two")};
+    file.loss = core::Message(PALPATE_TEXT("%1: lost"), "a.stl");
     file.structures = {test::tetrahedron("liver"), test::tetrahedron("größe", {1, 2, 3})};
     file.structures[1].colour = {0.1, 0.2, 0.3};
     return file;
@@ -195,7 +196,7 @@ void ImportServer::readsWhatThisProcessReads()
             QCOMPARE(child.value().unit_mm, 0.1);
             QCOMPARE(child.value().format, here.value().format);
             QCOMPARE(child.value().frame, here.value().frame);
-            QVERIFY(child.value().notes == here.value().notes);
+            QVERIFY(std::ranges::equal(child.value().notes, here.value().notes, haveSameParts));
             QCOMPARE(child.value().structures.size(), here.value().structures.size());
             QCOMPARE(child.value().structures[0].name, here.value().structures[0].name);
             QVERIFY(child.value().structures[0].mesh.vertices == here.value().structures[0].mesh.vertices);
@@ -324,7 +325,7 @@ void ImportServer::manyAtOnceAndNothingLeft()
     QVERIFY2(scene.isOk(), scene.status().message().c_str());
     QCOMPARE(scene.value().structures.size(), std::size_t{40});
     QCOMPARE(scene.value().losses.size(), std::size_t{1});
-    QVERIFY(scene.value().losses[0].starts_with("segv.stl: "));
+    QVERIFY(scene.value().losses[0].english().starts_with("segv.stl: "));
     QCOMPARE(openDescriptors(), before);
 }
 
@@ -337,7 +338,8 @@ void ImportServer::outcomeComesBackWhole()
     const meshio::MeshFile whole = twoStructures();
     QCOMPARE(file.value().format, whole.format);
     QCOMPARE(file.value().frame, whole.frame);
-    QVERIFY(file.value().notes == whole.notes);
+    QVERIFY(std::ranges::equal(file.value().notes, whole.notes, haveSameParts));
+    QVERIFY(haveSameParts(file.value().loss, whole.loss));
     QCOMPARE(file.value().structures.size(), std::size_t{2});
     for (std::size_t i = 0; i < 2; ++i) {
         QCOMPARE(file.value().structures[i].name, whole.structures[i].name);
@@ -546,8 +548,8 @@ void ImportServer::mapsGoThroughTheChild()
     QVERIFY2(scene.isOk(), scene.status().message().c_str());
     QVERIFY(scene.value().structures[0].maps.empty());
     QCOMPARE(scene.value().losses.size(), std::size_t{1});
-    QVERIFY2(scene.value().losses[0].find("segv.mha: the process that read it crashed") != std::string::npos,
-             scene.value().losses[0].c_str());
+    QVERIFY2(scene.value().losses[0].english().find("segv.mha: the process that read it crashed") != std::string::npos,
+             scene.value().losses[0].english().c_str());
 }
 
 void ImportServer::liesAboutAVolumeAreRefused_data()

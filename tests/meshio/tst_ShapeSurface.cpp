@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "English.h"
 #include "Masks.h"
 #include "Samples.h"
 #include "TestRunner.h"
@@ -27,12 +28,6 @@ meshio::SceneStructure smoothed(double smoothing = meshio::kDefaultSmoothing)
     description.surface = SurfaceKind::Smoothed;
     description.smoothing = smoothing;
     return description;
-}
-
-bool contains(const std::vector<std::string>& lines, const std::string& words)
-{
-    return std::any_of(lines.begin(), lines.end(),
-                       [&](const std::string& line) { return line.find(words) != std::string::npos; });
 }
 
 } // namespace
@@ -119,8 +114,8 @@ class ShapeSurface : public QObject
         const auto loaded = meshio::loadScene(file);
         QVERIFY2(loaded.isOk(), loaded.status().message().c_str());
         QVERIFY(loaded.value().structures.front().smoothing.has_value());
-        QVERIFY(contains(loaded.value().warnings, "staircase of about 1 × 1 × 3 mm voxels"));
-        QVERIFY(contains(loaded.value().warnings, "smoothed: vertices moved by at most "));
+        QVERIFY(test::mentions(loaded.value().warnings, "staircase of about 1 × 1 × 3 mm voxels"));
+        QVERIFY(test::mentions(loaded.value().warnings, "smoothed: vertices moved by at most "));
     }
 
     void whatIsNotSaidIsNotWritten()
@@ -177,13 +172,13 @@ class ShapeSurface : public QObject
         QCOMPARE(curved.structures.front().curving->before, std::size_t{320});
         QCOMPARE(curved.structures.front().curving->triangles,
                  curved.structures.front().surface->mesh.triangles.size());
-        QVERIFY(contains(curved.warnings, "curved facets: "));
+        QVERIFY(test::mentions(curved.warnings, "curved facets: "));
         const double truth = 4.0 / 3.0 * std::numbers::pi * 8000.0;
         const auto error = [truth](const meshio::LoadedScene& scene) {
             return std::abs(scene.structures.front().surface->report.volume_mm3 / truth - 1.0);
         };
         QVERIFY2(error(facets) > 0.02 && error(curved) < 1e-3, qPrintable(QString::number(error(curved))));
-        QVERIFY(contains(sharp.warnings, "no facet is curved"));
+        QVERIFY(test::mentions(sharp.warnings, "no facet is curved"));
         QCOMPARE(sharp.structures.front().surface->mesh.triangles.size(), std::size_t{320});
         QVERIFY(both.structures.front().smoothing && both.structures.front().curving);
         QCOMPARE(curved.scene.structures.front().crease_deg, 40.0);

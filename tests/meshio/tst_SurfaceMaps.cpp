@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests arrays and volumes that describe how a tissue varies: from the file through mesh repair to the force, and the
 // rejected cases.
+#include "English.h"
 #include "Samples.h"
 #include "TestRunner.h"
 
@@ -144,13 +145,9 @@ class SurfaceMaps : public QObject
         QVERIFY2(scene.isOk(), scene.status().message().c_str());
         const auto& values = scene.value().structures[0].maps[0].values;
         QVERIFY(values[0] == 1.0F && std::isnan(values[1]) && std::isnan(values[2]) && values[3] == 2.0F);
-        bool isSaid = false;
-        for (const std::string& warning : scene.value().warnings) {
-            isSaid = isSaid || warning ==
-                                   "m: the array \"Stiffness_N_per_mm\" says nothing at 2 places of 4, more than "
-                                   "a fifth: the structure's own value is felt there";
-        }
-        QVERIFY(isSaid);
+        QVERIFY(test::mentions(scene.value().warnings,
+                               "m: the array \"Stiffness_N_per_mm\" has no value at 2 of 4 places, more than a fifth: "
+                               "the structure's own value is felt there"));
         const auto masked = meshio::loadScene(folder.write(
             "k.vtp", vtp(array("StiffnessScale", "1 2 0.5 4") + array("vtkValidPointMask", "1 1 1 0", 1, "Int8"))));
         QVERIFY(std::isnan(masked.value().structures[0].maps[0].values[3]));
@@ -237,11 +234,9 @@ class SurfaceMaps : public QObject
             unknown += isKnown ? 0 : 1;
         }
         QCOMPARE(meshio::missingValues(map), static_cast<std::size_t>(unknown));
-        const std::string said = "m: the array \"" + name.toStdString() + "\" says nothing at " +
-                                 std::to_string(unknown) + " places of 4, more than a fifth";
-        QVERIFY2(std::any_of(scene.value().warnings.begin(), scene.value().warnings.end(),
-                             [&said](const std::string& line) { return line.starts_with(said); }),
-                 said.c_str());
+        const std::string said = "m: the array \"" + name.toStdString() + "\" has no value at " +
+                                 std::to_string(unknown) + " of 4 places, more than a fifth";
+        QVERIFY2(test::mentions(scene.value().warnings, said), said.c_str());
     }
 
     void aFifthIsManyAndLessIsNot()
@@ -260,16 +255,16 @@ class SurfaceMaps : public QObject
             meshio::LoadedStructure structure;
             structure.description.name = "liver";
             structure.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
-            std::vector<std::string> warnings, losses;
+            std::vector<core::Message> warnings, losses;
             meshio::resolveMaps(structure, warnings, losses);
             QVERIFY(losses.empty());
             QCOMPARE(warnings.size(), std::size_t{missing > 0 ? 1U : 0U});
             if (missing > 0) {
-                QCOMPARE(warnings[0].find("more than a fifth") != std::string::npos, missing == 3);
-                QVERIFY2(warnings[0].starts_with("liver: the array \"StiffnessScale\" says nothing at " +
-                                                 std::to_string(missing) + (missing > 1 ? " places" : " place") +
-                                                 " of 10"),
-                         warnings[0].c_str());
+                const std::string line = warnings[0].english();
+                QCOMPARE(line.find("more than a fifth") != std::string::npos, missing == 3);
+                QVERIFY2(line.starts_with("liver: the array \"StiffnessScale\" has no value at " +
+                                          std::to_string(missing) + " of 10 places"),
+                         line.c_str());
             }
         }
     }
@@ -386,7 +381,7 @@ class SurfaceMaps : public QObject
             "s.palpate.json", sceneWith(json("[{'quantity': 'stiffness', 'array': 'mre', 'unit': 'scale'}]"))));
         QVERIFY(scene.isOk());
         QCOMPARE(scene.value().losses.size(), std::size_t{1});
-        QCOMPARE(QString::fromStdString(scene.value().losses[0]),
+        QCOMPARE(QString::fromStdString(scene.value().losses[0].english()),
                  QString("m.vtp: m: no array \"mre\"; expected one of \"heat\""));
         const auto none = meshio::loadScene(folder.write("n.palpate.json", sceneWith("[]")));
         QVERIFY(none.value().structures[0].maps.empty() && none.value().losses.empty());
@@ -432,12 +427,12 @@ class SurfaceMaps : public QObject
         meshio::LoadedStructure structure = scene.value().structures[0];
         for (const int asks : {0, 1}) { // cancelled at once, and during reading
             int asked = 0;
-            std::vector<std::string> warnings, losses;
+            std::vector<core::Message> warnings, losses;
             meshio::resolveMaps(structure, warnings, losses, [&] { return asked++ < asks; });
             QCOMPARE(asked, asks + 1); // no further calls
             QVERIFY(structure.maps.empty());
             QCOMPARE(losses.size(), std::size_t{1});
-            QVERIFY2(losses[0].find("v.mha: reading was cancelled") != std::string::npos, losses[0].c_str());
+            QVERIFY2(test::mentions(losses, "v.mha: reading was cancelled"), losses[0].english().c_str());
         }
     }
 
@@ -449,7 +444,7 @@ class SurfaceMaps : public QObject
         QTest::newRow("missing") << "gone.mha" << QByteArray() << "no such file";
         QTest::newRow("another kind") << "v.dcm" << QByteArray("x") << "expected a volume";
         QTest::newRow("no image") << "v.nii" << QByteArray("not an image")
-                                  << "v.nii: header: no header of NIfTI; expected 348";
+                                  << "v.nii: header: no NIfTI header; expected a header of 348";
         QTest::newRow("cut short") << "v.mha"
                                    << QByteArray(
                                           metaImage([](const core::Vec3&) { return 1.0; }).substr(0, 900).c_str())
@@ -470,7 +465,7 @@ class SurfaceMaps : public QObject
         QVERIFY(scene.isOk());
         QVERIFY(scene.value().structures[0].maps.empty());
         QCOMPARE(scene.value().losses.size(), std::size_t{1});
-        QVERIFY2(QString::fromStdString(scene.value().losses[0]).contains(said), scene.value().losses[0].c_str());
+        QVERIFY2(test::mentions(scene.value().losses, said.toStdString()), scene.value().losses[0].english().c_str());
     }
 };
 

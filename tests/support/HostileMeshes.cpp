@@ -82,7 +82,7 @@ void addObj(std::vector<HostileMesh>& out)
     add("o13_words", "v 0 zero 0\nf 1 1 1\n", "line 1: \"zero\" is not a number");
     add("o14_comma", "v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1: \"0,5\" is not a number");
     add("o15_nul", std::string(kVertices).append("g a\0b\nf 1 2 3\n", 14), "line 4: found a zero byte");
-    add("o16_degenerate", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "none of 1 triangle has an area");
+    add("o16_degenerate", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "all triangles have zero area");
     add("o17_corners", std::string(kVertices).append("f").append(repeated(" 1 2 3", 700)).append("\n"),
         "line 4: a face with 2,100 corners");
     add("o18_noise", std::string("v ").append(noise(20000)), "line 1: ");
@@ -145,7 +145,7 @@ void addPly(std::vector<HostileMesh>& out)
     add("q25_cut_header", "ply\nformat ascii 1.0\nelement vertex 3\n", "line 3: the file ends in the header");
     add("q26_comma", header("3", "1") + "0,5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "line 10: \"0,5\" is not a number");
     add("q27_words", header("3", "1") + "0 0 0\n1 one 0\n0 1 0\n3 0 1 2\n", "line 11: \"one\" is not a number");
-    add("q28_degenerate", header("3", "1") + "0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n", "none of 1 triangle has an area");
+    add("q28_degenerate", header("3", "1") + "0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n", "all triangles have zero area");
     add("q29_noise", std::string("ply\n").append(noise(20000)), "line ");
     add("q30_noise_in_body", binary + noise(20000), "byte ");
     add("q31_many_elements",

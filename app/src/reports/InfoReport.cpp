@@ -89,10 +89,19 @@ std::string wall(const geometry::SurfaceExamination& e)
     return text.data();
 }
 
+std::vector<std::string> english(const std::vector<core::Message>& messages)
+{
+    std::vector<std::string> lines;
+    for (const core::Message& message : messages) {
+        lines.push_back(message.english());
+    }
+    return lines;
+}
+
 /// Describes the findings on a structure's mesh.
 std::vector<std::string> sentencesOf(const meshio::LoadedStructure& structure)
 {
-    std::vector<std::string> lines = structure.surface->report.sentences();
+    std::vector<core::Message> lines = structure.surface->report.sentences();
     if (structure.staircase) {
         lines.push_back(structure.staircase->sentence());
     }
@@ -100,20 +109,20 @@ std::vector<std::string> sentencesOf(const meshio::LoadedStructure& structure)
         lines.push_back(structure.smoothing->sentence());
     }
     if (structure.curving) {
-        lines.push_back(structure.curving->message().english());
+        lines.push_back(structure.curving->message());
     }
-    return lines;
+    return english(lines);
 }
 
 std::vector<std::string> notes(const FileReport& report)
 {
-    std::vector<std::string> out = report.scene.warnings;
-    for (const std::string& note : report.lumpNotes) {
+    std::vector<std::string> out = english(report.scene.warnings);
+    for (const std::string& note : english(report.lumpNotes)) {
         if (std::find(out.begin(), out.end(), note) == out.end()) { // already printed with the palpable lumps
             out.push_back(note);
         }
     }
-    for (const std::string& question : study::ratioQuestions(report.scene, report.lumps)) {
+    for (const std::string& question : english(study::ratioQuestions(report.scene, report.lumps))) {
         if (std::find(out.begin(), out.end(), question) == out.end()) {
             out.push_back(question);
         }
@@ -199,8 +208,8 @@ void printRead(const FileReport& report)
 
 void printTouch(const FileReport& report)
 {
-    for (const std::string& note : report.surfaceNotes) {
-        print("  note: %s\n", note.c_str());
+    for (const core::Message& note : report.surfaceNotes) {
+        print("  note: %s\n", note.english().c_str());
     }
     print("  touch: %s triangles in %s bytes (%.1f a triangle), read in %.0f ms, indexed in %.0f ms\n",
           grouped(report.touchTriangles).c_str(), grouped(report.touchBytes).c_str(),
@@ -371,7 +380,8 @@ QJsonObject toJson(const FileReport& report)
     }
     std::vector<std::string> allNotes = notes(report);
     for (const auto* more : {&report.surfaceNotes, &report.neighbours}) {
-        allNotes.insert(allNotes.end(), more->begin(), more->end());
+        const std::vector<std::string> lines = english(*more);
+        allNotes.insert(allNotes.end(), lines.begin(), lines.end());
     }
     const std::optional<double>& likely = report.scene.likelyUnit_mm;
     QJsonObject object{{"schema", 1},
@@ -383,14 +393,14 @@ QJsonObject toJson(const FileReport& report)
                                                                    {"option", QString("--unit ") + unitName(*likely)}})
                                           : QJsonValue()},
                        {"notes", texts(allNotes)},
-                       {"losses", texts(report.scene.losses)},
+                       {"losses", texts(english(report.scene.losses))},
                        {"touch", QJsonObject{{"triangles", count(report.touchTriangles)},
                                              {"bytes", count(report.touchBytes)},
                                              {"load_s", report.load_s},
                                              {"index_s", report.index_s},
                                              {"examine_s", report.examine_s}}}};
     if (report.layers) {
-        object["layers"] = texts(*report.layers);
+        object["layers"] = texts(english(*report.layers));
     }
     object["lumps"] = study::lumpsJson(report.scene, report.lumps);
     return object;

@@ -17,8 +17,8 @@ int main()
     plate.vertices = {{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}};
     plate.triangles = {{0, 1, 2}, {0, 2, 3}};
     const geometry::RepairedMesh repaired = geometry::repair(plate, geometry::Facing::Outward);
-    for (const std::string& sentence : repaired.report.sentences()) {
-        std::printf("plate: %s\n", sentence.c_str());
+    for (const palpate::core::Message& sentence : repaired.report.sentences()) {
+        std::printf("plate: %s\n", sentence.english().c_str());
     }
     haptics::HapticStructure structure;
     structure.name = "plate";

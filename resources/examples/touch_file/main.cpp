@@ -21,8 +21,8 @@ int main(int argc, char** argv)
     for (const meshio::MeshStructure& structure : file.value().structures) {
         // Files keep their facing here, like in the program; Facing::Outward turns closed parts outwards.
         const geometry::RepairedMesh mesh = geometry::repair(structure.mesh, geometry::Facing::AsGiven);
-        for (const std::string& sentence : mesh.report.sentences()) {
-            std::printf("%s: %s\n", structure.name.c_str(), sentence.c_str());
+        for (const palpate::core::Message& sentence : mesh.report.sentences()) {
+            std::printf("%s: %s\n", structure.name.c_str(), sentence.english().c_str());
         }
         Eigen::AlignedBox3d box;
         for (const core::Vec3& p : mesh.mesh.vertices) {

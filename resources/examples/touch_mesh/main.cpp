@@ -16,8 +16,8 @@ int main()
         std::fprintf(stderr, "plate: %s\n", repaired.status().message().c_str());
         return 1;
     }
-    for (const std::string& sentence : repaired.value().report.sentences()) {
-        std::printf("plate: %s\n", sentence.c_str());
+    for (const palpate::core::Message& sentence : repaired.value().report.sentences()) {
+        std::printf("plate: %s\n", sentence.english().c_str());
     }
 
     haptics::HapticStructure structure;

@@ -46,8 +46,8 @@ int main()
         std::fprintf(stderr, "%s\n", (surface.isOk() ? lump.status() : surface.status()).message().c_str());
         return 1;
     }
-    for (const std::string& sentence : surface.value().report.sentences()) {
-        std::printf("organ: %s\n", sentence.c_str());
+    for (const palpate::core::Message& sentence : surface.value().report.sentences()) {
+        std::printf("organ: %s\n", sentence.english().c_str());
     }
 
     const auto index = std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(surface.value()));

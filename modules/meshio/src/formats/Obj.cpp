@@ -244,13 +244,18 @@ PreScan ObjScan::finish()
         m_scan.partNames.front() = m_objects.names()[m_objectOfFace.front()];
     }
     if (m_ignored > 0) {
-        m_scan.notes.push_back(counted(m_ignored, "line, point or curve element") + " ignored");
+        m_scan.notes.push_back(
+            {PALPATE_TEXT("number of line, point and curve elements that are ignored: %1"), Count(m_ignored)});
     }
     if (!m_materials.names().empty()) {
-        m_scan.notes.push_back("colours not read: those of its " + counted(m_materials.names().size(), "material"));
+        const std::size_t materials = m_materials.names().size();
+        m_scan.notes.push_back(
+            materials == 1
+                ? core::Message(PALPATE_TEXT("colours not read: those of its material"))
+                : core::Message(PALPATE_TEXT("colours not read: those of its %1 materials"), Count(materials)));
     }
     if (m_hasVertexColours) {
-        m_scan.notes.emplace_back("colours not read: those of its vertices");
+        m_scan.notes.push_back({PALPATE_TEXT("colours not read: those of its vertices")});
     }
     return std::move(m_scan);
 }
@@ -282,7 +287,7 @@ Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
     }
     std::optional<ObjScan> scan(std::in_place, text, context);
     Status status = scan->run();
-    std::string loss;
+    core::Message loss;
     if (!status.isOk() && context.isPartial && status.code() != StatusCode::Cancelled && !text.ends_with('\n')) {
         const std::string_view whole = text.substr(0, text.rfind('\n') + 1); // without the truncated last line
         scan.emplace(whole, context);
@@ -290,7 +295,8 @@ Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
             return status;
         }
         status = {};
-        loss = atByte(whole.size()) + ": the file ends in a line: that line and what came after it lost";
+        loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(whole.size()),
+                             core::Message(PALPATE_TEXT("the file ends in a line; that line is lost")));
     }
     if (!status.isOk()) {
         return status;

@@ -102,8 +102,9 @@ Result<PreScan> guardBinary(FileImage& image, const ScanContext& context)
     const std::uint64_t held = (bytes.size() - kFirstFacet) / kFacet;
     PreScan scan;
     if (context.isPartial && held > 0 && held < declared) {
-        scan.loss = atByte(bytes.size()) + ": the file ends there: " + grouped(declared - held) + " of " +
-                    counted(declared, "triangle") + " lost";
+        scan.loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(bytes.size()),
+                                  core::Message(PALPATE_TEXT("the file ends there: %1 of %2 triangles lost"),
+                                                Count(declared - held), Count(declared)));
         declared = static_cast<std::uint32_t>(held);
         if (Status status = keepWhole(image, kFirstFacet + held * kFacet, "", context); !status.isOk()) {
             return status;
@@ -391,8 +392,11 @@ Result<PreScan> guardAscii(FileImage& image, const ScanContext& context)
     if (!part.isOk()) { // the file is damaged elsewhere
         return whole;
     }
-    part.value().loss =
-        atLine(lastLine) + ": what came after " + counted(part.value().cells, "whole triangle") + " lost";
+    const std::uint64_t kept = part.value().cells;
+    part.value().loss = core::Message(
+        PALPATE_TEXT("%1: %2"), onLine(lastLine),
+        kept == 1 ? core::Message(PALPATE_TEXT("everything after the first triangle is lost"))
+                  : core::Message(PALPATE_TEXT("everything after the first %1 triangles is lost"), Count(kept)));
     return part;
 }
 

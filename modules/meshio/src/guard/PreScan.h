@@ -34,8 +34,8 @@ struct PreScan
     std::vector<std::uint32_t> partOfCell;
     /// Scalar point and polygon arrays expected from the reader (VTP).
     std::vector<std::string> pointArrays, cellArrays;
-    std::vector<std::string> notes; ///< ignored or assumed content, one sentence per entry
-    std::string loss;               ///< truncated part, "place: missing content"
+    std::vector<core::Message> notes; ///< ignored or assumed content, one sentence per entry
+    core::Message loss;               ///< truncated part, "place: missing content"
 };
 
 /// File name for messages and number conventions of a pre-scan.

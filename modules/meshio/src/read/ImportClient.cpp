@@ -3,8 +3,6 @@
 #include "read/MeshWire.h"
 #include "text/Fault.h"
 
-#include <palpate/core/Numbers.h>
-
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -60,12 +58,6 @@ Budget budgetFor(const ImportLimits& limits, std::size_t fileSize)
             limits.wall_s + more_s};
 }
 
-/// @return `value` with three digits
-double rounded(double value)
-{
-    return core::parseNumber(core::shortNumber(value, 3)).value_or(value);
-}
-
 /// @return "SIGSEGV"
 std::string nameOf(int signal)
 {
@@ -89,9 +81,10 @@ Status death(int outcome, const std::string& file, const Budget& budget)
     if (WIFSIGNALED(outcome)) {
         switch (const int signal = WTERMSIG(outcome); signal) {
         case SIGXCPU:
-            return refused(StatusCode::OutOfRange,
-                           {PALPATE_TEXT("reading it took more than %1 s of processor time"), rounded(budget.cpu_s)},
-                           {PALPATE_TEXT("a file that can be read in this time")});
+            return refused(
+                StatusCode::OutOfRange,
+                {PALPATE_TEXT("reading it took more than %1 s of processor time"), core::Rounded{budget.cpu_s, 3}},
+                {PALPATE_TEXT("a file that can be read in this time")});
         case SIGXFSZ:
             return refused(StatusCode::OutOfRange,
                            {PALPATE_TEXT("its content is larger than %1 MiB"), Count(budget.memory_bytes >> 20)},
@@ -274,7 +267,7 @@ Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_
         return Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), name);
     case End::TooLate:
         return fault(StatusCode::OutOfRange, name, {},
-                     {PALPATE_TEXT("reading it took more than %1 s"), rounded(budget.wall_s)},
+                     {PALPATE_TEXT("reading it took more than %1 s"), core::Rounded{budget.wall_s, 3}},
                      {PALPATE_TEXT("a file that can be read in this time")});
     }
     return result;

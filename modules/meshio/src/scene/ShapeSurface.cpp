@@ -127,17 +127,17 @@ std::vector<Vec3> filtered(const geometry::TriangleMesh& mesh, double smoothing)
 
 } // namespace
 
-std::string SurfaceSmoothing::sentence() const
+core::Message SurfaceSmoothing::sentence() const
 {
-    std::array<char, 160> text{};
-    const double change = volumeBefore_mm3 > 0.0 ? 100.0 * (volumeAfter_mm3 / volumeBefore_mm3 - 1.0) : 0.0;
-    if (volumeBefore_mm3 > 0.0) {
-        std::snprintf(text.data(), text.size(), "smoothed: vertices moved by at most %.2g mm, volume %+.2f %%", most_mm,
-                      change);
-    } else {
-        std::snprintf(text.data(), text.size(), "smoothed: vertices moved by at most %.2g mm", most_mm);
+    const core::Rounded most{most_mm, 2};
+    if (!(volumeBefore_mm3 > 0.0)) {
+        return {PALPATE_TEXT("smoothed: vertices moved by at most %1 mm"), most};
     }
-    return text.data();
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%+.2f", 100.0 * (volumeAfter_mm3 / volumeBefore_mm3 - 1.0));
+    core::MessageArgument change(text.data());
+    change.kind = core::MessageArgument::Kind::Number;
+    return {PALPATE_TEXT("smoothed: vertices moved by at most %1 mm, volume %2 %"), most, change};
 }
 
 core::Message SurfaceCurving::message() const

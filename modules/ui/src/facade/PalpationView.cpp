@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/PalpationView.h"
 
-#include "palpate/ui/EngineTexts.h"
+#include "palpate/ui/Translated.h"
 #include "palpate/ui/LiveTouch.h"
 #include "palpate/ui/PalpationController.h"
 #include "palpate/ui/StructureModel.h"
@@ -167,7 +167,7 @@ std::shared_ptr<const geometry::RepairedMesh> PalpationView::surface(int structu
 
 QString PalpationView::text(const Status& status) const
 {
-    return engineText(status);
+    return translated(status);
 }
 
 Status PalpationView::setStiffness(int structure, double stiffness_N_per_mm)

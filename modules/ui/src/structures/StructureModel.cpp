@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/StructureModel.h"
 
-#include "palpate/ui/EngineTexts.h"
 #include "palpate/ui/Theme.h"
+#include "palpate/ui/Translated.h"
 
 #include <palpate/study/HapticCopy.h>
 
@@ -377,15 +377,15 @@ QStringList StructureModel::findings(int row) const
     QStringList lines;
     const meshio::LoadedStructure& one = rows()[static_cast<std::size_t>(row)].loaded;
     if (one.surface != nullptr) {
-        for (const std::string& sentence : one.surface->report.sentences()) {
-            lines << engineText(sentence);
+        for (const core::Message& sentence : one.surface->report.sentences()) {
+            lines << translated(sentence);
         }
     }
     if (one.staircase) {
-        lines << engineText(one.staircase->sentence());
+        lines << translated(one.staircase->sentence());
     }
     if (one.smoothing) {
-        lines << engineText(one.smoothing->sentence());
+        lines << translated(one.smoothing->sentence());
     }
     if (one.curving) {
         lines << translated(one.curving->message());

@@ -79,6 +79,13 @@ struct Count
     bool isNegative;
 };
 
+/// Number displayed with at most this many significant digits, "0.62", instead of six.
+struct Rounded
+{
+    double value;
+    int digits;
+};
+
 /// Argument of a message.
 struct PALPATE_EXPORT MessageArgument
 {
@@ -113,6 +120,7 @@ struct PALPATE_EXPORT MessageArgument
     }
     MessageArgument(double number); ///< formatted by `shortNumber` with at most six significant digits
     MessageArgument(Count count);
+    MessageArgument(Rounded number);
     MessageArgument(Message part);
 
     std::string english; ///< English text

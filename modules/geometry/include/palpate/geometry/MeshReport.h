@@ -4,9 +4,9 @@
 #include "palpate/geometry/TriangleMesh.h"
 
 #include <palpate/core/Export.h>
+#include <palpate/core/Message.h>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace palpate::geometry {
@@ -44,8 +44,8 @@ struct PALPATE_EXPORT MeshReport
     [[nodiscard]] bool isClosed() const noexcept { return components > 0 && openComponents == 0; }
     /// True if nothing was changed and no defect was found.
     [[nodiscard]] bool isClean() const noexcept;
-    /// Lists the findings in English, one sentence for each entry; empty if `isClean()`.
-    [[nodiscard]] std::vector<std::string> sentences() const;
+    /// Lists the findings, one sentence for each entry; empty if `isClean()`.
+    [[nodiscard]] std::vector<core::Message> sentences() const;
 };
 
 } // namespace palpate::geometry

@@ -80,8 +80,8 @@ struct RepairOptions
 ///     if (!liver.isOk()) {
 ///         return liver.status();
 ///     }
-///     for (const std::string& sentence : liver.value().report.sentences()) {
-///         std::puts(sentence.c_str());
+///     for (const core::Message& sentence : liver.value().report.sentences()) {
+///         std::puts(sentence.english().c_str());
 ///     }
 ///
 /// @return the error of `check`; OutOfRange for an invalid weldWithin_mm; Empty if no triangle has an area

@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace palpate::meshio {
 
@@ -24,7 +23,7 @@ struct PALPATE_EXPORT SurfaceSmoothing
     double volumeAfter_mm3 = 0.0;
 
     /// "smoothed: vertices moved by at most 0.62 mm, volume +0.31 %"
-    [[nodiscard]] std::string sentence() const;
+    [[nodiscard]] core::Message sentence() const;
 };
 
 /// Result of curving the facets of a surface.

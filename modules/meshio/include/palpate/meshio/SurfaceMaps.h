@@ -4,10 +4,10 @@
 #include "palpate/meshio/LoadScene.h"
 
 #include <palpate/core/Export.h>
+#include <palpate/core/Message.h>
 
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace palpate::meshio {
@@ -23,8 +23,8 @@ namespace palpate::meshio {
 /// @param keepGoing  polled on the calling thread while a volume is sampled; false cancels and drops the map
 /// @par Thread Any.
 /// @par Cost O(vertices) for an array; reading and sampling a volume can take seconds.
-PALPATE_EXPORT void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings,
-                                std::vector<std::string>& losses, const std::function<bool()>& keepGoing = {});
+PALPATE_EXPORT void resolveMaps(LoadedStructure& structure, std::vector<core::Message>& warnings,
+                                std::vector<core::Message>& losses, const std::function<bool()>& keepGoing = {});
 
 /// @return the number of missing values in a map, where the structure's own value applies.
 [[nodiscard]] PALPATE_EXPORT std::size_t missingValues(const SurfaceMap& map) noexcept;

@@ -5,6 +5,7 @@
 
 #include <palpate/buried/FeltSurface.h>
 #include <palpate/core/Export.h>
+#include <palpate/core/Message.h>
 #include <palpate/meshio/LoadScene.h>
 
 #include <cstddef>
@@ -64,7 +65,7 @@ feltSurface(const meshio::LoadedScene& scene, const OrganWithLumps& organ, const
 /// @return empty for a scene without lumps; Cancelled
 [[nodiscard]] PALPATE_EXPORT core::Result<std::vector<OrganPalpability>>
     PALPATE_EXPORT computePalpability(const meshio::LoadedScene& scene, std::vector<OrganPalpability> known = {},
-                                      std::vector<std::string>* notes = nullptr,
+                                      std::vector<core::Message>* notes = nullptr,
                                       const std::function<bool(double)>& progress = {});
 
 /// Filters lumps by a predicate. @return organs with at least one accepted lump

@@ -4,6 +4,7 @@
 #include "palpate/study/BuriedLumps.h"
 
 #include <palpate/core/Export.h>
+#include <palpate/core/Message.h>
 
 #include <QJsonArray>
 
@@ -20,8 +21,8 @@ namespace palpate::study {
                                                   std::span<const OrganPalpability> organs);
 
 /// Returns one question for each lump with an unknown stiffness ratio.
-[[nodiscard]] PALPATE_EXPORT std::vector<std::string> ratioQuestions(const meshio::LoadedScene& scene,
-                                                                     std::span<const OrganPalpability> organs);
+[[nodiscard]] PALPATE_EXPORT std::vector<core::Message> ratioQuestions(const meshio::LoadedScene& scene,
+                                                                       std::span<const OrganPalpability> organs);
 
 /// Describes a ratio: "4.4 (1 to 5.2) times as stiff, published for such lumps", "stiffness ratio not known".
 [[nodiscard]] PALPATE_EXPORT std::string ratioText(const std::optional<StiffnessRatio>& ratio);

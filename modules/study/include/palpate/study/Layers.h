@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/Export.h>
+#include <palpate/core/Message.h>
 #include <palpate/geometry/Repair.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/haptics/HapticScene.h>
@@ -49,8 +50,8 @@ struct PALPATE_EXPORT Layering
     /// Returns messages for the user, one sentence each. Non-palpable structures are left out of messages about layers.
     /// @param names  names of the structures
     /// @param isFelt  one entry per structure: palpable
-    [[nodiscard]] std::vector<std::string> sentences(const std::vector<std::string>& names,
-                                                     const std::vector<bool>& isFelt) const;
+    [[nodiscard]] std::vector<core::Message> sentences(const std::vector<std::string>& names,
+                                                       const std::vector<bool>& isFelt) const;
     /// Returns the smallest palpable structure around another one.
     [[nodiscard]] std::optional<std::size_t> palpableParent(std::size_t structure,
                                                             const std::vector<bool>& isFelt) const;
@@ -78,7 +79,7 @@ inline constexpr std::size_t kSamples = 256;
 /// Assigns the layers from the nesting to the structures of a scene and of the haptic scene.
 /// @param felt  haptic scene with the same structures (see `hapticScene`)
 /// @return messages about the changes for the user
-PALPATE_EXPORT std::vector<std::string> setLayers(meshio::LoadedScene& scene,
-                                                  std::shared_ptr<const haptics::HapticScene>& felt);
+PALPATE_EXPORT std::vector<core::Message> setLayers(meshio::LoadedScene& scene,
+                                                    std::shared_ptr<const haptics::HapticScene>& felt);
 
 } // namespace palpate::study

@@ -4,6 +4,7 @@
 #include "palpate/study/Layers.h"
 
 #include <palpate/core/Export.h>
+#include <palpate/core/Message.h>
 #include <palpate/core/Tissue.h>
 #include <palpate/geometry/SurfaceGap.h>
 #include <palpate/haptics/HapticScene.h>
@@ -49,17 +50,17 @@ struct NeighbourSurface
 /// nesting, and for each pair that touch or intersect and whose stiffness differs by more than kPalpableSeamRatio: the
 /// force steps where the hand crosses the seam (docs/god-object.md, "Several structures in one contact").
 /// @par Cost See geometry::nearestWithin, on all cores. Not for the servo thread.
-[[nodiscard]] PALPATE_EXPORT std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces,
-                                                                  const Layering& found);
+[[nodiscard]] PALPATE_EXPORT std::vector<core::Message> borderNotes(std::span<const NeighbourSurface> surfaces,
+                                                                    const Layering& found);
 /// Computes the layering and calls the function above.
-[[nodiscard]] PALPATE_EXPORT std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces);
+[[nodiscard]] PALPATE_EXPORT std::vector<core::Message> borderNotes(std::span<const NeighbourSurface> surfaces);
 
 /// Returns a sentence for each structure inside another one of the same layer, which cannot be felt through that one.
-[[nodiscard]] PALPATE_EXPORT std::vector<std::string> maskedLumpNotes(std::span<const NeighbourSurface> surfaces,
-                                                                      const Layering& found);
+[[nodiscard]] PALPATE_EXPORT std::vector<core::Message> maskedLumpNotes(std::span<const NeighbourSurface> surfaces,
+                                                                        const Layering& found);
 
 /// Returns both kinds of notes for a scene.
-[[nodiscard]] PALPATE_EXPORT std::vector<std::string> neighbourNotes(const meshio::LoadedScene& scene,
-                                                                     const haptics::HapticScene& felt);
+[[nodiscard]] PALPATE_EXPORT std::vector<core::Message> neighbourNotes(const meshio::LoadedScene& scene,
+                                                                       const haptics::HapticScene& felt);
 
 } // namespace palpate::study

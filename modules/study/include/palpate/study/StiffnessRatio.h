@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/Export.h>
+#include <palpate/core/Message.h>
 #include <palpate/meshio/AnatomyKind.h>
 #include <palpate/meshio/SceneFile.h>
 
@@ -46,7 +47,7 @@ struct PublishedRatio
     meshio::AnatomyKind lump;
     meshio::AnatomyKind organ; ///< Other: any organ
     StiffnessRatio ratio;
-    std::string_view name; ///< "malignant tumour of the liver"
+    core::MessageText<> name; ///< "malignant tumour of the liver"
 };
 /// Returns all published ratios, in display order.
 [[nodiscard]] PALPATE_EXPORT std::span<const PublishedRatio> publishedRatios();
@@ -74,6 +75,6 @@ struct PublishedRatio
 
 /// Returns a question about the ratio with the published choices: "lump x in thing: how many times as stiff as thing it
 /// is is not known; ...".
-[[nodiscard]] PALPATE_EXPORT std::string ratioQuestion(const std::string& lump, const std::string& organ);
+[[nodiscard]] PALPATE_EXPORT core::Message ratioQuestion(const std::string& lump, const std::string& organ);
 
 } // namespace palpate::study

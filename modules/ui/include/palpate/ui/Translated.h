@@ -3,6 +3,7 @@
 
 #include <palpate/core/Export.h>
 #include <palpate/core/Message.h>
+#include <palpate/core/Status.h>
 
 #include <QString>
 
@@ -14,5 +15,10 @@ namespace palpate::ui {
 ///
 /// @par Thread Any thread except the servo thread.
 [[nodiscard]] PALPATE_EXPORT QString translated(const core::Message& message);
+/// Same for the message of a status.
+[[nodiscard]] inline QString translated(const core::Status& status)
+{
+    return translated(status.text());
+}
 
 } // namespace palpate::ui

@@ -37,8 +37,8 @@ struct SurfaceOptions
 ///     if (!liver.isOk()) {
 ///         return liver.status();
 ///     }
-///     for (const std::string& sentence : liver.value().report.sentences()) {
-///         std::puts(sentence.c_str());
+///     for (const core::Message& sentence : liver.value().report.sentences()) {
+///         std::puts(sentence.english().c_str());
 ///     }
 ///
 /// @return as `meshOf` and geometry::surfaceOf
