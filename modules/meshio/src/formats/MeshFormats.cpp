@@ -2,6 +2,7 @@
 #include "palpate/meshio/MeshFormats.h"
 
 #include "formats/MeshFormat.h"
+#include "formats/OtherFormats.h"
 #include "text/Encoding.h"
 #include "text/Fault.h"
 
@@ -108,6 +109,11 @@ Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem
     }
     if (isWebPage(bytes)) {
         return refused(StatusCode::BadFormat, {PALPATE_TEXT("a web page (HTML), perhaps a failed download")});
+    }
+    // The header of a binary STL may contain anything.
+    const Status unread = kStl.looksLike(bytes) ? Status() : otherMeshFormat(bytes, utf8Of(path.filename().string()));
+    if (!unread.isOk()) {
+        return unread;
     }
     for (const MeshFormat* format : formatTable()) {
         if (format->looksLike(bytes)) {
