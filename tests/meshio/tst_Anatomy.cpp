@@ -64,7 +64,9 @@ void Anatomy::facesOfTwoCornersAreLeftOut()
     PALPATE_SHARED_OR_SKIP(folder, "anatomy");
     const auto file = meshio::readMesh(folder / "CavaVeinAndHeart.obj");
     QVERIFY2(file.isOk(), file.status().message().c_str());
-    QVERIFY(std::ranges::count(file.value().notes, "1 face of fewer than 3 corners left out") == 1);
+    QVERIFY(std::ranges::any_of(file.value().notes, [](const core::Message& note) {
+        return note.english() == "1 face of fewer than 3 corners left out";
+    }));
 }
 
 void Anatomy::bodyIsReadAndRepairedSoon()

@@ -20,6 +20,12 @@ bool mentions(const std::vector<std::string>& lines, std::string_view part)
                        [&](const std::string& line) { return line.find(part) != std::string::npos; });
 }
 
+bool mentions(const std::vector<core::Message>& lines, std::string_view part)
+{
+    return std::ranges::any_of(
+        lines, [&](const core::Message& line) { return line.english().find(part) != std::string::npos; });
+}
+
 /// Returns a tetrahedron with edges of 10, 20 and 30 mm along x, y and z from (1, 2, 3), normals outwards.
 std::string lopsided(const std::string& head = "")
 {
@@ -192,7 +198,8 @@ class Frames : public QObject
         QTest::addColumn<double>("taken_mm");
         QTest::addColumn<QString>("note");
         QTest::newRow("metres") << std::string(";SCALE=0.001") << 1.0 << 1000.0 << "taken as 1000 mm";
-        QTest::newRow("unit given") << std::string(";SCALE=0.001") << 10.0 << 10.0 << "not used, as the unit was given";
+        QTest::newRow("unit given") << std::string(";SCALE=0.001") << 10.0 << 10.0
+                                    << "not used, because the unit was given";
         QTest::newRow("none") << std::string() << 1.0 << 1.0 << "";
         QTest::newRow("mm") << std::string(";SCALE=1") << 1.0 << 1.0 << "";
         QTest::newRow("zero") << std::string(";SCALE=0") << 1.0 << 1.0 << "SCALE=\"0\" in the header is not used";

@@ -248,17 +248,17 @@ std::string grid(const std::string& cellType = "5")
            vertices(kA, "") + "CELLS 12 48\n" + faces(0, "3 ") + "CELL_TYPES 12\n" + types;
 }
 
-bool hasNote(const std::vector<std::string>& notes, const std::string& part)
+bool hasNote(const std::vector<core::Message>& notes, const std::string& part)
 {
     return std::any_of(notes.begin(), notes.end(),
-                       [&](const std::string& note) { return note.find(part) != std::string::npos; });
+                       [&](const core::Message& note) { return note.english().find(part) != std::string::npos; });
 }
 
-std::string joined(const std::vector<std::string>& lines)
+std::string joined(const std::vector<core::Message>& lines)
 {
     std::string out;
-    for (const std::string& line : lines) {
-        out += line + "; ";
+    for (const core::Message& line : lines) {
+        out += line.english() + "; ";
     }
     return out;
 }
@@ -424,7 +424,7 @@ void ReportedFiles::opensAsTheBox()
     verifyBox(file.value().structures[0].mesh, kA);
     QVERIFY2(note.empty() ? file.value().notes.empty() : hasNote(file.value().notes, note),
              joined(file.value().notes).c_str());
-    QVERIFY(file.value().loss.empty());
+    QVERIFY(file.value().loss.isEmpty());
 }
 
 void ReportedFiles::twoPartsStayTwo_data()
@@ -551,7 +551,7 @@ void ReportedFiles::cutOffStlOpensInPart()
         const auto file = meshio::readMesh(folder.write("a.stl", bytes), options);
         QVERIFY2(file.isOk(), file.status().message().c_str());
         QVERIFY(test::triangles(file.value()) == (bytes.starts_with("solid") ? 11U : 10U));
-        QVERIFY(!file.value().loss.empty());
+        QVERIFY(!file.value().loss.isEmpty());
     }
 }
 

@@ -166,12 +166,12 @@ class SurfaceMaps : public QObject
         const auto row = [](const char* type, const char* values, const char* said) {
             QTest::newRow(values) << QString(type) << QString(values) << QString(said);
         };
-        row("Float64", "1 2 1 inf", "value 3 is \"inf\"; expected a blank or a new line behind it");
+        row("Float64", "1 2 1 inf", "value 3 is \"inf\"; expected a blank or a line end after it");
         row("Float64", "1 2 1 -INF", "value 3 is \"-INF\"; expected a blank");
-        row("Float32", "1 2 1 nan", "value 3 is \"nan\"; expected a blank or a new line behind it");
-        row("Float64", "1 1e999 1 2", "value 1 is \"1e999\"; expected a number that a Float64 can hold");
-        row("Float32", "1 2 -1e39 2", "value 2 is \"-1e39\"; expected a number that a Float32 can hold");
-        row("Int32", "1 9999999999 1 2", "value 1 is \"9999999999\"; expected a number that an Int32 can hold");
+        row("Float32", "1 2 1 nan", "value 3 is \"nan\"; expected a blank or a line end after it");
+        row("Float64", "1 1e999 1 2", "value 1 is \"1e999\"; expected a number in the range of Float64");
+        row("Float32", "1 2 -1e39 2", "value 2 is \"-1e39\"; expected a number in the range of Float32");
+        row("Int32", "1 9999999999 1 2", "value 1 is \"9999999999\"; expected a number in the range of Int32");
         row("Float64", "1 inf 1 nan ", "");
         row("Float64", "1 2 1e-999 1e5", "");
     }
@@ -295,16 +295,16 @@ class SurfaceMaps : public QObject
         QTest::addColumn<QString>("said");
         const auto q = [](const std::string& text) { return QString::fromStdString(text); };
         QTest::newRow("too short") << q(array("Friction", "1 2 3")) << ""
-                                   << "array \"Friction\": 3 values";
+                                   << "array \"Friction\": number of values: 3;";
         QTest::newRow("three components") << q(array("StiffnessScale", "1 2 3 4 5 6 7 8 9 1 2 3", 3)) << ""
-                                          << "array \"StiffnessScale\": 3 components for each point; expected 1";
+                                          << "array \"StiffnessScale\": number of components: 3; expected exactly 1";
         QTest::newRow("cells too long") << "" << q(array("Friction", "1 2 3 4 5"))
-                                        << "array \"Friction\": 5 values; expected 4, one for each polygon";
+                                        << "array \"Friction\": number of values: 5; expected 4, one for each polygon";
         QTest::newRow("three components of a cell")
             << "" << q(array("Damping_Ns_per_mm", "1 2 3 4 5 6 7 8 9 1 2 3", 3))
-            << "array \"Damping_Ns_per_mm\": 3 components for each polygon; expected 1";
+            << "array \"Damping_Ns_per_mm\": number of components: 3; expected exactly 1";
         QTest::newRow("none") << q(array("Friction", "")) << ""
-                              << "array \"Friction\": 0 values";
+                              << "array \"Friction\": number of values: 0;";
         QTest::newRow("no number") << q(array("ShearModulus_kPa", "1 2 soft 4")) << ""
                                    << "array \"ShearModulus_kPa\": value 2 is \"soft\"";
     }

@@ -323,8 +323,10 @@ Result<PreScan> guardAsciiStl(FileImage& image, const ScanContext& context)
     if (!context.isPartial || status.code() == StatusCode::Cancelled || file.facets() == 0 || !file.isCutOff()) {
         return status;
     }
-    const std::string loss =
-        atLine(file.lastFacet()) + ": what came after " + counted(file.facets(), "whole triangle") + " lost";
+    const Message loss(PALPATE_TEXT("%1: %2"), onLine(file.lastFacet()),
+                       file.facets() == 1 ? Message(PALPATE_TEXT("everything after the first triangle is lost"))
+                                          : Message(PALPATE_TEXT("everything after the first %1 triangles is lost"),
+                                                    Count(file.facets())));
     Result<PreScan> part = file.finish(image);
     if (part.isOk()) {
         part.value().loss = loss;

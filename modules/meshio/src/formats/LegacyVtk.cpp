@@ -641,7 +641,7 @@ Result<PreScan> LegacyScan::run()
         status = readSection(word);
     }
     if (m_body.rest().find("COLOR_SCALARS") != std::string_view::npos) {
-        m_scan.notes.emplace_back("colours not read: COLOR_SCALARS");
+        m_scan.notes.push_back({PALPATE_TEXT("colours not read: those of %1"), "COLOR_SCALARS"});
     }
     if (status.isOk() && m_scan.cells == 0) {
         status = noFaces(m_scan.points, m_body.place(), m_context);

@@ -348,7 +348,9 @@ void ObjScan::takeColours(const FaceGroups& parts)
     }
     std::erase_if(lost, [this](std::uint32_t id) { return m_materials.names.names()[id].empty(); });
     if (!lost.empty()) {
-        m_scan.notes.push_back("colours not read: those of its " + counted(lost.size(), "material"));
+        m_scan.note(lost.size() == 1 ? core::Message(PALPATE_TEXT("colours not read: those of its material"))
+                                     : core::Message(PALPATE_TEXT("colours not read: those of its %1 materials"),
+                                                     Count(lost.size())));
     }
 }
 
@@ -372,10 +374,11 @@ PreScan ObjScan::finish()
     noteThinFaces(m_thinFaces, m_scan);
     m_bad.note(m_scan);
     if (m_ignored > 0) {
-        m_scan.notes.push_back(counted(m_ignored, "line, point or curve element") + " ignored");
+        m_scan.notes.push_back(
+            {PALPATE_TEXT("number of line, point and curve elements that are ignored: %1"), Count(m_ignored)});
     }
     if (m_hasVertexColours) {
-        m_scan.notes.emplace_back("colours not read: those of its vertices");
+        m_scan.notes.push_back({PALPATE_TEXT("colours not read: those of its vertices")});
     }
     return std::move(m_scan);
 }
@@ -408,7 +411,7 @@ Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
     const bool isCut = withoutPadding(image.bytes()).size() == image.bytes().size();
     std::optional<ObjScan> scan(std::in_place, text, context, isCut);
     Status status = scan->run();
-    std::string loss;
+    core::Message loss;
     if (!status.isOk() && context.isPartial && status.code() != StatusCode::Cancelled &&
         !image.bytes().ends_with('\n')) {
         const std::string_view whole = text.substr(0, text.rfind('\n') + 1); // without the truncated last line
@@ -417,7 +420,8 @@ Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
             return status;
         }
         status = {};
-        loss = atByte(whole.size()) + ": the file ends in a line: that line and what came after it lost";
+        loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(whole.size()),
+                             core::Message(PALPATE_TEXT("the file ends in a line; that line is lost")));
     }
     if (!status.isOk()) {
         return status;

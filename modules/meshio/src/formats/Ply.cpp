@@ -396,7 +396,7 @@ Status PlyScan::run(PreScan& scan)
 Status PlyScan::checkEnd(const PreScan& scan)
 {
     m_surplusLines += m_body.beginLine() ? 1 : 0;
-    if (scan.loss.empty() && !m_body.isAtEnd()) {
+    if (scan.loss.isEmpty() && !m_body.isAtEnd()) {
         if (m_header.encoding == PlyEncoding::Ascii || !isFiller(m_body.rest())) {
             return wrong(StatusCode::BadFormat, {PALPATE_TEXT("more data after the last element")},
                          {PALPATE_TEXT("the end of the file")});
@@ -453,8 +453,9 @@ Result<PreScan> guardPly(FileImage& image, const ScanContext& context)
         std::vector<PlyElement>& elements = header.value().elements;
         const auto face = std::find_if(elements.begin(), elements.end(),
                                        [](const PlyElement& element) { return element.name == "face"; });
-        scan.loss = atByte(image.bytes().size()) + ": the file ends there: " + grouped(face->count - wholeFaces) +
-                    " of " + counted(face->count, "face") + " lost";
+        scan.loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(image.bytes().size()),
+                                  core::Message(PALPATE_TEXT("the file ends there: %1 of %2 faces lost"),
+                                                Count(face->count - wholeFaces), Count(face->count)));
         face->count = wholeFaces;
         elements.erase(face + 1, elements.end());
         body.emplace(image.bytes(), header.value(), context, false);

@@ -168,7 +168,7 @@ Result<PlyHeader> readPlyHeader(std::string_view bytes, const ScanContext& conte
     }
     for (const PlyElement& element : header.elements) {
         if (std::any_of(element.properties.begin(), element.properties.end(), isColour)) {
-            scan.notes.push_back("colours not read: those of its elements " + inQuotes(element.name));
+            scan.notes.push_back({PALPATE_TEXT("colours not read: those of its elements %1"), inQuotes(element.name)});
         }
     }
     header.bodyBegin = lines.end();

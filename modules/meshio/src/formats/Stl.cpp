@@ -119,8 +119,9 @@ Status settleCount(std::string_view bytes, std::uint32_t& declared, const ScanCo
     } else if (body < wanted && wanted - body <= kAttribute) {
         scan.note({PALPATE_TEXT("the last triangle is whole, but the attribute behind it is cut off")});
     } else if (context.isPartial && held > 0 && body < wanted) {
-        scan.loss = atByte(bytes.size()) + ": the file ends there: " + grouped(declared - held) + " of " +
-                    counted(declared, "triangle") + " lost";
+        scan.loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(bytes.size()),
+                                  core::Message(PALPATE_TEXT("the file ends there: %1 of %2 triangles lost"),
+                                                Count(declared - held), Count(declared)));
         declared = static_cast<std::uint32_t>(held);
     } else if (body < wanted) {
         return fault(StatusCode::BadFormat, context.file, onByte(bytes.size()),

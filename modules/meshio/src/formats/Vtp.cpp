@@ -344,10 +344,14 @@ Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_
             continue;
         }
         if (array.type == "UInt8" && (array.components == 3 || array.components == 4)) { // VTK's colours
-            std::string note = "colours not read: the array " + inQuotes(array.name) + " of its " +
-                               (isOfPoints ? "points" : "polygons");
-            if (std::ranges::count(m_scan.notes, note) == 0) { // report once for all pieces
-                m_scan.notes.push_back(std::move(note));
+            const std::string name = inQuotes(array.name);
+            const core::Message note =
+                isOfPoints ? core::Message(PALPATE_TEXT("colours not read: the array %1 of its points"), name)
+                           : core::Message(PALPATE_TEXT("colours not read: the array %1 of its polygons"), name);
+            const bool isReported = std::ranges::any_of(
+                m_scan.notes, [&](const core::Message& other) { return other.english() == note.english(); });
+            if (!isReported) { // report once for all pieces
+                m_scan.notes.push_back(note);
             }
         }
         const bool isText = array.type == "String";
@@ -368,7 +372,7 @@ Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_
             return unpacked(array).status();
         }
         if (!isWhole) {
-            m_scan.notes.push_back("the array " + inQuotes(array.name) + " is damaged; it is not used");
+            m_scan.notes.push_back({PALPATE_TEXT("the array %1 is damaged and not used"), inQuotes(array.name)});
         } else if (!isText && array.components == 1 && !array.name.empty()) {
             here.push_back(array.name);
         }

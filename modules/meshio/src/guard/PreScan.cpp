@@ -17,7 +17,7 @@ void noteSpace(std::string_view value, PreScan& scan)
     } else if (value == "RAS") {
         scan.frame = FileFrame::Ras;
     } else {
-        scan.notes.push_back("the frame SPACE=" + inQuotes(value) + " is not known (LPS and RAS are): it is not used");
+        scan.notes.push_back({PALPATE_TEXT("the frame SPACE=%1 is not used: expected LPS or RAS"), inQuotes(value)});
     }
 }
 
@@ -50,7 +50,8 @@ void noteScaleTag(std::string_view text, PreScan& scan)
     if (scale && *scale >= kLeast && *scale <= kMost) {
         scan.scale = scale;
     } else {
-        scan.notes.push_back("SCALE=" + inQuotes(word) + " in the header is not used: expected 1e-06 to 1e+06");
+        scan.notes.push_back(
+            {PALPATE_TEXT("SCALE=%1 in the header is not used: expected %2 to %3"), inQuotes(word), kLeast, kMost});
     }
 }
 

@@ -39,10 +39,10 @@ struct PreScan
     std::vector<std::optional<std::array<double, 3>>> partColours;
     /// Scalar point and polygon arrays expected from the reader (VTP).
     std::vector<std::string> pointArrays, cellArrays;
-    std::vector<std::string> notes; ///< ignored or assumed content, one sentence per entry
-    std::string loss;               ///< truncated part, "place: missing content"
+    std::vector<core::Message> notes; ///< ignored or assumed content, one sentence per entry
+    core::Message loss;               ///< truncated part, "place: missing content"
 
-    void note(const core::Message& sentence) { notes.push_back(sentence.english()); }
+    void note(const core::Message& sentence) { notes.push_back(sentence); }
 };
 
 /// File name for messages and number conventions of a pre-scan.

@@ -32,7 +32,7 @@ WireHead headOf(const Result<MeshFile>& outcome)
     head.put(static_cast<std::uint8_t>(file.frame));
     head.put(file.unit_mm);
     head.put(std::uint64_t{file.notes.size()});
-    for (const std::string& note : file.notes) {
+    for (const core::Message& note : file.notes) {
         head.put(note);
     }
     head.put(std::uint64_t{file.structures.size()});
@@ -124,7 +124,7 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path)
     MeshFile file;
     file.path = path;
     file.format = head.text();
-    file.loss = head.text();
+    file.loss = head.message();
     const auto frame = head.take<std::uint8_t>();
     if (frame > static_cast<std::uint8_t>(FileFrame::Ras)) {
         return invalid({PALPATE_TEXT("its frame is unknown")});
@@ -135,7 +135,7 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path)
         return invalid({PALPATE_TEXT("its unit is not positive and finite")});
     }
     for (auto notes = head.take<std::uint64_t>(); notes > 0 && head.isGood(); --notes) {
-        file.notes.push_back(head.text());
+        file.notes.push_back(head.message());
     }
     std::vector<MeshCounts> counts;
     std::uint64_t end = outcome.begin;

@@ -7,7 +7,6 @@
 #include "read/VtkRead.h"
 #include "text/Encoding.h"
 #include "text/Fault.h"
-#include "text/JsonFields.h"
 #include "text/NumericLocale.h"
 
 #include <cmath>
@@ -69,9 +68,11 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     if (scan.scale && *scan.scale != 1.0) {
         const bool isUsed = options.readsScale && options.unit_mm == 1.0;
         context.unit_mm = isUsed ? 1.0 / *scan.scale : options.unit_mm;
-        scan.notes.push_back("SCALE=" + brief(*scan.scale) + " in the header: " +
-                             (isUsed ? "a unit of the file is taken as " + brief(context.unit_mm) + " mm"
-                                     : "not used, as the unit was given"));
+        scan.notes.push_back(
+            isUsed ? core::Message(PALPATE_TEXT("SCALE=%1 in the header: a unit of the file is taken as %2 mm"),
+                                   *scan.scale, context.unit_mm)
+                   : core::Message(PALPATE_TEXT("SCALE=%1 in the header: not used, because the unit was given"),
+                                   *scan.scale));
     }
     context.progress = share(kScanned, kRead);
     Result<vtkSmartPointer<vtkPolyData>> data = readWithVtk(*format.value(), image, scan, context);
@@ -98,8 +99,8 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     file.unit_mm = context.unit_mm;
     file.structures = std::move(structures).value();
     file.notes = std::move(scan.notes);
-    if (!scan.loss.empty()) {
-        file.loss = context.file + ": " + scan.loss;
+    if (!scan.loss.isEmpty()) {
+        file.loss = core::Message(PALPATE_TEXT("%1: %2"), context.file, scan.loss);
     }
     return file;
 }

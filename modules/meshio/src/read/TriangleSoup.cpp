@@ -218,7 +218,8 @@ class GhostCells
 };
 
 /// Omits arrays beyond the maximum per mesh.
-void bound(std::vector<std::string>& names, const char* each, PreScan& scan)
+/// @param areOfPoints  of the points, otherwise of the polygons
+void bound(std::vector<std::string>& names, bool areOfPoints, PreScan& scan)
 {
     // Arrays with a known meaning come first.
     std::stable_partition(names.begin(), names.end(), [](const std::string& name) {
@@ -226,8 +227,14 @@ void bound(std::vector<std::string>& names, const char* each, PreScan& scan)
                            [&](const core::KnownMap& map) { return map.array == name; });
     });
     if (names.size() > kMostArrays) {
-        scan.notes.push_back(counted(names.size() - kMostArrays, "array") + " of the " + each + " left out: at most " +
-                             std::to_string(kMostArrays) + " are used");
+        const std::size_t more = names.size() - kMostArrays;
+        scan.notes.push_back(
+            areOfPoints
+                ? core::Message(PALPATE_TEXT("at most %1 arrays of the points are used; number of arrays left out: %2"),
+                                kMostArrays, more)
+                : core::Message(
+                      PALPATE_TEXT("at most %1 arrays of the polygons are used; number of arrays left out: %2"),
+                      kMostArrays, more));
         names.resize(kMostArrays);
     }
 }
@@ -253,8 +260,8 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
     GhostCells ghosts(data, scan);
     std::uint64_t thinFaces = 0;
     std::vector<std::uint32_t> polygon;
-    bound(scan.pointArrays, "points", scan);
-    bound(scan.cellArrays, "polygons", scan);
+    bound(scan.pointArrays, true, scan);
+    bound(scan.cellArrays, false, scan);
     std::vector<std::uint32_t> cellOf; // for each triangle
     std::uint64_t cell = 0;            // over polygons, then strips
     for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips()}) {
@@ -302,7 +309,9 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
         }
     }
     if (cutter.crossing() > 0) {
-        scan.notes.push_back(counted(cutter.crossing(), "polygon") + " without a simple outline");
+        scan.notes.push_back(cutter.crossing() == 1 ? core::Message(PALPATE_TEXT("one polygon has no simple outline"))
+                                                    : core::Message(PALPATE_TEXT("%1 polygons have no simple outline"),
+                                                                    Count(cutter.crossing())));
     }
     noteThinFaces(thinFaces, scan);
     ghosts.note(scan);

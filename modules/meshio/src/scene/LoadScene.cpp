@@ -368,8 +368,8 @@ void Loader::noteFrames()
         }
         const MeshFile& file = source.file->value();
         const std::string name = source.path.filename().string();
-        for (const std::string& note : file.notes) {
-            m_scene.warnings.push_back(name + ": " + note);
+        for (const core::Message& note : file.notes) {
+            m_scene.warnings.push_back(name + ": " + note.english());
         }
         if (source.frame != FileFrame::Untagged) {
             if (file.frame != FileFrame::Untagged && file.frame != source.frame) {
@@ -460,8 +460,8 @@ Result<LoadedScene> Loader::open(const std::string& name)
         if (!source.file->isOk()) {
             lose(source.file->status().message());
             m_firstFailure = m_firstFailure.isOk() ? source.file->status() : m_firstFailure;
-        } else if (!source.file->value().loss.empty()) {
-            lose(source.file->value().loss);
+        } else if (!source.file->value().loss.isEmpty()) {
+            lose(source.file->value().loss.english());
         }
     }
     if (m_isSceneFile) {

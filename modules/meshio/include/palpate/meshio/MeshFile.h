@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/FileFrame.h>
+#include <palpate/core/Message.h>
 #include <palpate/core/Status.h>
 #include <palpate/geometry/TriangleMesh.h>
 
@@ -35,8 +36,8 @@ struct MeshFile
     FileFrame frame = FileFrame::Untagged; ///< tag of the file (`SPACE=` of 3D Slicer), regardless of the options
     double unit_mm = 1.0;                  ///< assumed size of one file unit [mm]
     std::vector<MeshStructure> structures;
-    std::vector<std::string> notes; ///< ignored or assumed content, one sentence per entry
-    std::string loss;               ///< missing part of a truncated file, one line with counts; see `isPartial`
+    std::vector<core::Message> notes; ///< ignored or assumed content, one sentence per entry
+    core::Message loss;               ///< missing part of a truncated file, one line with counts; see `isPartial`
 };
 
 struct ReadOptions
