@@ -2,6 +2,8 @@
 #include "HostileMeshes.h"
 #include "Meshes.h"
 #include "Samples.h"
+#include "formats/ObjMaterials.h"
+#include "text/Encoding.h"
 
 namespace palpate::fuzz {
 
@@ -15,12 +17,23 @@ std::vector<std::string> seeds()
             out.push_back(mesh.bytes);
         }
     }
+    out.push_back("# C:\\\nmtllib a.mtl\no a\nv 0 0 0\nv 2.5 0 0\nv 0 1.5 0\nv nan 0 0\ng a\nusemtl b\nf 1 2 3\nf 1 2\n"
+                  "v 0 0 1\ng a\nusemtl c\nf 1 2 5 # x\n\x1a");
+    out.emplace_back("newmtl a\nKd 0.5 1 0\nnewmtl \xe4\nKd 2 0\n");
+    out.emplace_back("\xff\xfev\0 \0\0\xd8\0\xdc", 10);
     return out;
 }
 
 void tryInput(std::string_view bytes)
 {
     tryMesh(bytes, meshio::internal::kObj, "a.obj");
+    for (const auto& [name, colour] : meshio::internal::parseMaterials(bytes)) {
+        require(colour[0] >= 0.0 && colour[2] <= 1.0, "a colour is in range");
+        (void)meshio::internal::utf8Of(name);
+    }
+    if (const auto text = meshio::internal::fromUtf16(bytes)) {
+        require(meshio::internal::utf8Of(*text) == *text, "converted text is valid UTF-8");
+    }
 }
 
 } // namespace obj

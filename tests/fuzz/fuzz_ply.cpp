@@ -15,6 +15,8 @@ std::vector<std::string> seeds()
             out.push_back(mesh.bytes);
         }
     }
+    out.push_back(test::stripsPly());
+    out.push_back(test::asciiPly("0 0 0 7\n2.5 0 0\n0 1.5 0\nnan 0 0\n", "3 0 1 2 0.5\n2 0 1\n", 4, 2));
     return out;
 }
 

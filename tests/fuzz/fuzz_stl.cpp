@@ -10,8 +10,14 @@ namespace stl {
 std::vector<std::string> seeds()
 {
     const std::array<float, 9> facet{0, 0, 0, 2.5F, 0, 0, 0, 1.5F, 0};
-    return {test::binaryStl(1, {facet}), test::binaryStl(3, {3, facet}, "3D Slicer output. SPACE=RAS"),
-            test::binaryStl(2, {facet}), test::binaryStl(0, {}), "solid"};
+    return {test::binaryStl(1, {facet}),
+            test::binaryStl(3, {3, facet}, "3D Slicer output. SPACE=RAS"),
+            test::binaryStl(2, {facet}),
+            test::binaryStl(0, {}),
+            test::binaryStl(0, {facet}),                           // a count that was not filled in
+            test::binaryStl(1, {facet}).append(20, '\0'),          // filler behind
+            test::binaryStl(1, {facet}, "COLOR=\xc8\x32\x32\xff"), // of Magics
+            "solid"};
 }
 
 void tryInput(std::string_view bytes)

@@ -9,15 +9,18 @@ namespace stlascii {
 
 std::vector<std::string> seeds()
 {
-    return {test::asciiStl(),
-            test::asciiStl("3D Slicer output. SPACE=RAS"),
-            test::asciiStl() + test::asciiStl("vein", "0 9 0"),
-            test::asciiStl("a", "1e999 -0 nan"),
-            std::string("solid a\nfacet ").append(40, '\xf2') +
-                "\nouter loop\nvertex 0 0 0\nvertex 2.5 0 0\nvertex 0 1.5 0\n"
-                "endloop\nendfacet\nendsolid\n",     // VTK took this for a binary file
-            std::string(6, '\v') + test::asciiStl(), // these, too
-            std::string(6, '\v') + "\n" + test::asciiStl()};
+    return {
+        test::asciiStl(),
+        test::asciiStl("3D Slicer output. SPACE=RAS"),
+        test::asciiStl() + test::asciiStl("vein", "0 9 0"),
+        test::asciiStl("a", "1e999 -0 nan"),
+        std::string("solid a\nfacet ").append(40, '\xf2') +
+            "\nouter loop\nvertex 0 0 0\nvertex 2.5 0 0\nvertex 0 1.5 0\n"
+            "endloop\nendfacet\nendsolid\n",     // VTK took this for a binary file
+        std::string(6, '\v') + test::asciiStl(), // these, too
+        std::string(6, '\v') + "\n" + test::asciiStl(),
+        "solidA\n# x\nfacet\nouterloop\nvertex 0 0 0\rvertex 2.5 0 0\rvertex 0 1.5 0\nend loop\nend facet\nsolid A\n"
+        "end solidA\n\x1a"};
 }
 
 void tryInput(std::string_view bytes)

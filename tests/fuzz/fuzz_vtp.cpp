@@ -19,10 +19,17 @@ std::vector<std::string> seeds()
                               "format=\"ascii\">" +
                                   characters + "</Array></FieldData>");
     };
-    return {test::asciiVtp(), test::fileBytes(folder.path("w.vtp")),
-            test::asciiVtp("0 0 0 2.5 0 0 0 1.5 0 3 3 0", "0 1 2 3", "NumberOfPoints=\"4\" NumberOfStrips=\"1\"", "4",
-                           "Strips"),
-            named("76 80 83 0"), named("76 0 80 0")}; // VTK wrote the second string beyond the end of the array
+    return {
+        test::asciiVtp(), test::fileBytes(folder.path("w.vtp")),
+        test::asciiVtp("0 0 0 2.5 0 0 0 1.5 0 3 3 0", "0 1 2 3", "NumberOfPoints=\"4\" NumberOfStrips=\"1\"", "4",
+                       "Strips"),
+        // An empty piece, and a hidden cell of two.
+        "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"0\"><Points/></Piece><Piece NumberOfPoints=\"4\" "
+        "NumberOfPolys=\"2\"><CellData><DataArray type=\"UInt8\" Name=\"vtkGhostType\">0 32</DataArray></CellData>"
+        "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\">0 0 0 1 0 0 0 1 0 nan 0 0</DataArray></Points>"
+        "<Polys><DataArray type=\"Int64\" Name=\"connectivity\">0 1 2 0 1</DataArray>"
+        "<DataArray type=\"Int64\" Name=\"offsets\">3 5</DataArray></Polys></Piece></PolyData></VTKFile>\n",
+        named("76 80 83 0"), named("76 0 80 0")}; // VTK wrote the second string beyond the end of the array
 }
 
 void tryInput(std::string_view bytes)

@@ -138,6 +138,38 @@ inline std::string binaryVtk()
     return out += "\nPOINT_DATA 3\nSCALARS distance float\nLOOKUP_TABLE default\n............";
 }
 
+/// Returns the same surface as an unstructured grid in the legacy format, with a line.
+inline std::string asciiGrid(const std::string& types = "3\n5\n")
+{
+    return "# vtk DataFile Version 3.0\nliver\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n0 0 0 2.5 0 0 0 1.5 "
+           "0\n"
+           "CELLS 2 7\n2 0 1\n3 0 1 2\nCELL_TYPES 2\n" +
+           types;
+}
+
+/// Returns the same surface as an unstructured grid in XML.
+inline std::string asciiVtu(const std::string& cellData = "")
+{
+    return "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\"><UnstructuredGrid>"
+           "<Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">" +
+           cellData +
+           "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 2.5 0 0 0 1.5 0"
+           "</DataArray></Points><Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2"
+           "</DataArray><DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray>"
+           "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">5</DataArray></Cells></Piece></UnstructuredGrid>"
+           "</VTKFile>\n";
+}
+
+/// Returns a binary PLY of two strips of a triangle each.
+inline std::string stripsPly()
+{
+    std::string out = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                      "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+    appendRaw(out, std::array<float, 9>{0, 0, 0, 2.5F, 0, 0, 0, 1.5F, 0});
+    appendRaw(out, std::array<std::int32_t, 8>{7, 0, 1, 2, -1, 0, 1, 2});
+    return out;
+}
+
 inline const std::string kObj = "v 0 0 0\nv 2.5 0 0\nv 0 1.5 0\nf 1 2 3\n";
 
 /// Returns the area of all triangles of a structure [mm²].

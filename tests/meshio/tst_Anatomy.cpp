@@ -2,6 +2,7 @@
 #include "Samples.h"
 #include "TestRunner.h"
 
+#include <algorithm>
 #include <chrono>
 
 using namespace palpate;
@@ -14,7 +15,7 @@ class Anatomy : public QObject
   private Q_SLOTS:
     void everyMeshHasItsTriangles_data();
     void everyMeshHasItsTriangles();
-    void namesTheFaceThatVtkCannotRead();
+    void facesOfTwoCornersAreLeftOut();
     void bodyIsReadAndRepairedSoon();
     void heartIsTurnedFromRas();
 };
@@ -58,12 +59,14 @@ void Anatomy::everyMeshHasItsTriangles()
     QCOMPARE(read, triangles);
 }
 
-void Anatomy::namesTheFaceThatVtkCannotRead()
+void Anatomy::facesOfTwoCornersAreLeftOut()
 {
     PALPATE_SHARED_OR_SKIP(folder, "anatomy");
     const auto file = meshio::readMesh(folder / "CavaVeinAndHeart.obj");
-    QCOMPARE(file.status().message(),
-             std::string("CavaVeinAndHeart.obj: line 48634: a face with 2 corners; expected at least 3"));
+    QVERIFY2(file.isOk(), file.status().message().c_str());
+    QVERIFY(std::ranges::any_of(file.value().notes, [](const core::Message& note) {
+        return note.english() == "1 face of fewer than 3 corners left out";
+    }));
 }
 
 void Anatomy::bodyIsReadAndRepairedSoon()

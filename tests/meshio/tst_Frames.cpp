@@ -275,8 +275,8 @@ class Frames : public QObject
                              << "a.json: is not a Palpate scene: found neither `version` nor `structures`";
         QTest::newRow("glTF")
             << "a.glb" << std::string("glTF\x02")
-            << "a.glb: is a glTF file, which Palpate does not read; expected a mesh saved in one of the "
-               "formats STL, VTP, PLY, VTK, OBJ";
+            << "a.glb: is a glTF file, which Palpate does not read; expected a mesh saved as STL, PLY, "
+               "OBJ or VTK";
         QTest::newRow("no version") << "a.json" << std::string(R"({"structures": []})")
                                     << "a.json: version: found nothing, expected 1";
     }

@@ -133,15 +133,25 @@ void HostileFiles::ownFilesAreRefused_data()
     };
     const float nan = std::numeric_limits<float>::quiet_NaN();
 
-    row("stl cut in a facet", "a.stl", test::binaryStl(2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}}).append(20, '\0'), "byte 80: ");
+    row("stl cut in a facet", "a.stl", test::binaryStl(2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}}).append(20, '\0'),
+        "byte 154: cut off: the binary STL declares 2 triangles, but the 154 bytes hold 1");
+    row("stl of more facets than declared", "a.stl", test::binaryStl(1, {3, {0, 0, 0, 1, 0, 0, 0, 1, 0}}),
+        "byte 80: number of triangles of the binary STL: declared 1, but the 234 bytes hold 3");
+    row("stl of a count that was not filled in, cut off", "a.stl",
+        test::binaryStl(0, {{0, 0, 0, 1, 0, 0, 0, 1, 0}}).append(20, '1'), "byte 80: 0 triangles");
+    row("ascii stl that ends in a facet", "a.stl", test::asciiStl() + "solid b\nfacet normal 0 0 1\nouter loop\n",
+        "line 12: the file ends after one complete triangle; expected the rest of a facet, then the keyword "
+        "\"endsolid\"; --partial opens");
+    row("ascii stl, four corners", "a.stl",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+        "vertex 0 1 0\nvertex 1 1 0\nendloop\nendfacet\nendsolid a\n",
+        "line 7: found \"vertex 1 1 0\" after three corners");
     row("stl of no triangle", "a.stl", test::binaryStl(0, {}), "byte 80: 0 triangles");
     row("stl NaN", "a.stl", test::binaryStl(2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 0, 0, 1, nan, 0, 0, 1, 0}}),
         "byte 134: coordinates are not numbers in 1 of 2 triangles (first: triangle 1)");
     row("stl far", "a.stl", test::binaryStl(1, {{0, 0, 0, 2e7F, 0, 0, 0, 1, 0}}),
         "byte 84: coordinates are farther than 10 km from the origin in 1 of 1 triangles");
     row("stl without area", "a.stl", test::binaryStl(1, {{0, 0, 0, 1, 1, 1, 2, 2, 2}}), "all triangles have zero area");
-    row("ascii stl without endsolid", "a.stl", test::asciiStl().substr(0, test::asciiStl().rfind("endsolid")),
-        "line 8: the file ends after one complete triangle");
     row("ascii stl, two loops", "a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\n",
         "line 5: ");
     row("ascii stl, empty solid", "a.stl", "solid a\nendsolid a\n", "line 2: 0 triangles");
@@ -152,7 +162,7 @@ void HostileFiles::ownFilesAreRefused_data()
     row("obj index zero", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "line 4: vertex index 0");
     row("obj index before the first", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n", "line 4: vertex index -4");
     row("obj index words", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n", "line 4: \"x\" is not a vertex index");
-    row("obj two corners", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3: a face with 2 corners; expected at least 3");
+    row("obj two corners", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3: 0 faces; expected at least one face");
     row("obj NaN", "a.obj", "v 0 nan 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1: ");
     row("obj overflow", "a.obj", "v 0 1e999 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1: ");
     row("obj decimal comma", "a.obj", "v 0,5 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1: \"0,5\" is not a number");
@@ -177,11 +187,10 @@ void HostileFiles::ownFilesAreRefused_data()
         "line 12: \"x\" is not a number, in element \"vertex\" 1 of 3");
     row("ply cut", "a.ply", test::asciiPly("0.00 0.00 0.00\n1 0 0\n", ""),
         "line 13: the file ends in element \"vertex\" 2 of 3");
-    row("ply two corners", "a.ply", test::asciiPly("0 0 0\n1 0 0\n0 1 0\n", "2 0 1\n"),
-        "line 14: number of corners of face 0: 2; expected 3 to 255");
+    row("ply two corners", "a.ply", test::asciiPly("0 0 0\n1 0 0\n0 1 0\n", "2 0 1\n"), "line 14: 0 faces");
     row("ply more data", "a.ply", test::asciiPly() + "3 0 1 2\n", "line ");
     row("ply without faces", "a.ply", withPlyHeader("element vertex 1\n" + kXyz, std::string(12, '\0')),
-        "header: no faces");
+        "header: 0 faces, but 1 points: a point cloud; expected a surface");
     row("ply without x", "a.ply", withPlyHeader("element vertex 1\nproperty float y\nelement face 0\n", "1234"),
         "header: ");
     row("ply cut header", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n", "line 3: the file ends in the header");
@@ -192,11 +201,9 @@ void HostileFiles::ownFilesAreRefused_data()
         "byte ");
     row("ply binary cut", "a.ply", binaryPly().substr(0, binaryPly().size() - 1), "byte ");
 
-    row("vtp empty pieces", "a.vtp", test::asciiVtp("", "", "NumberOfPoints=\"0\" NumberOfPolys=\"0\"", ""),
-        "0 polygons");
+    row("vtp empty pieces", "a.vtp", test::asciiVtp("", "", "NumberOfPoints=\"0\" NumberOfPolys=\"0\"", ""), "0 faces");
     row("vtp two-cornered polygon", "a.vtp",
-        test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "2"),
-        "polygon 0: number of corners: 2; expected 3 to 1,024");
+        test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "2"), "0 faces");
     row("vtp offsets fall", "a.vtp",
         test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"3\"", "3 1 3"),
         "line 5: array \"offsets\": value 1 is 1; expected 3 to 3");
@@ -245,8 +252,41 @@ void HostileFiles::ownFilesAreRefused_data()
     row("vtp as legacy", "a.vtp", "# vtk DataFile Version 3.0\n",
         "line 2: found \"\"; expected the keyword \"ASCII\" or \"BINARY\"");
 
-    row("vtk of a grid", "a.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n",
-        "line 4: a VTK file of type \"UNSTRUCTURED_GRID\"; expected the type \"POLYDATA\"");
+    row("vtk of a grid", "a.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET STRUCTURED_GRID\n",
+        "line 4: a VTK file of type \"STRUCTURED_GRID\"; expected the type \"POLYDATA\"");
+    const auto grid = [](const std::string& cells, const std::string& types) {
+        return "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 "
+               "1\n" +
+               cells + types;
+    };
+    row("vtk grid of tetrahedra", "a.vtk", grid("CELLS 1 5\n4 0 1 2 3\n", "CELL_TYPES 1\n10\n"),
+        "line 10: a cell of VTK's type 10");
+    row("vtk grid, types missing", "a.vtk", grid("CELLS 1 4\n3 0 1 2\n", "CELL_TYPES 2\n5 5\n"),
+        "line 9: CELL_TYPES: number of values: declared 2; expected 1, one for each cell");
+    row("vtk grid, types cut", "a.vtk", grid("CELLS 2 8\n3 0 1 2\n3 0 1 3\n", "CELL_TYPES 2\n5\n"),
+        "line 12: CELL_TYPES: ");
+    row("vtk grid, types first", "a.vtk", grid("", "CELL_TYPES 1\n5\n"), "line 7: CELL_TYPES: number of values");
+    row("vtk grid, triangle of four corners", "a.vtk", grid("CELLS 1 5\n4 0 1 2 3\n", "CELL_TYPES 1\n5\n"),
+        "line 10: number of corners of a cell of VTK's type 5: 4");
+    row("vtk grid, index beyond", "a.vtk", grid("CELLS 1 4\n3 0 1 4\n", "CELL_TYPES 1\n5\n"),
+        "line 8: CELLS use point 4");
+    row("vtk grid without cells", "a.vtk", grid("", ""), "line 7: 0 faces, but 4 points");
+    const auto vtu = [](const std::string& corners, const std::string& ends, const std::string& types) {
+        return "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">"
+               "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\">0 0 0 1 0 0 0 1 0</DataArray></Points>"
+               "<Cells><DataArray type=\"Int64\" Name=\"connectivity\">" +
+               corners + "</DataArray><DataArray type=\"Int64\" Name=\"offsets\">" + ends + "</DataArray>" + types +
+               "</Cells></Piece></UnstructuredGrid></VTKFile>";
+    };
+    const std::string triangle = "<DataArray type=\"UInt8\" Name=\"types\">5</DataArray>";
+    row("vtu index beyond", "a.vtu", vtu("0 1 3", "3", triangle), "line 1: array \"connectivity\": value 2 is point 3");
+    row("vtu offsets beyond", "a.vtu", vtu("0 1 2", "4", triangle), "line 1: array \"offsets\": value 0 is 4");
+    row("vtu without types", "a.vtu", vtu("0 1 2", "3", ""), "line 1: the cells have no types");
+    row("vtu two types", "a.vtu", vtu("0 1 2", "3", "<DataArray type=\"UInt8\" Name=\"types\">5 5</DataArray>"),
+        "line 1: array \"types\": number of values: 2; expected exactly 1");
+    row("vtu types of words", "a.vtu", vtu("0 1 2", "3", "<DataArray type=\"UInt8\" Name=\"types\">x</DataArray>"),
+        "line 1: array \"types\": value 0 is \"x\"");
+    row("vtu without cells", "a.vtu", "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid/></VTKFile>", "");
     row("vtk without a version", "a.vtk", "# vtk DataFile\nx\nASCII\nDATASET POLYDATA\n",
         "line 3: found \"# vtk DataFile\"");
     row("vtk of a version to come", "a.vtk", test::asciiVtk("", "", "x", "65536"),
@@ -289,7 +329,8 @@ void HostileFiles::ownFilesAreRefused_data()
     row("vtk cells beyond bytes", "a.vtk",
         test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 900000000 4\n3 0 1 2\n"),
         "line 7: number of cells: declared 900,000,000");
-    row("vtk no polygon", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", ""), "line 7: 0 polygons");
+    row("vtk no polygon", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", ""),
+        "line 7: 0 faces, but 3 points: a point cloud");
     const auto offsets = [](const std::string& numbers) {
         return test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n",
                               "POLYGONS 2 3\nOFFSETS vtktypeint64\n" + numbers + "\nCONNECTIVITY vtktypeint64\n0 1 2\n",
@@ -375,6 +416,9 @@ void HostileFiles::cutAnywhereNeverCrashes_data()
     QTest::newRow("ply, text") << std::string("a.ply") << test::asciiPly();
     QTest::newRow("vtk") << std::string("a.vtk") << test::binaryVtk();
     QTest::newRow("vtk, text") << std::string("a.vtk") << test::asciiVtk();
+    QTest::newRow("vtk grid, text") << std::string("a.vtk") << test::asciiGrid();
+    QTest::newRow("vtu, text") << std::string("a.vtu") << test::asciiVtu();
+    QTest::newRow("ply strips") << std::string("a.ply") << test::stripsPly();
 }
 
 void HostileFiles::cutAnywhereNeverCrashes()

@@ -90,7 +90,7 @@ void addObj(std::vector<HostileMesh>& out)
     add("o20_html", "<!DOCTYPE html><html><body>404 Not Found</body></html>\n", "byte 0: a web page (HTML)");
     add("o21_lfs", "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n", "byte 0: a Git LFS pointer");
     add("o22_utf16", std::string("\xff\xfev\0 \0", 6) + noise(100), "");
-    out.back().complaint = "line 1: "; // read as XML, by its byte order mark
+    out.back().complaint = "line 1: "; // read as UTF-16, by its byte order mark
     add("p01_plain", kObj, "");
     add("p02_crlf", "v 0 0 0\r\nv 2.5 0 0\r\nv 0 1.5 0\r\nf 1 2 3\r\n", "");
     add("p03_bom", "\xef\xbb\xbf" + kObj, "");
@@ -127,9 +127,8 @@ void addPly(std::vector<HostileMesh>& out)
     add("q13_inf", binary + binaryBody(std::numeric_limits<float>::infinity()), "byte ");
     add("q14_far", binary + binaryBody(1e30F), "byte ");
     add("q15_cut", binary + binaryBody().substr(0, 45), "byte ");
-    add("q16_more", binary + binaryBody() + "more", "byte ");
-    add("q17_two_corners", header("3", "1") + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n",
-        "line 13: number of corners of face 0: 2");
+    add("q16_more", binary + binaryBody() + "\x01\x02\x03", "byte ");
+    add("q17_two_corners", header("3", "1") + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "line 13: 0 faces");
     add("q18_255_corners_of_none", binary + binaryBody(2.5F, 2, 255), "byte ");
     add("q19_list_of_4e9",
         header("3", "1", "binary_little_endian", "float", "uint int") + binaryBody() + "\xff\xff\xff", "byte ");
@@ -141,7 +140,7 @@ void addPly(std::vector<HostileMesh>& out)
     add("q24_no_face",
         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
         "end_header\n0 0 0\n",
-        "header: no faces");
+        "header: 0 faces, but 1 points: a point cloud");
     add("q25_cut_header", "ply\nformat ascii 1.0\nelement vertex 3\n", "line 3: the file ends in the header");
     add("q26_comma", header("3", "1") + "0,5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "line 10: \"0,5\" is not a number");
     add("q27_words", header("3", "1") + "0 0 0\n1 one 0\n0 1 0\n3 0 1 2\n", "line 11: \"one\" is not a number");
@@ -155,6 +154,7 @@ void addPly(std::vector<HostileMesh>& out)
     add("q33_lfs", "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n", "byte 0: a Git LFS pointer");
     add("r01_plain", kPly, "");
     add("r02_binary", binary + binaryBody(), "");
+    add("r06_text_behind", binary + binaryBody() + "more", "");
     add("r03_long_comment", std::string("ply\nformat ascii 1.0\ncomment ").append(5'000'000, 'a') + kPly.substr(20),
         "");
     add("r04_slicer", std::string("ply\nformat ascii 1.0\ncomment SPACE=RAS").append(kPly.substr(20)), "");

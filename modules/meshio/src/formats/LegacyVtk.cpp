@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // VTK's legacy file format, `.vtk`: text keywords, numbers as text or big-endian.
 // https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html
+#include "formats/GridSurface.h"
 #include "formats/MeshFormat.h"
 
+#include "guard/BadVertices.h"
 #include "text/Fault.h"
 #include "text/TextScan.h"
 
@@ -14,6 +16,7 @@
 #include <bit>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -70,10 +73,14 @@ class LegacyBody
 
     [[nodiscard]] std::size_t at() const noexcept { return m_at; }
     [[nodiscard]] std::string_view rest() const noexcept { return m_bytes.substr(m_at); }
-    [[nodiscard]] core::Message place() const
+    [[nodiscard]] core::Message place()
     {
-        return isBinary ? onByte(m_at)
-                        : onLine(1 + static_cast<std::uint64_t>(std::ranges::count(m_bytes.substr(0, m_at), '\n')));
+        if (isBinary) {
+            return onByte(m_at);
+        }
+        m_line += static_cast<std::uint64_t>(std::ranges::count(m_bytes.substr(m_lineAt, m_at - m_lineAt), '\n'));
+        m_lineAt = m_at;
+        return onLine(m_line);
     }
     /// @return the next word, empty at the end
     std::string_view word()
@@ -86,10 +93,10 @@ class LegacyBody
     /// @return the rest of the line without the line end
     std::string_view line()
     {
-        const std::size_t feed = std::min(m_bytes.find('\n', m_at), m_bytes.size());
-        const std::string_view found = m_bytes.substr(m_at, feed - m_at);
-        m_at = std::min(feed + 1, m_bytes.size());
-        return found;
+        LineReader lines(m_bytes.substr(m_at));
+        (void)lines.next();
+        m_at += lines.end();
+        return lines.line();
     }
     /// Skips `count` numbers. @return false if the file contains fewer
     bool skip(std::uint64_t count, const NumberType& type)
@@ -154,6 +161,8 @@ class LegacyBody
 
     std::string_view m_bytes;
     std::size_t m_at = 0;
+    std::size_t m_lineAt = 0; ///< byte up to which m_line counts
+    std::uint64_t m_line = 1;
 };
 
 /// Checks points and cells and rewrites them as a minimal binary file of version 3. VTK's reader checks nothing: cell
@@ -172,7 +181,7 @@ class LegacyScan
     Result<PreScan> run();
 
   private:
-    Status wrong(StatusCode code, const core::Message& found, const core::Message& expected) const
+    Status wrong(StatusCode code, const core::Message& found, const core::Message& expected)
     {
         return fault(code, m_context.file, m_body.place(), found, expected);
     }
@@ -180,6 +189,8 @@ class LegacyScan
     Status readSection(std::string_view keyword);
     Status readPoints();
     Status readCells(std::string_view keyword);
+    /// Reads the types of the cells of an unstructured grid, and takes the cells that belong to a surface.
+    Status readCellTypes();
     Status readCellLists(std::uint64_t cells, std::uint64_t numbers, std::string_view keyword);
     Status readCellOffsets(std::uint64_t offsets, std::uint64_t corners, std::string_view keyword);
     Status skipField();
@@ -205,7 +216,9 @@ class LegacyScan
     }
     void appendCorner(std::int64_t value)
     {
-        if (m_isKept) {
+        if (m_isGrid) {
+            m_cells.push_back(static_cast<std::int32_t>(value));
+        } else if (m_isKept) {
             append(static_cast<std::int32_t>(value));
         }
     }
@@ -217,8 +230,12 @@ class LegacyScan
     std::optional<std::uint64_t> m_points;
     std::vector<std::string> m_seen; ///< keywords of the sections read so far
     std::string m_plain = "# vtk DataFile Version 3.0\n\nBINARY\nDATASET POLYDATA\n";
-    std::uint64_t m_steps = 0; ///< numbers checked so far
-    bool m_isKept = false;     ///< the current cells are polygons or strips
+    std::uint64_t m_steps = 0;         ///< numbers checked so far
+    bool m_isKept = false;             ///< the current cells are polygons or strips
+    bool m_isGrid = false;             ///< an unstructured grid
+    std::vector<std::int32_t> m_cells; ///< of the grid: for each the number of corners, then the corners
+    std::uint64_t m_cellCount = 0;
+    BadVertices m_bad;
     PreScan m_scan;
 };
 
@@ -309,8 +326,9 @@ Status LegacyScan::readPoints()
                          {PALPATE_TEXT("three numbers for each point")});
         }
         if (const core::Message bad = coordinateFault(*value, m_context.unit_mm); !bad.isEmpty()) {
-            return wrong(StatusCode::NonFinite, {PALPATE_TEXT("point %1: %2"), i / 3, bad},
-                         {PALPATE_TEXT("finite coordinates within 10 km")});
+            m_bad.add(static_cast<std::int64_t>(i / 3),
+                      wrong(StatusCode::NonFinite, {PALPATE_TEXT("point %1: %2"), i / 3, bad},
+                            {PALPATE_TEXT("finite coordinates within 10 km")}));
         }
         if (isFloat) {
             append(static_cast<float>(*value));
@@ -337,6 +355,9 @@ Status LegacyScan::takeIndex(std::optional<std::int64_t> index, std::string_view
                      !m_points       ? core::Message(PALPATE_TEXT("%1 before this section"), "POINTS")
                      : *m_points > 0 ? core::Message(PALPATE_TEXT("%1 to %2"), 0, *m_points - 1)
                                      : core::Message(PALPATE_TEXT("no index, because there are no points")));
+    }
+    if (Status status = m_isKept || m_isGrid ? m_bad.check(*index) : Status(); !status.isOk()) {
+        return status;
     }
     appendCorner(*index);
     return reportProgress();
@@ -439,6 +460,7 @@ Status LegacyScan::readCells(std::string_view keyword)
     const std::uint64_t cells = first.value() - (m_hasOffsets && first.value() > 0 ? 1 : 0);
     const std::uint64_t numbers = second.value() + (m_hasOffsets ? cells : 0);
     m_isKept = sameWord(keyword, "POLYGONS") || sameWord(keyword, "TRIANGLE_STRIPS");
+    m_cellCount = cells;
     if (m_isKept) {
         m_scan.cells += cells;
         m_plain.append("\n").append(keyword).append(" ");
@@ -446,6 +468,40 @@ Status LegacyScan::readCells(std::string_view keyword)
     }
     return m_hasOffsets ? readCellOffsets(first.value(), second.value(), keyword)
                         : readCellLists(first.value(), second.value(), keyword);
+}
+
+Status LegacyScan::readCellTypes()
+{
+    constexpr NumberType kInt{"int", 4, false, true};
+    const Result<std::uint64_t> types = count({PALPATE_TEXT("number of cell types")});
+    if (!types.isOk()) {
+        return types.status();
+    }
+    if (types.value() != m_cellCount) {
+        return wrong(StatusCode::OutOfRange,
+                     {PALPATE_TEXT("%1: number of values: declared %2"), "CELL_TYPES", Count(types.value())},
+                     {PALPATE_TEXT("%1, one for each cell"), Count(m_cellCount)});
+    }
+    if (Status status = endLine(); !status.isOk()) {
+        return status;
+    }
+    GridSurface surface;
+    std::size_t at = 0;
+    for (std::uint64_t i = 0; i < types.value(); ++i) {
+        const std::optional<std::int64_t> type = m_body.integer(kInt);
+        if (!type) {
+            return wrong(StatusCode::BadFormat,
+                         {PALPATE_TEXT("%1: a value is missing or not a whole number"), "CELL_TYPES"},
+                         {PALPATE_TEXT("as many whole numbers as are declared")});
+        }
+        const auto corners = static_cast<std::size_t>(m_cells[at]);
+        if (const core::Message why = surface.add(*type, std::span(m_cells).subspan(at + 1, corners)); !why.isEmpty()) {
+            return wrong(StatusCode::Unsupported, why, GridSurface::expected());
+        }
+        at += corners + 1;
+    }
+    surface.write(m_plain, m_scan);
+    return {};
 }
 
 /// Skips strings. ASCII files have one per line; in binary files a length field precedes each string, and the first two
@@ -549,7 +605,8 @@ Status LegacyScan::readSection(std::string_view keyword)
     m_seen.emplace_back(keyword);
     if (is("DATASET")) {
         const std::string_view kind = m_body.word();
-        return sameWord(kind, "POLYDATA")
+        m_isGrid = sameWord(kind, "UNSTRUCTURED_GRID");
+        return m_isGrid || sameWord(kind, "POLYDATA")
                    ? Status()
                    : wrong(StatusCode::Unsupported, {PALPATE_TEXT("a VTK file of type %1"), inQuotes(kind)},
                            {PALPATE_TEXT("the type %1"), "\"POLYDATA\""});
@@ -557,12 +614,20 @@ Status LegacyScan::readSection(std::string_view keyword)
     if (is("POINTS")) {
         return readPoints();
     }
-    if (is("VERTICES") || is("LINES") || is("POLYGONS") || is("TRIANGLE_STRIPS")) {
+    if (m_isGrid && is("CELLS")) {
+        return readCells(keyword);
+    }
+    if (m_isGrid && is("CELL_TYPES")) {
+        return readCellTypes();
+    }
+    if (!m_isGrid && (is("VERTICES") || is("LINES") || is("POLYGONS") || is("TRIANGLE_STRIPS"))) {
         return readCells(keyword);
     }
     return wrong(StatusCode::BadFormat, {PALPATE_TEXT("found %1"), inQuotes(keyword)},
                  {PALPATE_TEXT("one of the keywords %1"),
-                  "DATASET, FIELD, POINTS, VERTICES, LINES, POLYGONS, TRIANGLE_STRIPS, POINT_DATA, CELL_DATA"});
+                  m_isGrid
+                      ? "DATASET, FIELD, POINTS, CELLS, CELL_TYPES, POINT_DATA, CELL_DATA"
+                      : "DATASET, FIELD, POINTS, VERTICES, LINES, POLYGONS, TRIANGLE_STRIPS, POINT_DATA, CELL_DATA"});
 }
 
 Result<PreScan> LegacyScan::run()
@@ -570,7 +635,7 @@ Result<PreScan> LegacyScan::run()
     Status status = readHeader();
     while (status.isOk()) {
         const std::string_view word = m_body.word();
-        if (word.empty() || sameWord(word, "POINT_DATA") || sameWord(word, "CELL_DATA")) {
+        if (withoutPadding(word).empty() || sameWord(word, "POINT_DATA") || sameWord(word, "CELL_DATA")) {
             break;
         }
         status = readSection(word);
@@ -579,8 +644,7 @@ Result<PreScan> LegacyScan::run()
         m_scan.notes.push_back({PALPATE_TEXT("colours not read: those of %1"), "COLOR_SCALARS"});
     }
     if (status.isOk() && m_scan.cells == 0) {
-        status = wrong(StatusCode::Empty, {PALPATE_TEXT("0 polygons and strips")},
-                       {PALPATE_TEXT("at least one polygon or strip")});
+        status = noFaces(m_scan.points, m_body.place(), m_context);
     }
     if (!status.isOk()) {
         return status;
@@ -590,6 +654,7 @@ Result<PreScan> LegacyScan::run()
         return plain.status();
     }
     m_image = std::move(plain).value();
+    m_bad.note(m_scan);
     return std::move(m_scan);
 }
 

@@ -34,6 +34,7 @@ struct MeshFormat
 
 extern const MeshFormat kStl;
 extern const MeshFormat kVtp;
+extern const MeshFormat kVtu;
 extern const MeshFormat kPly;
 extern const MeshFormat kLegacyVtk;
 extern const MeshFormat kObj;

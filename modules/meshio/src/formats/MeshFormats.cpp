@@ -2,6 +2,8 @@
 #include "palpate/meshio/MeshFormats.h"
 
 #include "formats/MeshFormat.h"
+#include "formats/OtherFormats.h"
+#include "text/Encoding.h"
 #include "text/Fault.h"
 
 #include <algorithm>
@@ -14,6 +16,7 @@ namespace internal {
 namespace {
 
 using core::Result;
+using core::Status;
 using core::StatusCode;
 
 std::string lowered(std::string_view text)
@@ -43,10 +46,8 @@ core::Message otherFormat(std::string_view head)
         std::string_view begin;
         core::MessageText<> name;
     };
-    static constexpr std::array<Magic, 7> kMagic{{
-        {"glTF", PALPATE_TEXT("a glTF file")},
+    static constexpr std::array<Magic, 5> kMagic{{
         {"PK\x03\x04", PALPATE_TEXT("a ZIP archive")},
-        {"\x1f\x8b", PALPATE_TEXT("a gzip file")},
         {"NRRD", PALPATE_TEXT("an NRRD image")},
         {"\x89PNG", PALPATE_TEXT("a PNG image")},
         {"%PDF", PALPATE_TEXT("a PDF document")},
@@ -75,8 +76,9 @@ std::string listOfFormats()
 
 std::span<const MeshFormat* const> formatTable()
 {
-    // OBJ last: the format has no signature, only words that may begin a line.
-    static constexpr std::array<const MeshFormat*, 5> kTable{&kStl, &kVtp, &kPly, &kLegacyVtk, &kObj};
+    // VTU before VTP, which takes any XML to name the error. OBJ last: the format has no signature, only words that may
+    // begin a line.
+    static constexpr std::array<const MeshFormat*, 6> kTable{&kStl, &kVtu, &kVtp, &kPly, &kLegacyVtk, &kObj};
     return kTable;
 }
 
@@ -99,7 +101,7 @@ std::string_view startOfText(std::string_view bytes)
 Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem::path& path)
 {
     const auto refused = [&](StatusCode code, const core::Message& found) {
-        return fault(code, path.filename().string(), onByte(0), found,
+        return fault(code, utf8Of(path.filename().string()), onByte(0), found,
                      {PALPATE_TEXT("a mesh in one of the formats %1"), listOfFormats()});
     };
     if (bytes.empty()) {
@@ -107,6 +109,11 @@ Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem
     }
     if (isWebPage(bytes)) {
         return refused(StatusCode::BadFormat, {PALPATE_TEXT("a web page (HTML), perhaps a failed download")});
+    }
+    // The header of a binary STL may contain anything.
+    const Status unread = kStl.looksLike(bytes) ? Status() : otherMeshFormat(bytes, utf8Of(path.filename().string()));
+    if (!unread.isOk()) {
+        return unread;
     }
     for (const MeshFormat* format : formatTable()) {
         if (format->looksLike(bytes)) {
@@ -118,7 +125,7 @@ Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem
                        {PALPATE_TEXT("a Git LFS pointer, not the file itself (fetch it with `git lfs pull`)")});
     }
     if (const core::Message other = otherFormat(startOf(bytes)); !other.isEmpty()) {
-        return fault(StatusCode::Unsupported, path.filename().string(), {},
+        return fault(StatusCode::Unsupported, utf8Of(path.filename().string()), {},
                      {PALPATE_TEXT("is %1, which Palpate does not read"), other},
                      {PALPATE_TEXT("a mesh saved in one of the formats %1"), listOfFormats()});
     }

@@ -2,6 +2,7 @@
 #include "formats/MeshFormat.h"
 #include "formats/PlyHeader.h"
 
+#include "guard/BadVertices.h"
 #include "text/Fault.h"
 #include "text/TextScan.h"
 
@@ -15,6 +16,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace palpate::meshio::internal {
@@ -31,11 +33,13 @@ constexpr std::uint64_t kMostFaceCorners = 255; ///< limit of VTK's reader per f
 class PlyBody
 {
   public:
-    PlyBody(std::string_view bytes, const PlyHeader& header)
+    /// @param isByLine  each element of a text has a line of its own, and further numbers on the line are surplus
+    PlyBody(std::string_view bytes, const PlyHeader& header, bool isByLine)
         : m_bytes(bytes)
         , m_rest(bytes.substr(header.bodyBegin))
         , m_encoding(header.encoding)
         , m_line(header.bodyLine + 1)
+        , m_isByLine(isByLine && header.encoding == PlyEncoding::Ascii)
     {
     }
 
@@ -47,7 +51,21 @@ class PlyBody
     /// @return true if only blanks (text) or no bytes (binary) remain.
     [[nodiscard]] bool isAtEnd() const
     {
-        return m_encoding == PlyEncoding::Ascii ? trimmed(m_rest).empty() : m_rest.empty();
+        return m_encoding == PlyEncoding::Ascii ? withoutPadding(m_rest).empty() : m_rest.empty();
+    }
+    /// Bytes that remain.
+    [[nodiscard]] std::string_view rest() const noexcept { return m_rest; }
+    /// Begins an element on a new line. @return true if the last line held surplus numbers
+    bool beginLine()
+    {
+        if (!m_isByLine || !m_isLineBegun) {
+            return false;
+        }
+        const std::size_t end = std::min(m_rest.find_first_of("\r\n"), m_rest.size());
+        const bool isSurplus = !trimmed(m_rest.substr(0, end)).empty();
+        m_isLineBegun = false;
+        m_rest.remove_prefix(end);
+        return isSurplus;
     }
     [[nodiscard]] core::Message place() const
     {
@@ -72,7 +90,12 @@ class PlyBody
     {
         std::string_view after = m_rest;
         const std::string_view word = takeWord(after);
-        m_line += static_cast<std::uint64_t>(std::count(m_rest.data(), word.data(), '\n'));
+        const std::string_view gap = m_rest.substr(0, static_cast<std::size_t>(word.data() - m_rest.data()));
+        if (m_isByLine && m_isLineBegun && gap.find_first_of("\r\n") != std::string_view::npos) {
+            return std::nullopt;
+        }
+        m_isLineBegun = true;
+        m_line += static_cast<std::uint64_t>(std::ranges::count(gap, '\n'));
         const std::optional<double> value = wordToNumber(word);
         m_rest = value ? after : m_rest.substr(static_cast<std::size_t>(word.data() - m_rest.data()));
         return value;
@@ -120,6 +143,8 @@ class PlyBody
     std::string_view m_rest;
     PlyEncoding m_encoding;
     std::uint64_t m_line;
+    bool m_isByLine;
+    bool m_isLineBegun = false; ///< a number of the current element has been read
 };
 
 /// Reads the body and writes the vertices and faces as minimal PLY: VTK reads list counts as bytes, supports
@@ -127,18 +152,19 @@ class PlyBody
 class PlyScan
 {
   public:
-    PlyScan(std::string_view bytes, const PlyHeader& header, const ScanContext& context)
+    PlyScan(std::string_view bytes, const PlyHeader& header, const ScanContext& context, bool isByLine)
         : m_bytes(bytes)
         , m_header(header)
         , m_context(context)
-        , m_body(bytes, header)
+        , m_body(bytes, header, isByLine)
     {
     }
 
     Status run(PreScan& scan);
     /// Number of complete faces if `run` failed because the file is truncated.
     [[nodiscard]] std::uint64_t wholeFaces() const noexcept { return m_wholeFaces; }
-    [[nodiscard]] const std::string& plain() const noexcept { return m_plain; }
+    /// Notes what was left out, and writes the vertices and faces as the content of a PLY file.
+    [[nodiscard]] std::string finish(PreScan& scan) const;
 
   private:
     Status wrong(StatusCode code, const core::Message& found, const core::Message& expected) const
@@ -147,7 +173,9 @@ class PlyScan
     }
     Status readElement(const PlyElement& element, PreScan& scan);
     Status keepVertex(std::uint64_t i, const std::array<double, 3>& p, PreScan& scan);
-    Status keepFace(std::uint64_t i, std::uint64_t vertices);
+    Status keepFace(std::uint64_t i, std::span<const double> corners, std::uint64_t vertices);
+    Status keepStrips(std::uint64_t i, std::uint64_t vertices);
+    Status checkEnd(const PreScan& scan);
 
     template<class T>
     void append(T value)
@@ -162,6 +190,8 @@ class PlyScan
     std::vector<double> m_list;
     std::uint64_t m_wholeFaces = 0;
     bool m_isExact = false; ///< a coordinate has a type with more precision than float
+    std::uint64_t m_faces = 0, m_thinFaces = 0, m_surplusLines = 0, m_trailing = 0;
+    BadVertices m_bad;
     std::string m_plain;
 };
 
@@ -177,27 +207,37 @@ bool isCoordinate(const PlyProperty& p)
 
 Status PlyScan::keepVertex(std::uint64_t i, const std::array<double, 3>& p, PreScan& scan)
 {
+    core::Message bad;
     for (const double x : p) {
-        if (const core::Message bad = coordinateFault(x, m_context.unit_mm); !bad.isEmpty()) {
-            return wrong(StatusCode::NonFinite, {PALPATE_TEXT("vertex %1: %2"), i, bad},
-                         {PALPATE_TEXT("finite coordinates within 10 km")});
-        }
+        bad = bad.isEmpty() ? coordinateFault(x, m_context.unit_mm) : bad;
+    }
+    if (!bad.isEmpty()) {
+        m_bad.add(static_cast<std::int64_t>(i), wrong(StatusCode::NonFinite, {PALPATE_TEXT("vertex %1: %2"), i, bad},
+                                                      {PALPATE_TEXT("finite coordinates within 10 km")}));
+    }
+    const core::Vec3 kept = bad.isEmpty() ? core::Vec3(p[0], p[1], p[2]) : core::Vec3::Zero();
+    for (const double x : kept) {
         append(static_cast<float>(x));
     }
     if (m_isExact) {
-        scan.exactPoints.emplace_back(p[0], p[1], p[2]);
+        scan.exactPoints.push_back(kept);
     }
     return {};
 }
 
-Status PlyScan::keepFace(std::uint64_t i, std::uint64_t vertices)
+Status PlyScan::keepFace(std::uint64_t i, std::span<const double> corners, std::uint64_t vertices)
 {
-    if (m_list.size() < 3 || m_list.size() > kMostFaceCorners) {
-        return wrong(StatusCode::BadFormat, {PALPATE_TEXT("number of corners of face %1: %2"), i, m_list.size()},
-                     {PALPATE_TEXT("%1 to %2"), 3, kMostFaceCorners});
+    if (corners.size() > kMostFaceCorners) {
+        return wrong(StatusCode::BadFormat, {PALPATE_TEXT("number of corners of face %1: %2"), i, corners.size()},
+                     {PALPATE_TEXT("at most %1"), kMostFaceCorners});
     }
-    append(static_cast<std::uint8_t>(m_list.size()));
-    for (const double corner : m_list) {
+    if (corners.size() < 3) {
+        ++m_thinFaces;
+        return {};
+    }
+    ++m_faces;
+    append(static_cast<std::uint8_t>(corners.size()));
+    for (const double corner : corners) {
         if (!(corner >= 0.0 && corner < static_cast<double>(vertices)) || corner != std::floor(corner)) {
             const core::MessageArgument vertex = std::abs(corner) < 1e15
                                                      ? core::MessageArgument(static_cast<std::int64_t>(corner))
@@ -205,7 +245,32 @@ Status PlyScan::keepFace(std::uint64_t i, std::uint64_t vertices)
             return wrong(StatusCode::OutOfRange, {PALPATE_TEXT("face %1 uses vertex %2"), i, vertex},
                          {PALPATE_TEXT("%1 to %2"), 0, static_cast<std::int64_t>(vertices) - 1});
         }
+        if (Status status = m_bad.check(static_cast<std::int64_t>(corner)); !status.isOk()) {
+            return status;
+        }
         append(static_cast<std::int32_t>(corner));
+    }
+    return {};
+}
+
+/// Cuts triangle strips, which -1 separates, into triangles. The winding alternates along a strip. A triangle with two
+/// equal corners only connects two parts of a strip.
+Status PlyScan::keepStrips(std::uint64_t i, std::uint64_t vertices)
+{
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k < m_list.size(); ++k) {
+        if (m_list[k] == -1.0) {
+            begin = k + 1;
+        } else if (k >= begin + 2) {
+            const bool isOdd = (k - begin) % 2 != 0;
+            const std::array<double, 3> corners{m_list[k - 2], m_list[isOdd ? k : k - 1], m_list[isOdd ? k - 1 : k]};
+            if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+                continue;
+            }
+            if (Status status = keepFace(i, corners, vertices); !status.isOk()) {
+                return status;
+            }
+        }
     }
     return {};
 }
@@ -213,13 +278,15 @@ Status PlyScan::keepFace(std::uint64_t i, std::uint64_t vertices)
 Status PlyScan::readElement(const PlyElement& element, PreScan& scan)
 {
     const bool isVertex = element.name == "vertex";
-    const bool isFace = element.name == "face";
+    const bool isStrips = element.name == "tristrips";
+    const bool isFace = element.name == "face" || isStrips;
     for (std::uint64_t i = 0; i < element.count; ++i) {
         std::array<double, 3> p = {};
+        m_surplusLines += m_body.beginLine() ? 1 : 0;
         for (const PlyProperty& property : element.properties) {
             const std::optional<double> value = m_body.next(property.isList ? property.countType : property.type);
             const auto cut = [&] {
-                m_wholeFaces = isFace && m_body.isAtEnd() ? i : 0;
+                m_wholeFaces = isFace && !isStrips && m_body.isAtEnd() ? i : 0;
                 return wrong(StatusCode::BadFormat, m_body.found(element, i),
                              {PALPATE_TEXT("the property %1"), inQuotes(property.name)});
             };
@@ -249,7 +316,8 @@ Status PlyScan::readElement(const PlyElement& element, PreScan& scan)
                 }
             }
             if (isKept) {
-                if (Status status = keepFace(i, scan.points); !status.isOk()) {
+                if (Status status = isStrips ? keepStrips(i, scan.points) : keepFace(i, m_list, scan.points);
+                    !status.isOk()) {
                     return status;
                 }
             }
@@ -270,13 +338,21 @@ Status PlyScan::readElement(const PlyElement& element, PreScan& scan)
 Status PlyScan::run(PreScan& scan)
 {
     const PlyElement* vertex = nullptr;
-    const PlyElement* face = nullptr;
+    const PlyElement* face = nullptr; // faces, strips or both
+    std::uint64_t faces = 0;
     for (const PlyElement& element : m_header.elements) {
+        const bool isFace = element.name == "face" || element.name == "tristrips";
         if (element.name == "vertex" && vertex == nullptr) {
             vertex = &element;
-        } else if (element.name == "face" && face == nullptr && vertex != nullptr) {
+        } else if (isFace && (face == nullptr || face->name != element.name) && vertex != nullptr) {
             face = &element;
-        } else if (element.name == "vertex" || element.name == "face" || element.name == "tristrips") {
+            faces += element.count;
+            if (std::count_if(element.properties.begin(), element.properties.end(), isFaceList) != 1) {
+                return fault(StatusCode::BadFormat, m_context.file, {PALPATE_TEXT("header")},
+                             {PALPATE_TEXT("no faces with a list of vertex indices")},
+                             {PALPATE_TEXT("the property %1"), "\"list vertex_indices\""});
+            }
+        } else if (element.name == "vertex" || isFace) {
             return fault(StatusCode::Unsupported, m_context.file, onLine(element.line),
                          {PALPATE_TEXT("found the element %1"), inQuotes(element.name)},
                          {PALPATE_TEXT("%1, then %2, once each"), "\"vertex\"", "\"face\""});
@@ -290,48 +366,68 @@ Status PlyScan::run(PreScan& scan)
         return fault(StatusCode::BadFormat, m_context.file, {PALPATE_TEXT("header")},
                      {PALPATE_TEXT("no vertices with x, y and z")}, {PALPATE_TEXT("one of each")});
     }
-    if (face == nullptr || std::count_if(face->properties.begin(), face->properties.end(), isFaceList) != 1) {
-        return fault(StatusCode::BadFormat, m_context.file, {PALPATE_TEXT("header")},
-                     {PALPATE_TEXT("no faces with a list of vertex indices")},
-                     {PALPATE_TEXT("the property %1"), "\"list vertex_indices\""});
-    }
-    if (face->count == 0) {
-        return fault(StatusCode::Empty, m_context.file, onLine(face->line), {PALPATE_TEXT("0 faces")},
-                     {PALPATE_TEXT("at least one face")});
+    if (faces == 0) {
+        return noFaces(vertex->count, face != nullptr ? onLine(face->line) : core::Message(PALPATE_TEXT("header")),
+                       m_context);
     }
     constexpr std::uint64_t kMostVertices = std::numeric_limits<std::int32_t>::max();
-    if (vertex->count > kMostVertices || face->count > kMostVertices) {
+    if (vertex->count > kMostVertices || faces > kMostVertices) {
         return fault(StatusCode::Unsupported, m_context.file, onLine(vertex->line),
-                     {PALPATE_TEXT("number of vertices: %1, of faces: %2"), Count(vertex->count), Count(face->count)},
+                     {PALPATE_TEXT("number of vertices: %1, of faces: %2"), Count(vertex->count), Count(faces)},
                      {PALPATE_TEXT("at most %1 of each"), Count(kMostVertices)});
     }
     scan.points = vertex->count;
-    scan.cells = face->count;
     // VTK stores coordinates as floats, regardless of the type in the file.
     m_isExact = std::ranges::any_of(vertex->properties, [](const PlyProperty& p) {
         return isCoordinate(p) && (p.type == PlyType::Float64 || p.type == PlyType::Int32 || p.type == PlyType::UInt32);
     });
     scan.exactPoints.clear();
     scan.exactPoints.reserve(m_isExact ? vertex->count : 0);
-    m_plain = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(vertex->count) +
-              "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(face->count) +
-              "\nproperty list uchar int vertex_indices\nend_header\n";
     for (const PlyElement& element : m_header.elements) {
         if (Status status = readElement(element, scan); !status.isOk()) {
             return status;
         }
     }
+    return checkEnd(scan);
+}
+
+/// Accepts filler behind the last element, such as a line feed, zeros up to the end of a block, or a text. Behind the
+/// elements of a text nothing else may follow: a further line would be another element.
+Status PlyScan::checkEnd(const PreScan& scan)
+{
+    m_surplusLines += m_body.beginLine() ? 1 : 0;
     if (scan.loss.isEmpty() && !m_body.isAtEnd()) {
-        return wrong(StatusCode::BadFormat, {PALPATE_TEXT("more data after the last element")},
-                     {PALPATE_TEXT("the end of the file")});
+        if (m_header.encoding == PlyEncoding::Ascii || !isFiller(m_body.rest())) {
+            return wrong(StatusCode::BadFormat, {PALPATE_TEXT("more data after the last element")},
+                         {PALPATE_TEXT("the end of the file")});
+        }
+        m_trailing = withoutPadding(m_body.rest()).empty() && m_body.rest().size() <= 2 ? 0 : m_body.rest().size();
+    }
+    if (m_faces == 0) {
+        return wrong(StatusCode::Empty, {PALPATE_TEXT("0 faces")}, {PALPATE_TEXT("at least one face")});
     }
     return {};
+}
+
+std::string PlyScan::finish(PreScan& scan) const
+{
+    scan.cells = m_faces;
+    noteThinFaces(m_thinFaces, scan);
+    m_bad.note(scan);
+    noteTrailingBytes(m_trailing, scan);
+    if (m_surplusLines > 0) {
+        scan.note({PALPATE_TEXT("lines with more numbers than the header declares: %1; the surplus is left out"),
+                   Count(m_surplusLines)});
+    }
+    return "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(scan.points) +
+           "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(m_faces) +
+           "\nproperty list uchar int vertex_indices\nend_header\n" + m_plain;
 }
 
 bool looksLikePly(std::string_view bytes)
 {
     const std::string_view head = startOf(bytes);
-    return head.starts_with("ply\n") || head.starts_with("ply\r\n");
+    return head.starts_with("ply\n") || head.starts_with("ply\r");
 }
 
 Result<PreScan> guardPly(FileImage& image, const ScanContext& context)
@@ -343,24 +439,32 @@ Result<PreScan> guardPly(FileImage& image, const ScanContext& context)
     if (!header.isOk()) {
         return header.status();
     }
-    std::optional<PlyScan> body(std::in_place, image.bytes(), header.value(), context);
+    std::optional<PlyScan> body(std::in_place, image.bytes(), header.value(), context, false);
     Status status = body->run(scan);
-    if (!status.isOk() && context.isPartial && body->wholeFaces() > 0) {
+    const std::uint64_t wholeFaces = body->wholeFaces();
+    // VCGLIB wrote lines with more numbers than it declared. A text that is read word by word may have any line ends,
+    // so the lines count only if that fails.
+    if (!status.isOk() && header.value().encoding == PlyEncoding::Ascii && status.code() != StatusCode::Cancelled) {
+        body.emplace(image.bytes(), header.value(), context, true);
+        const Status byLine = body->run(scan);
+        status = byLine.isOk() || byLine.code() == StatusCode::Cancelled ? byLine : status;
+    }
+    if (!status.isOk() && context.isPartial && wholeFaces > 0 && status.code() != StatusCode::Cancelled) {
         std::vector<PlyElement>& elements = header.value().elements;
         const auto face = std::find_if(elements.begin(), elements.end(),
                                        [](const PlyElement& element) { return element.name == "face"; });
         scan.loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(image.bytes().size()),
                                   core::Message(PALPATE_TEXT("the file ends there: %1 of %2 faces lost"),
-                                                Count(face->count - body->wholeFaces()), Count(face->count)));
-        face->count = body->wholeFaces();
+                                                Count(face->count - wholeFaces), Count(face->count)));
+        face->count = wholeFaces;
         elements.erase(face + 1, elements.end());
-        body.emplace(image.bytes(), header.value(), context);
+        body.emplace(image.bytes(), header.value(), context, false);
         status = body->run(scan);
     }
     if (!status.isOk()) {
         return status;
     }
-    Result<FileImage> plain = FileImage::copy(body->plain(), context.file);
+    Result<FileImage> plain = FileImage::copy(body->finish(scan), context.file);
     if (!plain.isOk()) {
         return plain.status();
     }

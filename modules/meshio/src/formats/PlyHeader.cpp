@@ -111,7 +111,9 @@ Result<PlyHeader> readPlyHeader(std::string_view bytes, const ScanContext& conte
     const auto wrong = [&](StatusCode code, const core::Message& found, const core::Message& expected) {
         return fault(code, context.file, onLine(lines.number()), found, expected);
     };
-    (void)lines.next(); // "ply"
+    std::uint64_t strayLines = 0;
+    (void)lines.next();                                                   // "ply"
+    const bool isBackOnly = bytes.substr(0, lines.end()).ends_with('\r'); // the header's lines end in CR alone
     while (!isDone && lines.next()) {
         std::string_view rest = lines.line();
         const std::string_view word = takeWord(rest);
@@ -151,10 +153,12 @@ Result<PlyHeader> readPlyHeader(std::string_view bytes, const ScanContext& conte
             header.elements.back().properties.push_back(*property);
         } else if (word == "end_header") {
             isDone = true;
-        } else if (!word.empty()) {
-            return wrong(StatusCode::BadFormat, {PALPATE_TEXT("found %1 in the header"), inQuotes(word)},
-                         {PALPATE_TEXT("a line of a PLY header")});
+        } else if (!word.empty()) { // e.g. of Blender 2.47, which forgot the word "comment"
+            ++strayLines;
         }
+    }
+    if (strayLines > 0) {
+        scan.note({PALPATE_TEXT("lines of the header that are none of PLY left out: %1"), strayLines});
     }
     if (!isDone || !hasFormat) {
         return isDone ? wrong(StatusCode::BadFormat, {PALPATE_TEXT("the header has no line %1"), "\"format\""},
@@ -168,6 +172,9 @@ Result<PlyHeader> readPlyHeader(std::string_view bytes, const ScanContext& conte
         }
     }
     header.bodyBegin = lines.end();
+    if (isBackOnly && bytes.substr(0, header.bodyBegin).ends_with("\r\n")) {
+        --header.bodyBegin; // this LF is the first byte of a binary body
+    }
     header.bodyLine = lines.number();
     const std::uint64_t left = bytes.size() - header.bodyBegin;
     for (const PlyElement& element : header.elements) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "formats/AsciiStl.h"
 #include "formats/MeshFormat.h"
 
 #include "text/Fault.h"
@@ -33,11 +34,24 @@ Status cancelled(const ScanContext& context)
     return {StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), context.file};
 }
 
-/// Truncates the image to `size` bytes and appends `end`.
-Status keepWhole(FileImage& image, std::size_t size, std::string_view end, const ScanContext& context)
+/// File size that the triangle count of a binary file implies.
+bool isExactBinary(std::string_view bytes)
 {
-    std::string bytes(image.bytes().substr(0, size));
-    Result<FileImage> whole = FileImage::copy(bytes.append(end), context.file);
+    if (bytes.size() < kFirstFacet) {
+        return false;
+    }
+    std::uint32_t count = 0;
+    std::memcpy(&count, bytes.data() + kHeader, sizeof(count));
+    return count > 0 && kFirstFacet + std::uint64_t{count} * kFacet == bytes.size();
+}
+
+/// Gives the image the size and the count of `facets`; bytes beyond the end of the file are zero.
+Status keepFacets(FileImage& image, std::uint32_t facets, const ScanContext& context)
+{
+    std::string bytes(image.bytes().substr(0, kFirstFacet + std::uint64_t{facets} * kFacet));
+    bytes.resize(kFirstFacet + std::uint64_t{facets} * kFacet, '\0');
+    std::memcpy(bytes.data() + kHeader, &facets, sizeof(facets));
+    Result<FileImage> whole = FileImage::copy(bytes, context.file);
     if (whole.isOk()) {
         image = std::move(whole).value();
     }
@@ -89,6 +103,100 @@ Status checkFacets(std::string_view bytes, std::uint64_t declared, const ScanCon
     return {};
 }
 
+/// Decides how many facets a binary file holds, and notes or refuses a size that differs from the count of the header.
+/// Streaming writers leave the count 0, and some programs fill the last block of a file or append a text. A count of
+/// other facets than are there may have lost any of them, so it is refused.
+/// @param declared  in: the count of the header; out: the number of facets
+Status settleCount(std::string_view bytes, std::uint32_t& declared, const ScanContext& context, PreScan& scan)
+{
+    const std::uint64_t body = bytes.size() - kFirstFacet, held = body / kFacet;
+    const std::uint64_t wanted = std::uint64_t{declared} * kFacet;
+    constexpr std::uint64_t kAttribute = sizeof(std::uint16_t); // behind the corners of a facet
+    if (declared == 0 && held > 0 && held * kFacet == body && !isFiller(bytes.substr(kFirstFacet))) {
+        declared = static_cast<std::uint32_t>(std::min<std::uint64_t>(held, kMostElements));
+        scan.note({PALPATE_TEXT("the count of triangles in the header, 0, is wrong: the size of the file says %1"),
+                   Count(held)});
+    } else if (body < wanted && wanted - body <= kAttribute) {
+        scan.note({PALPATE_TEXT("the last triangle is whole, but the attribute behind it is cut off")});
+    } else if (context.isPartial && held > 0 && body < wanted) {
+        scan.loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(bytes.size()),
+                                  core::Message(PALPATE_TEXT("the file ends there: %1 of %2 triangles lost"),
+                                                Count(declared - held), Count(declared)));
+        declared = static_cast<std::uint32_t>(held);
+    } else if (body < wanted) {
+        return fault(StatusCode::BadFormat, context.file, onByte(bytes.size()),
+                     {PALPATE_TEXT("cut off: the binary STL declares %1 triangles, but the %2 bytes hold %3"),
+                      Count(declared), Count(bytes.size()), Count(held)},
+                     held == 0 ? core::Message(PALPATE_TEXT("%1 bytes"), Count(kFirstFacet + wanted))
+                               : core::Message(PALPATE_TEXT("%1 bytes; --partial opens the first %2 of %3 triangles"),
+                                               Count(kFirstFacet + wanted), Count(held), Count(declared)));
+    } else if (body > wanted && declared > 0) {
+        const std::string_view behind = bytes.substr(kFirstFacet + wanted);
+        if (behind.size() >= kFacet && !isFiller(behind)) {
+            return fault(StatusCode::BadFormat, context.file, onByte(kHeader),
+                         {PALPATE_TEXT("number of triangles of the binary STL: declared %1, but the %2 bytes hold %3"),
+                          Count(declared), Count(bytes.size()), Count(held)},
+                         {PALPATE_TEXT("%1 bytes"), Count(kFirstFacet + wanted)});
+        }
+        noteTrailingBytes(behind.size(), scan);
+    }
+    return declared > 0 ? Status()
+                        : fault(StatusCode::Empty, context.file, onByte(kHeader), {PALPATE_TEXT("0 triangles")},
+                                {PALPATE_TEXT("at least one triangle")});
+}
+
+/// Converts five bits of a facet's attribute to a colour component.
+double component(std::uint16_t attribute, unsigned shift)
+{
+    return (attribute >> shift & 0x1fU) / 31.0;
+}
+
+/// Takes the colour of the structure. Materialise Magics writes the colour of the object as "COLOR=" and four bytes
+/// into the header, and red, green and blue (from the lowest bit) into the attribute of a facet with a colour of its
+/// own, whose highest bit is then 0. VisCAM and SolidView write blue, green and red, and set the highest bit for a
+/// coloured facet. https://en.wikipedia.org/wiki/STL_(file_format)#Color_in_binary
+void takeColour(std::string_view bytes, std::uint32_t facets, PreScan& scan)
+{
+    constexpr std::string_view kTag = "COLOR=";
+    constexpr std::uint16_t kHighest = 0x8000;
+    const std::string_view header = bytes.substr(0, kHeader);
+    const std::size_t tag = header.find(kTag);
+    const bool isMagics = tag != std::string_view::npos && tag + kTag.size() + 4 <= header.size();
+    std::map<std::uint16_t, std::uint64_t> own; // facets with each attribute
+    for (std::uint32_t i = 0; i < facets; ++i) {
+        std::uint16_t attribute = 0;
+        std::memcpy(&attribute, bytes.data() + kFirstFacet + (i + std::uint64_t{1}) * kFacet - sizeof(attribute),
+                    sizeof(attribute));
+        const bool isColoured = isMagics ? attribute != 0 && (attribute & kHighest) == 0 : (attribute & kHighest) != 0;
+        if (isColoured) {
+            ++own[attribute];
+        }
+    }
+    const auto most =
+        std::max_element(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    std::uint64_t used = 0;
+    if (isMagics && (most == own.end() || most->second < facets)) {
+        const auto byte = [&](std::size_t k) {
+            return static_cast<unsigned char>(header[tag + kTag.size() + k]) / 255.0;
+        };
+        scan.partColours = {std::array<double, 3>{byte(0), byte(1), byte(2)}};
+    } else if (most != own.end()) {
+        const std::uint16_t attribute = most->first;
+        const double low = component(attribute, 0), middle = component(attribute, 5), high = component(attribute, 10);
+        scan.partColours = {isMagics ? std::array<double, 3>{low, middle, high}
+                                     : std::array<double, 3>{high, middle, low}};
+        used = most->second;
+    }
+    std::uint64_t coloured = 0;
+    for (const auto& [attribute, count] : own) {
+        coloured += count;
+    }
+    if (coloured > used) {
+        scan.note({PALPATE_TEXT("colours not read: those of %1 of the triangles, as a structure has one colour"),
+                   Count(coloured - used)});
+    }
+}
+
 Result<PreScan> guardBinary(FileImage& image, const ScanContext& context)
 {
     std::string_view bytes = image.bytes();
@@ -99,30 +207,16 @@ Result<PreScan> guardBinary(FileImage& image, const ScanContext& context)
     }
     std::uint32_t declared = 0;
     std::memcpy(&declared, bytes.data() + kHeader, sizeof(declared));
-    const std::uint64_t held = (bytes.size() - kFirstFacet) / kFacet;
     PreScan scan;
-    if (context.isPartial && held > 0 && held < declared) {
-        scan.loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(bytes.size()),
-                                  core::Message(PALPATE_TEXT("the file ends there: %1 of %2 triangles lost"),
-                                                Count(declared - held), Count(declared)));
-        declared = static_cast<std::uint32_t>(held);
-        if (Status status = keepWhole(image, kFirstFacet + held * kFacet, "", context); !status.isOk()) {
+    if (Status status = settleCount(bytes, declared, context, scan); !status.isOk()) {
+        return status;
+    }
+    if (!isExactBinary(bytes)) {
+        if (Status status = keepFacets(image, declared, context); !status.isOk()) {
             return status;
         }
-        std::memcpy(image.writable().data() + kHeader, &declared, sizeof(declared));
         bytes = image.bytes();
     }
-    if (kFirstFacet + std::uint64_t{declared} * kFacet != bytes.size()) {
-        return fault(StatusCode::BadFormat, context.file, onByte(kHeader),
-                     {PALPATE_TEXT("number of triangles of the binary STL: declared %1, but the %2 bytes hold %3"),
-                      Count(declared), Count(bytes.size()), Count(held)},
-                     {PALPATE_TEXT("%1 bytes"), Count(kFirstFacet + std::uint64_t{declared} * kFacet)});
-    }
-    if (declared == 0) {
-        return fault(StatusCode::Empty, context.file, onByte(kHeader), {PALPATE_TEXT("0 triangles")},
-                     {PALPATE_TEXT("at least one triangle")});
-    }
-
     scan.format = "STL binary";
     scan.cells = declared;
     scan.points = std::uint64_t{declared} * 3;
@@ -132,289 +226,11 @@ Result<PreScan> guardBinary(FileImage& image, const ScanContext& context)
     if (Status status = checkFacets(bytes, declared, context); !status.isOk()) {
         return status;
     }
+    takeColour(bytes, declared, scan);
     // VTK distinguishes binary from ASCII by the share of printable characters among the first bytes: make this
     // unambiguous.
     std::fill_n(image.writable().begin(), kHeader, '\x80');
     return scan;
-}
-
-/// Checks an ASCII file line by line and removes content that VTK's reader cannot handle.
-class AsciiStl
-{
-  public:
-    AsciiStl(FileImage& image, const ScanContext& context)
-        : m_image(image)
-        , m_context(context)
-        , m_reader(image.bytes())
-    {
-        m_scan.format = "STL ASCII";
-    }
-    Result<PreScan> scan();
-
-  private:
-    /// Expected kind of the next non-blank line.
-    enum class Expect : std::uint8_t
-    {
-        Solid,
-        Facet,
-        Loop,
-        Vertex,
-        EndLoop,
-        EndFacet
-    };
-
-    Status wrong(const core::Message& found, const core::Message& expected) const
-    {
-        return fault(StatusCode::BadFormat, m_context.file, onLine(m_reader.number()), found, expected);
-    }
-    /// Parameters: the first word of a line and the rest.
-    Status takeLine(std::string_view word, std::string_view rest);
-    Status takeSolid(std::string_view word, std::string_view rest);
-    Status takeFacet(std::string_view word);
-    Status takeLoop(std::string_view word, std::string_view rest);
-    Status takeVertex(std::string_view word, std::string_view rest);
-    Status takeEndLoop(std::string_view word);
-    Status takeEndFacet(std::string_view word);
-    Result<PreScan> finish();
-
-    FileImage& m_image;
-    const ScanContext& m_context;
-    LineReader m_reader;
-    PreScan m_scan;
-    std::map<std::string, std::uint32_t, std::less<>> m_parts;
-    std::uint32_t m_part = 0;
-    Expect m_expect = Expect::Solid;
-    unsigned m_corners = 0;
-};
-
-Status AsciiStl::takeSolid(std::string_view word, std::string_view rest)
-{
-    if (!sameWord(word, "solid")) {
-        return wrong({PALPATE_TEXT("found %1"), inQuotes(word)}, {PALPATE_TEXT("the keyword %1"), "\"solid\""});
-    }
-    noteSpaceTag(rest, m_scan);
-    noteScaleTag(rest, m_scan);
-    const auto [found, isNew] =
-        m_parts.emplace(trimmed(rest.substr(0, 256)), static_cast<std::uint32_t>(m_parts.size()));
-    if (isNew) {
-        m_scan.partNames.push_back(found->first);
-    }
-    m_part = found->second;
-    m_expect = Expect::Facet;
-    return {};
-}
-
-Status AsciiStl::takeFacet(std::string_view word)
-{
-    if (sameWord(word, "color")) {
-        return {};
-    }
-    if (sameWord(word, "endsolid")) {
-        m_expect = Expect::Solid;
-    } else if (sameWord(word, "facet")) {
-        m_expect = Expect::Loop;
-    } else {
-        return wrong({PALPATE_TEXT("found %1"), inQuotes(word)},
-                     {PALPATE_TEXT("the keyword %1 or %2"), "\"facet\"", "\"endsolid\""});
-    }
-    return {};
-}
-
-Status AsciiStl::takeLoop(std::string_view word, std::string_view rest)
-{
-    if (!sameWord(word, "outer") || !sameWord(trimmed(rest), "loop")) {
-        return wrong({PALPATE_TEXT("found %1"), inQuotes(trimmed(m_reader.line()))},
-                     {PALPATE_TEXT("the keyword %1"), "\"outer loop\""});
-    }
-    m_expect = Expect::Vertex;
-    m_corners = 0;
-    return {};
-}
-
-Status AsciiStl::takeVertex(std::string_view word, std::string_view rest)
-{
-    if (!sameWord(word, "vertex")) {
-        return wrong({PALPATE_TEXT("found %1 as corner %2 of a facet"), inQuotes(word), m_corners + 1},
-                     {PALPATE_TEXT("the keyword %1, three times in each facet"), "\"vertex\""});
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::string_view text = takeWord(rest);
-        const std::optional<double> value = wordToNumber(text);
-        if (!value) {
-            return wrong(text.empty() ? core::Message(PALPATE_TEXT("the vertex has fewer than three coordinates"))
-                                      : core::Message(PALPATE_TEXT("%1 is not a number"), inQuotes(text)),
-                         {PALPATE_TEXT("three numbers")});
-        }
-        if (const core::Message bad = coordinateFault(*value, m_context.unit_mm); !bad.isEmpty()) {
-            return fault(StatusCode::NonFinite, m_context.file, onLine(m_reader.number()), bad,
-                         {PALPATE_TEXT("finite coordinates within 10 km")});
-        }
-    }
-    if (!trimmed(rest).empty()) {
-        return wrong({PALPATE_TEXT("found %1 after the third coordinate"), inQuotes(trimmed(rest))},
-                     {PALPATE_TEXT("the end of the line")});
-    }
-    if (++m_corners == 3) {
-        m_expect = Expect::EndLoop;
-        m_scan.partOfCell.push_back(m_part);
-    }
-    return {};
-}
-
-Status AsciiStl::takeEndLoop(std::string_view word)
-{
-    if (!sameWord(word, "endloop")) {
-        return wrong({PALPATE_TEXT("found %1 after three corners"), inQuotes(word)},
-                     {PALPATE_TEXT("the keyword %1"), "\"endloop\""});
-    }
-    m_expect = Expect::EndFacet;
-    return {};
-}
-
-Status AsciiStl::takeEndFacet(std::string_view word)
-{
-    if (!sameWord(word, "endfacet")) {
-        return wrong({PALPATE_TEXT("found %1"), inQuotes(word)}, {PALPATE_TEXT("the keyword %1"), "\"endfacet\""});
-    }
-    m_expect = Expect::Facet;
-    if (m_scan.partOfCell.size() % kProgressStep == 0 && m_context.progress &&
-        !m_context.progress(double(m_reader.begin()) / double(m_image.bytes().size()))) {
-        return cancelled(m_context);
-    }
-    return {};
-}
-
-Status AsciiStl::takeLine(std::string_view word, std::string_view rest)
-{
-    switch (m_expect) {
-    case Expect::Solid:
-        return takeSolid(word, rest);
-    case Expect::Facet:
-        return takeFacet(word);
-    case Expect::Loop:
-        return takeLoop(word, rest);
-    case Expect::Vertex:
-        return takeVertex(word, rest);
-    case Expect::EndLoop:
-        return takeEndLoop(word);
-    case Expect::EndFacet:
-        break;
-    }
-    return takeEndFacet(word);
-}
-
-Result<PreScan> AsciiStl::scan()
-{
-    // VTK reads lines of up to 254 characters and treats the rest as the next line.
-    constexpr std::size_t kLongest = 254;
-    const std::span<char> writable = m_image.writable();
-    if (m_image.bytes().starts_with("\xef\xbb\xbf")) { // byte order mark
-        std::fill_n(writable.begin(), 3, ' ');
-    }
-    while (m_reader.next()) {
-        if (const std::size_t nul = m_reader.line().find('\0'); nul != std::string_view::npos) {
-            return fault(StatusCode::BadFormat, m_context.file, onByte(m_reader.begin() + nul),
-                         {PALPATE_TEXT("found a zero byte")}, {PALPATE_TEXT("text")});
-        }
-        std::string_view rest = m_reader.line();
-        const std::string_view word = takeWord(rest);
-        const std::span<char> line = writable.subspan(m_reader.begin(), m_reader.line().size());
-        if (word.empty()) {
-            std::ranges::fill(line, ' ');
-            continue;
-        }
-        const bool isName = sameWord(word, "solid") || sameWord(word, "endsolid");
-        if (!isName && m_reader.line().size() > kLongest) {
-            return wrong({PALPATE_TEXT("a line of %1 characters"), Count(m_reader.line().size())},
-                         {PALPATE_TEXT("at most %1 characters"), kLongest});
-        }
-        if (Status status = takeLine(word, rest); !status.isOk()) {
-            return status;
-        }
-        // With a few non-text characters, even in a blank line, VTK takes the file for binary and
-        // interprets text as a count. Names may contain any characters in any number, so names are hidden from VTK.
-        const std::size_t textEnd =
-            isName ? static_cast<std::size_t>(word.data() + word.size() - line.data()) : line.size();
-        for (char& c : line.first(textEnd)) {
-            const bool isText = (c >= ' ' && c < '\x7f') || c == '\t' || c == '\r';
-            c = isText ? c : c == '\v' || c == '\f' ? ' ' : '?';
-        }
-        std::ranges::fill(line.subspan(textEnd), ' ');
-    }
-    return finish();
-}
-
-Result<PreScan> AsciiStl::finish()
-{
-    const std::size_t triangles = m_scan.partOfCell.size();
-    if (m_expect != Expect::Solid) {
-        const core::Message found =
-            triangles == 1 ? core::Message(PALPATE_TEXT("the file ends after one complete triangle"))
-                           : core::Message(PALPATE_TEXT("the file ends after %1 complete triangles"), Count(triangles));
-        return wrong(found,
-                     m_expect == Expect::Facet
-                         ? core::Message(PALPATE_TEXT("the keyword %1 or %2"), "\"facet\"", "\"endsolid\"")
-                         : core::Message(PALPATE_TEXT("the rest of a facet, then the keyword %1"), "\"endsolid\""));
-    }
-    if (triangles == 0) {
-        return fault(StatusCode::Empty, m_context.file, onLine(m_reader.number()), {PALPATE_TEXT("0 triangles")},
-                     {PALPATE_TEXT("at least one triangle")});
-    }
-    m_scan.cells = triangles;
-    m_scan.points = m_scan.cells * 3;
-    return std::move(m_scan);
-}
-
-Result<PreScan> guardAscii(FileImage& image, const ScanContext& context)
-{
-    Result<PreScan> whole = AsciiStl(image, context).scan();
-    if (whole.isOk() || !context.isPartial || whole.status().code() == StatusCode::Cancelled) {
-        return whole;
-    }
-    // Keep up to the last complete facet.
-    LineReader reader(image.bytes());
-    std::size_t end = 0;
-    std::uint64_t lastLine = 0;
-    while (reader.next()) {
-        std::string_view rest = reader.line();
-        if (sameWord(takeWord(rest), "endfacet")) {
-            end = reader.end();
-            lastLine = reader.number();
-        }
-    }
-    if (end == 0) {
-        return whole;
-    }
-    if (Status status = keepWhole(image, end, "\nendsolid\n", context); !status.isOk()) {
-        return status;
-    }
-    Result<PreScan> part = AsciiStl(image, context).scan();
-    if (!part.isOk()) { // the file is damaged elsewhere
-        return whole;
-    }
-    const std::uint64_t kept = part.value().cells;
-    part.value().loss = core::Message(
-        PALPATE_TEXT("%1: %2"), onLine(lastLine),
-        kept == 1 ? core::Message(PALPATE_TEXT("everything after the first triangle is lost"))
-                  : core::Message(PALPATE_TEXT("everything after the first %1 triangles is lost"), Count(kept)));
-    return part;
-}
-
-/// File size that the triangle count of a binary file implies.
-bool isExactBinary(std::string_view bytes)
-{
-    if (bytes.size() < kFirstFacet) {
-        return false;
-    }
-    std::uint32_t count = 0;
-    std::memcpy(&count, bytes.data() + kHeader, sizeof(count));
-    return count > 0 && kFirstFacet + std::uint64_t{count} * kFacet == bytes.size();
-}
-
-bool startsWithSolid(std::string_view bytes)
-{
-    std::string_view rest = startOfText(bytes);
-    return sameWord(takeWord(rest), "solid");
 }
 
 bool looksLikeStl(std::string_view bytes)
@@ -428,11 +244,11 @@ Result<PreScan> guardStl(FileImage& image, const ScanContext& context)
     if (isExactBinary(bytes) || !startsWithSolid(bytes)) {
         return guardBinary(image, context);
     }
-    // A binary file with a header that begins with "solid" has a zero byte in the count, and no line before that.
+    // A binary file with a header that begins with "solid" has a zero byte in the count, and no facet as text before.
     const std::string_view text = startOfText(bytes);
     const std::size_t nul = text.substr(0, kFirstFacet).find('\0');
-    const bool isBinary = nul != std::string_view::npos && text.find('\n') > nul;
-    return isBinary ? guardBinary(image, context) : guardAscii(image, context);
+    const bool isBinary = nul != std::string_view::npos && text.substr(0, nul).find("facet") == std::string_view::npos;
+    return isBinary ? guardBinary(image, context) : guardAsciiStl(image, context);
 }
 
 vtkSmartPointer<vtkAlgorithm> stlReader(const std::string& path, const PreScan& /*scan*/)

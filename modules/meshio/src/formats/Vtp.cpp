@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "formats/GridSurface.h"
 #include "formats/MeshFormat.h"
 #include "formats/VtpBlocks.h"
 #include "formats/VtpHeader.h"
@@ -9,14 +10,18 @@
 #include <palpate/core/TissueMapping.h>
 
 #include <vtkDataArraySelection.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkPolyDataReader.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace palpate::meshio::internal {
 
@@ -37,6 +42,8 @@ class VtpScan
     {
     }
     Status run();
+    /// Checks an unstructured grid. @param plain  receives the surface as a legacy VTK file
+    Status runGrid(std::string& plain);
 
   private:
     Status wrong(const VtpDataArray& array, StatusCode code, const core::Message& found,
@@ -60,6 +67,11 @@ class VtpScan
     Result<std::vector<std::int64_t>> integers(const VtpDataArray& array) const;
     /// Number of strings in the array; each ends with a zero byte.
     Result<std::uint64_t> countStrings(const VtpDataArray& array) const;
+    Result<std::vector<double>> numbers(const VtpDataArray& array) const;
+    /// Appends the points and cells of a piece of an unstructured grid.
+    Status takeGrid(const VtpPiece& piece, std::vector<double>& coordinates, GridSurface& surface);
+    /// Cells that VTK's ghost array hides; empty without a valid one.
+    [[nodiscard]] std::vector<bool> hiddenCells(const VtpPiece& piece) const;
     Status checkFieldData() const;
     Status takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples, bool isOfPoints,
                       std::vector<std::string>& usable);
@@ -67,6 +79,7 @@ class VtpScan
     const VtpHeader& m_header;
     const ScanContext& m_context;
     PreScan& m_scan;
+    std::uint64_t m_hidden = 0; ///< cells
 };
 
 /// VTK's reader extracts numbers from a stream, which fails if the type cannot represent a number, and searches after
@@ -143,6 +156,9 @@ Status VtpScan::checkCount(const VtpDataArray& array, std::uint64_t expected) co
 
 Status VtpScan::checkPoints(const VtpPiece& piece) const
 {
+    if (!piece.coordinates && piece.points == 0) {
+        return {};
+    }
     if (!piece.coordinates) {
         return fault(
             StatusCode::BadFormat, m_context.file, onLine(piece.line),
@@ -157,17 +173,7 @@ Status VtpScan::checkPoints(const VtpPiece& piece) const
     if (Status status = checkCount(array, piece.points * 3); !status.isOk()) {
         return status;
     }
-    if (array.format == VtpFormat::Ascii) {
-        std::string_view rest = textOf(array);
-        for (std::uint64_t i = 0; i < piece.points * 3; ++i) {
-            const std::string_view word = takeWord(rest);
-            if (const core::Message bad = coordinateFault(*wordToNumber(word), m_context.unit_mm); !bad.isEmpty()) {
-                return wrong(array, StatusCode::NonFinite, {PALPATE_TEXT("point %1: %2"), i / 3, bad},
-                             {PALPATE_TEXT("finite coordinates within 10 km")});
-            }
-        }
-    }
-    return {};
+    return {}; // coordinates are checked where a triangle uses the point
 }
 
 Result<std::vector<unsigned char>> VtpScan::unpacked(const VtpDataArray& array) const
@@ -419,6 +425,9 @@ Status VtpScan::checkPiece(const VtpPiece& piece)
             }
         }
     }
+    if (piece.points == 0 && cells == 0) {
+        return {}; // an empty piece may lack the arrays of the others
+    }
     if (Status status = takeArrays(piece.pointData, piece.points, true, m_scan.pointArrays); !status.isOk()) {
         return status;
     }
@@ -446,8 +455,7 @@ Status VtpScan::run()
         }
     }
     if (m_scan.cells == 0) {
-        return fault(StatusCode::Empty, m_context.file, {}, {PALPATE_TEXT("0 polygons and strips")},
-                     {PALPATE_TEXT("at least one polygon or strip")});
+        return noFaces(m_scan.points, {}, m_context);
     }
     if (m_scan.points > kMostElements || m_scan.cells > kMostElements) {
         return fault(StatusCode::Unsupported, m_context.file, {},
@@ -458,6 +466,132 @@ Status VtpScan::run()
     return {};
 }
 
+Result<std::vector<double>> VtpScan::numbers(const VtpDataArray& array) const
+{
+    if (array.format == VtpFormat::Ascii) {
+        std::vector<double> out;
+        std::string_view rest = textOf(array);
+        for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
+            out.push_back(wordToNumber(word).value_or(0.0));
+        }
+        return out;
+    }
+    const Result<std::vector<unsigned char>> bytes = unpacked(array);
+    if (!bytes.isOk()) {
+        return bytes.status();
+    }
+    return vtpNumbers(bytes.value(), array.type, m_header.isBigEndian);
+}
+
+std::vector<bool> VtpScan::hiddenCells(const VtpPiece& piece) const
+{
+    constexpr std::int64_t kNotDrawn =
+        vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+    std::vector<bool> hidden;
+    for (const VtpDataArray& array : piece.cellData) {
+        if (array.name != vtkDataSetAttributes::GhostArrayName() || !isVtpIntegerType(array.type) ||
+            !checkCount(array, piece.cells.count).isOk()) {
+            continue;
+        }
+        if (const Result<std::vector<std::int64_t>> types = integers(array); types.isOk()) {
+            hidden.clear();
+            for (const std::int64_t type : types.value()) {
+                hidden.push_back((type & kNotDrawn) != 0);
+            }
+        }
+    }
+    return hidden;
+}
+
+Status VtpScan::takeGrid(const VtpPiece& piece, std::vector<double>& coordinates, GridSurface& surface)
+{
+    if (piece.points > kMostElements || piece.cells.count > kMostElements) {
+        return fault(
+            StatusCode::OutOfRange, m_context.file, onLine(piece.line),
+            {PALPATE_TEXT("number of elements: declared %1"), Count(std::max(piece.points, piece.cells.count))},
+            {PALPATE_TEXT("at most %1"), Count(kMostElements)});
+    }
+    Status status = checkPoints(piece);
+    status = status.isOk() ? checkCells(piece.cells, "Cells", piece) : status;
+    if (!status.isOk() || piece.cells.count == 0 || !piece.coordinates) {
+        return status;
+    }
+    if (!piece.types || !isVtpIntegerType(piece.types->type)) {
+        return fault(StatusCode::BadFormat, m_context.file, onLine(piece.line),
+                     {PALPATE_TEXT("the cells have no types")}, {PALPATE_TEXT("the array %1"), "\"types\""});
+    }
+    if (Status count = checkCount(*piece.types, piece.cells.count); !count.isOk()) {
+        return count;
+    }
+    const Result<std::vector<double>> points = numbers(*piece.coordinates);
+    const Result<std::vector<std::int64_t>> types = integers(*piece.types);
+    const Result<std::vector<std::int64_t>> offsets = integers(*piece.cells.offsets);
+    const Result<std::vector<std::int64_t>> corners = integers(*piece.cells.connectivity);
+    for (const Status& read : {points.status(), types.status(), offsets.status(), corners.status()}) {
+        if (!read.isOk()) {
+            return read;
+        }
+    }
+    const std::size_t before = coordinates.size() / 3;
+    coordinates.insert(coordinates.end(), points.value().begin(), points.value().end());
+    const std::vector<bool> hidden = hiddenCells(piece);
+    std::vector<std::int32_t> cell;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < types.value().size(); ++i) {
+        const auto end = static_cast<std::size_t>(offsets.value()[i]);
+        cell.clear();
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::int64_t corner = corners.value()[k];
+            if (corner < 0 || corner >= static_cast<std::int64_t>(piece.points)) {
+                return wrong(*piece.cells.connectivity, StatusCode::OutOfRange,
+                             {PALPATE_TEXT("value %1 is point %2"), k, corner},
+                             {PALPATE_TEXT("%1 to %2"), 0, static_cast<std::int64_t>(piece.points) - 1});
+            }
+            cell.push_back(static_cast<std::int32_t>(before + static_cast<std::size_t>(corner)));
+        }
+        begin = end;
+        if (!hidden.empty() && hidden[i]) {
+            ++m_hidden;
+        } else if (const core::Message why = surface.add(types.value()[i], cell); !why.isEmpty()) {
+            return wrong(*piece.types, StatusCode::Unsupported, why, GridSurface::expected());
+        }
+    }
+    return {};
+}
+
+Status VtpScan::runGrid(std::string& plain)
+{
+    Status status = checkFieldData();
+    std::vector<double> coordinates;
+    GridSurface surface;
+    for (const VtpPiece& piece : m_header.pieces) {
+        status = status.isOk() ? takeGrid(piece, coordinates, surface) : status;
+        if (status.isOk() && m_context.progress && !m_context.progress(0.5)) {
+            return {StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), m_context.file};
+        }
+    }
+    m_scan.points = coordinates.size() / 3;
+    if (status.isOk() && m_scan.points > kMostElements) {
+        status = fault(StatusCode::Unsupported, m_context.file, {},
+                       {PALPATE_TEXT("number of points: %1"), Count(m_scan.points)},
+                       {PALPATE_TEXT("at most %1"), Count(kMostElements)});
+    }
+    if (!status.isOk()) {
+        return status;
+    }
+    plain =
+        "# vtk DataFile Version 3.0\n\nBINARY\nDATASET POLYDATA\nPOINTS " + std::to_string(m_scan.points) + " double\n";
+    for (const double x : coordinates) {
+        const auto bits = std::bit_cast<std::uint64_t>(x);
+        for (unsigned shift = 64; shift > 0; shift -= 8) {
+            plain += static_cast<char>(bits >> (shift - 8U) & 0xffU);
+        }
+    }
+    surface.write(plain, m_scan);
+    noteHiddenCells(m_hidden, m_scan);
+    return m_scan.cells > 0 ? Status() : noFaces(m_scan.points, {}, m_context);
+}
+
 /// True for any XML; the header check reports other kinds of VTK files.
 bool looksLikeVtp(std::string_view bytes)
 {
@@ -465,8 +599,64 @@ bool looksLikeVtp(std::string_view bytes)
     return text.starts_with('<') || text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
 }
 
+bool looksLikeVtu(std::string_view bytes)
+{
+    const std::string_view text = startOfText(bytes);
+    return text.starts_with('<') && text.find("\"UnstructuredGrid\"") != std::string_view::npos;
+}
+
+/// Removes padding behind the document, which is no XML.
+Status removePadding(FileImage& image, const ScanContext& context)
+{
+    const std::string_view bytes = image.bytes();
+    const std::size_t end = std::min(bytes.rfind('>'), bytes.size() - 1) + 1;
+    if (trimmed(bytes.substr(end)).empty() || !withoutPadding(bytes.substr(end)).empty()) {
+        return {};
+    }
+    Result<FileImage> document = FileImage::copy(bytes.substr(0, end), context.file);
+    if (document.isOk()) {
+        image = std::move(document).value();
+    }
+    return document.status();
+}
+
+/// Overwrites the pieces without points by blanks: VTK's reader requires points in the first piece. Where the text does
+/// not show clearly which pieces these are, the image stays as it is.
+void removeEmptyPieces(FileImage& image, const VtpHeader& header)
+{
+    constexpr std::string_view kBegin = "<Piece", kEnd = "</Piece>";
+    const std::string_view bytes = image.bytes();
+    const std::string_view xml = bytes.substr(0, bytes.find("<AppendedData"));
+    std::vector<std::size_t> begins;
+    for (std::size_t at = xml.find(kBegin); at != std::string_view::npos; at = xml.find(kBegin, at + 1)) {
+        begins.push_back(at);
+    }
+    if (begins.size() != header.pieces.size() || xml.find("<!--") != std::string_view::npos) {
+        return;
+    }
+    for (std::size_t i = 0; i < begins.size(); ++i) {
+        const VtpPiece& piece = header.pieces[i];
+        if (piece.points + piece.verts.count + piece.lines.count + piece.strips.count + piece.polys.count > 0) {
+            continue;
+        }
+        const std::size_t tagEnd = xml.find('>', begins[i]);
+        const bool isWhole = tagEnd != std::string_view::npos && xml[tagEnd - 1] == '/';
+        const std::size_t close = isWhole ? tagEnd + 1 : xml.find(kEnd, begins[i]) + kEnd.size();
+        const std::size_t next = i + 1 < begins.size() ? begins[i + 1] : xml.size();
+        if (tagEnd == std::string_view::npos || close <= tagEnd || close > next) {
+            return;
+        }
+        for (char& c : image.writable().subspan(begins[i], close - begins[i])) {
+            c = c == '\n' ? c : ' ';
+        }
+    }
+}
+
 Result<PreScan> guardVtp(FileImage& image, const ScanContext& context)
 {
+    if (Status status = removePadding(image, context); !status.isOk()) {
+        return status;
+    }
     PreScan scan;
     scan.format = "VTP";
     const Result<VtpHeader> header = readVtpHeader(image.bytes(), context);
@@ -476,6 +666,33 @@ Result<PreScan> guardVtp(FileImage& image, const ScanContext& context)
     if (Status status = VtpScan(header.value(), context, scan).run(); !status.isOk()) {
         return status;
     }
+    removeEmptyPieces(image, header.value());
+    return scan;
+}
+
+/// VTK's surface reader does not read grids: the image becomes the surface alone.
+Result<PreScan> guardVtu(FileImage& image, const ScanContext& context)
+{
+    if (Status status = removePadding(image, context); !status.isOk()) {
+        return status;
+    }
+    PreScan scan;
+    scan.format = "VTU";
+    std::string plain;
+    {
+        const Result<VtpHeader> header = readVtpHeader(image.bytes(), context, kGridType);
+        if (!header.isOk()) {
+            return header.status();
+        }
+        if (Status status = VtpScan(header.value(), context, scan).runGrid(plain); !status.isOk()) {
+            return status;
+        }
+    }
+    Result<FileImage> surface = FileImage::copy(plain, context.file);
+    if (!surface.isOk()) {
+        return surface.status();
+    }
+    image = std::move(surface).value();
     return scan;
 }
 
@@ -496,10 +713,19 @@ vtkSmartPointer<vtkAlgorithm> vtpReader(const std::string& path, const PreScan& 
     return made;
 }
 
+vtkSmartPointer<vtkAlgorithm> vtuReader(const std::string& path, const PreScan& /*scan*/)
+{
+    auto made = vtkSmartPointer<vtkPolyDataReader>::New();
+    made->SetFileName(path.c_str());
+    return made;
+}
+
 constexpr std::array<std::string_view, 1> kVtpExtensions{".vtp"};
+constexpr std::array<std::string_view, 1> kVtuExtensions{".vtu"};
 
 } // namespace
 
 const MeshFormat kVtp{"VTP", kVtpExtensions, false, looksLikeVtp, guardVtp, vtpReader};
+const MeshFormat kVtu{"VTU", kVtuExtensions, false, looksLikeVtu, guardVtu, vtuReader};
 
 } // namespace palpate::meshio::internal

@@ -328,4 +328,20 @@ std::vector<std::int64_t> vtpIntegers(std::span<const unsigned char> bytes, std:
     return out;
 }
 
+std::vector<double> vtpNumbers(std::span<const unsigned char> bytes, std::string_view type, bool isBigEndian)
+{
+    if (isVtpIntegerType(type)) {
+        const std::vector<std::int64_t> integers = vtpIntegers(bytes, type, isBigEndian);
+        return {integers.begin(), integers.end()};
+    }
+    // The bits of the numbers as integers of the same size.
+    const bool isFloat = type == "Float32";
+    std::vector<double> out;
+    for (const std::int64_t bits : vtpIntegers(bytes, isFloat ? "UInt32" : "UInt64", isBigEndian)) {
+        out.push_back(isFloat ? double{std::bit_cast<float>(static_cast<std::uint32_t>(bits))}
+                              : std::bit_cast<double>(bits));
+    }
+    return out;
+}
+
 } // namespace palpate::meshio::internal

@@ -53,4 +53,8 @@ class VtpBlocks
 [[nodiscard]] std::vector<std::int64_t> vtpIntegers(std::span<const unsigned char> bytes, std::string_view type,
                                                     bool isBigEndian);
 
+/// Converts `bytes` from any VTP number type and byte order.
+[[nodiscard]] std::vector<double> vtpNumbers(std::span<const unsigned char> bytes, std::string_view type,
+                                             bool isBigEndian);
+
 } // namespace palpate::meshio::internal

@@ -23,8 +23,9 @@ constexpr int kDeepest = 32;
 class HeaderReader
 {
   public:
-    HeaderReader(const QByteArray& xml, const ScanContext& context)
-        : m_xml(xml)
+    HeaderReader(const QByteArray& xml, std::string_view type, const ScanContext& context)
+        : m_type(type)
+        , m_xml(xml)
         , m_context(context)
     {
     }
@@ -56,6 +57,7 @@ class HeaderReader
     /// Returns the role of an array declared under `parent`; nothing if arrays are not allowed there.
     VtpDataArray* place(VtpHeader& header, const std::string& parent, const std::string& name);
 
+    std::string_view m_type; ///< expected type of the file
     QXmlStreamReader m_xml;
     const ScanContext& m_context;
     std::vector<std::string> m_path;
@@ -80,7 +82,7 @@ std::optional<std::uint64_t> HeaderReader::count(const char* name)
 
 void HeaderReader::startFile(VtpHeader& header)
 {
-    if (const std::string type = attribute("type"); type != "PolyData") {
+    if (const std::string type = attribute("type"); type != m_type) {
         (void)fail(StatusCode::Unsupported, {PALPATE_TEXT("a VTK file of type %1"), inQuotes(type)},
                    {PALPATE_TEXT("the type %1"), "\"PolyData\""});
     }
@@ -114,6 +116,7 @@ void HeaderReader::startPiece(VtpHeader& header)
     piece.lines.count = count("NumberOfLines").value_or(0);
     piece.strips.count = count("NumberOfStrips").value_or(0);
     piece.polys.count = count("NumberOfPolys").value_or(0);
+    piece.cells.count = count("NumberOfCells").value_or(0);
 }
 
 VtpDataArray* HeaderReader::place(VtpHeader& header, const std::string& parent, const std::string& name)
@@ -138,9 +141,13 @@ VtpDataArray* HeaderReader::place(VtpHeader& header, const std::string& parent, 
                       : parent == "Lines"  ? &piece.lines
                       : parent == "Strips" ? &piece.strips
                       : parent == "Polys"  ? &piece.polys
+                      : parent == "Cells"  ? &piece.cells
                                            : nullptr;
     if (cells == nullptr) {
         return nullptr;
+    }
+    if (parent == "Cells" && name == "types" && !piece.types) {
+        return &piece.types.emplace();
     }
     std::optional<VtpDataArray>& slot = name == "connectivity" ? cells->connectivity : cells->offsets;
     return (name == "connectivity" || name == "offsets") && !slot ? &slot.emplace() : nullptr;
@@ -176,8 +183,8 @@ void HeaderReader::startArray(VtpHeader& header, const std::string& parent)
 
 void HeaderReader::startElement(VtpHeader& header)
 {
-    static constexpr std::array<std::string_view, 8> kOfArrays{"FieldData", "PointData", "CellData", "Points",
-                                                               "Verts",     "Lines",     "Strips",   "Polys"};
+    static constexpr std::array<std::string_view, 9> kOfArrays{"FieldData", "PointData", "CellData", "Points", "Verts",
+                                                               "Lines",     "Strips",    "Polys",    "Cells"};
     const std::string& name = m_path.back();
     const std::string parent = m_path.size() > 1 ? m_path[m_path.size() - 2] : std::string();
     const bool isArray = name == "DataArray" || name == "Array";
@@ -255,7 +262,7 @@ Status HeaderReader::run(VtpHeader& header)
 
 } // namespace
 
-Result<VtpHeader> readVtpHeader(std::string_view bytes, const ScanContext& context)
+Result<VtpHeader> readVtpHeader(std::string_view bytes, const ScanContext& context, std::string_view type)
 {
     VtpHeader header;
     constexpr std::string_view kAppended = "<AppendedData";
@@ -279,7 +286,7 @@ Result<VtpHeader> readVtpHeader(std::string_view bytes, const ScanContext& conte
         return fault(StatusCode::Unsupported, context.file, {}, {PALPATE_TEXT("more than 2 GiB of XML")},
                      {PALPATE_TEXT("arrays as appended data")});
     }
-    HeaderReader reader(QByteArray::fromRawData(xml.data(), static_cast<qsizetype>(xml.size())), context);
+    HeaderReader reader(QByteArray::fromRawData(xml.data(), static_cast<qsizetype>(xml.size())), type, context);
     if (Status status = reader.run(header); !status.isOk()) {
         return status;
     }

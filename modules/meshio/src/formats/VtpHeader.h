@@ -52,6 +52,8 @@ struct VtpPiece
 {
     std::uint64_t points = 0;
     VtpCells verts, lines, strips, polys;
+    VtpCells cells;                    ///< of an unstructured grid
+    std::optional<VtpDataArray> types; ///< of these cells
     std::optional<VtpDataArray> coordinates;
     std::vector<VtpDataArray> pointData;
     std::vector<VtpDataArray> cellData;
@@ -71,8 +73,12 @@ struct VtpHeader
     std::uint64_t appendedBegin = 0; ///< [bytes]
 };
 
+/// Type of the VTK files of unstructured grids, `.vtu`.
+inline constexpr std::string_view kGridType = "UnstructuredGrid";
+
 /// Reads the XML; a document type, another kind of VTK file, deep nesting and counts that are not whole numbers are
 /// errors.
-[[nodiscard]] core::Result<VtpHeader> readVtpHeader(std::string_view bytes, const ScanContext& context);
+[[nodiscard]] core::Result<VtpHeader> readVtpHeader(std::string_view bytes, const ScanContext& context,
+                                                    std::string_view type = "PolyData");
 
 } // namespace palpate::meshio::internal

@@ -55,6 +55,51 @@ void noteScaleTag(std::string_view text, PreScan& scan)
     }
 }
 
+void noteBadVertices(std::uint64_t count, PreScan& scan)
+{
+    if (count == 1) {
+        scan.note({PALPATE_TEXT("1 vertex without finite coordinates left out: no face uses it")});
+    } else if (count > 1) {
+        scan.note({PALPATE_TEXT("%1 vertices without finite coordinates left out: no face uses them"), Count(count)});
+    }
+}
+
+void noteThinFaces(std::uint64_t count, PreScan& scan)
+{
+    if (count == 1) {
+        scan.note({PALPATE_TEXT("1 face of fewer than 3 corners left out")});
+    } else if (count > 1) {
+        scan.note({PALPATE_TEXT("%1 faces of fewer than 3 corners left out"), Count(count)});
+    }
+}
+
+void noteHiddenCells(std::uint64_t count, PreScan& scan)
+{
+    if (count == 1) {
+        scan.note({PALPATE_TEXT("1 hidden cell left out")});
+    } else if (count > 1) {
+        scan.note({PALPATE_TEXT("%1 hidden cells left out"), Count(count)});
+    }
+}
+
+void noteTrailingBytes(std::uint64_t count, PreScan& scan)
+{
+    if (count == 1) {
+        scan.note({PALPATE_TEXT("1 byte behind the last face left out")});
+    } else if (count > 1) {
+        scan.note({PALPATE_TEXT("%1 bytes behind the last face left out"), Count(count)});
+    }
+}
+
+core::Status noFaces(std::uint64_t points, const core::Message& place, const ScanContext& context)
+{
+    return points == 0 ? fault(core::StatusCode::Empty, context.file, place, {PALPATE_TEXT("0 faces")},
+                               {PALPATE_TEXT("at least one face")})
+                       : fault(core::StatusCode::Empty, context.file, place,
+                               {PALPATE_TEXT("0 faces, but %1 points: a point cloud"), Count(points)},
+                               {PALPATE_TEXT("a surface: reconstruct one first (MeshLab: Screened Poisson)")});
+}
+
 core::Message coordinateFault(double value, double unit_mm)
 {
     if (!std::isfinite(value)) {

@@ -8,7 +8,10 @@
 #include <palpate/core/Message.h>
 #include <palpate/core/Types.h>
 
+#include <array>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -32,16 +35,21 @@ struct PreScan
     /// parts (VTP).
     std::vector<std::string> partNames;
     std::vector<std::uint32_t> partOfCell;
+    /// Colours of the parts (0 to 1), or of the whole file if it has no parts; may be empty.
+    std::vector<std::optional<std::array<double, 3>>> partColours;
     /// Scalar point and polygon arrays expected from the reader (VTP).
     std::vector<std::string> pointArrays, cellArrays;
     std::vector<core::Message> notes; ///< ignored or assumed content, one sentence per entry
     core::Message loss;               ///< truncated part, "place: missing content"
+
+    void note(const core::Message& sentence) { notes.push_back(sentence); }
 };
 
 /// File name for messages and number conventions of a pre-scan.
 struct ScanContext
 {
     std::string file;                      ///< name in messages
+    std::filesystem::path folder;          ///< of the file, to find a material library beside it; may be empty
     double unit_mm = 1.0;                  ///< for the limit on coordinates
     FileFrame frame = FileFrame::Untagged; ///< chosen by the user, overrides the tag
     bool isPartial = false;                ///< keep the complete elements of a truncated file
@@ -59,8 +67,19 @@ inline constexpr std::uint64_t kMostElements = std::numeric_limits<std::int32_t>
 void noteSpaceTag(std::string_view text, PreScan& scan);
 /// Stores 3D Slicer's `SCALE=` from the header of an STL, the factor applied to the millimetres on writing.
 void noteScaleTag(std::string_view text, PreScan& scan);
+/// Notes vertices without usable coordinates that no face uses.
+void noteBadVertices(std::uint64_t count, PreScan& scan);
+/// Notes polygons with fewer than three corners, which are left out.
+void noteThinFaces(std::uint64_t count, PreScan& scan);
+/// Notes cells that VTK's ghost array hides, which are left out.
+void noteHiddenCells(std::uint64_t count, PreScan& scan);
+/// Notes bytes behind the last element, which are left out.
+void noteTrailingBytes(std::uint64_t count, PreScan& scan);
 /// Same as `noteSpaceTag` for the value of the tag.
 void noteSpace(std::string_view value, PreScan& scan);
+
+/// @return the error of a file without faces, which names a point cloud as one
+[[nodiscard]] core::Status noFaces(std::uint64_t points, const core::Message& place, const ScanContext& context);
 
 /// @return empty for a valid coordinate, or else the error
 [[nodiscard]] core::Message coordinateFault(double value, double unit_mm);

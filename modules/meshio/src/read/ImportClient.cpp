@@ -292,7 +292,9 @@ Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& 
     task.isPartial = options.isPartial;
     task.frame = options.frame;
     task.readsScale = options.readsScale;
-    const Result<Descriptor> result = outcomeOf(task, file, file.size, path, options.progress);
+    // Absolute, for a file beside it: the server's working directory is the one in which the program was started.
+    const std::filesystem::path whole = std::filesystem::absolute(path);
+    const Result<Descriptor> result = outcomeOf(task, file, file.size, whole, options.progress);
     // The reader releases its memory in the meantime.
     return result.isOk() ? unlessCancelled(readOutcome(result.value().value(), path), path, options.progress)
                          : result.status();

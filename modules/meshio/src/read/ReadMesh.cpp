@@ -5,12 +5,16 @@
 #include "read/ImportServer.h"
 #include "read/TriangleSoup.h"
 #include "read/VtkRead.h"
+#include "text/Encoding.h"
 #include "text/Fault.h"
 #include "text/NumericLocale.h"
 
 #include <cmath>
 #include <exception>
 #include <new>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace palpate::meshio {
 
@@ -31,7 +35,8 @@ constexpr double kRead = 0.8;
 Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, const ReadOptions& options)
 {
     ScanContext context;
-    context.file = path.filename().string();
+    context.file = utf8Of(path.filename().string());
+    context.folder = path.parent_path();
     context.unit_mm = options.unit_mm;
     context.isPartial = options.isPartial;
     context.frame = options.frame;
@@ -41,6 +46,15 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
         }
         return [&options, from, to](double done) { return options.progress(from + (to - from) * done); };
     };
+    // XML may be UTF-16; its readers know that.
+    if (const std::optional<std::string> text = fromUtf16(image.bytes());
+        text && !startOfText(*text).starts_with('<')) {
+        Result<FileImage> converted = FileImage::copy(*text, context.file);
+        if (!converted.isOk()) {
+            return converted.status();
+        }
+        image = std::move(converted).value();
+    }
     const Result<const MeshFormat*> format = formatOf(image.bytes(), path);
     if (!format.isOk()) {
         return format.status();
@@ -70,7 +84,8 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     if (!soup.isOk()) {
         return soup.status();
     }
-    Result<std::vector<MeshStructure>> structures = splitStructures(soup.value(), scan, context, path.stem().string());
+    Result<std::vector<MeshStructure>> structures =
+        splitStructures(soup.value(), scan, context, utf8Of(path.stem().string()));
     if (!structures.isOk()) {
         return structures.status();
     }

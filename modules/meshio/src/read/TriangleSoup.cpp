@@ -11,10 +11,12 @@
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,14 +90,15 @@ class StructureIds
     std::uint32_t m_lastPart = 0;
 };
 
+/// Checks the corners of a polygon or strip with at least three.
 /// @param most  maximum number of corners of the cell
 Status checkCorners(const vtkIdType* corners, vtkIdType count, vtkIdType most, vtkIdType points, std::uint64_t cell,
                     const ScanContext& context)
 {
     const core::Message place(PALPATE_TEXT("polygon %1"), cell);
-    if (count < 3 || count > most) {
+    if (count > most) {
         return fault(StatusCode::BadFormat, context.file, place, {PALPATE_TEXT("number of corners: %1"), Count(count)},
-                     {PALPATE_TEXT("%1 to %2"), 3, Count(most)});
+                     {PALPATE_TEXT("at most %1"), Count(most)});
     }
     for (vtkIdType k = 0; k < count; ++k) {
         if (corners[k] < 0 || corners[k] >= points) {
@@ -175,6 +178,46 @@ void takeArrays(vtkPolyData& data, const PreScan& scan, const std::vector<std::u
     }
 }
 
+/// Cells that VTK marks as hidden, or as a copy of a cell of another piece (vtkDataSetAttributes::CellGhostTypes).
+class GhostCells
+{
+  public:
+    /// Takes VTK's arrays, so that they are not offered as numbers of the surface.
+    GhostCells(vtkPolyData& data, PreScan& scan)
+        : m_ofCell(arrayOf(*data.GetCellData(), data.GetNumberOfCells()))
+        , m_ofPoint(arrayOf(*data.GetPointData(), data.GetNumberOfPoints()))
+    {
+        for (std::vector<std::string>* names : {&scan.cellArrays, &scan.pointArrays}) {
+            std::erase(*names, vtkDataSetAttributes::GhostArrayName());
+            std::erase(*names, "vtkGhostLevels"); // of VTK 6 and older; VTK's reader converts it
+        }
+    }
+    /// @param cell  index in the cell data @return true for a cell that is not part of the surface
+    bool isHidden(vtkIdType cell, const vtkIdType* corners, vtkIdType count)
+    {
+        constexpr unsigned kNotDrawn =
+            vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+        const bool isHidden = (m_ofCell != nullptr && (m_ofCell->GetValue(cell) & kNotDrawn) != 0) ||
+                              (m_ofPoint != nullptr && std::any_of(corners, corners + count, [this](vtkIdType point) {
+                                   return (m_ofPoint->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+                               }));
+        m_hidden += isHidden ? 1 : 0;
+        return isHidden;
+    }
+    void note(PreScan& scan) const { noteHiddenCells(m_hidden, scan); }
+
+  private:
+    static vtkUnsignedCharArray* arrayOf(vtkDataSetAttributes& data, vtkIdType tuples)
+    {
+        auto* array = vtkUnsignedCharArray::SafeDownCast(data.GetArray(vtkDataSetAttributes::GhostArrayName()));
+        return array != nullptr && array->GetNumberOfValues() == tuples ? array : nullptr;
+    }
+
+    vtkUnsignedCharArray* m_ofCell;
+    vtkUnsignedCharArray* m_ofPoint;
+    std::uint64_t m_hidden = 0;
+};
+
 /// Omits arrays beyond the maximum per mesh.
 /// @param areOfPoints  of the points, otherwise of the polygons
 void bound(std::vector<std::string>& names, bool areOfPoints, PreScan& scan)
@@ -206,6 +249,7 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
     takeFieldData(data, scan);
     soup.mesh.vertices = scan.exactPoints.empty() ? takePoints(*data.GetPoints()) : std::move(scan.exactPoints);
     soup.partNames = scan.partNames;
+    soup.partColours = scan.partColours;
     std::vector<Triangle>& triangles = soup.mesh.triangles;
     triangles.reserve(scan.cells);
 
@@ -214,6 +258,8 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
     const vtkIdType points = data.GetNumberOfPoints();
     const vtkIdType firstCell = data.GetNumberOfVerts() + data.GetNumberOfLines();
     PolygonCutter cutter;
+    GhostCells ghosts(data, scan);
+    std::uint64_t thinFaces = 0;
     std::vector<std::uint32_t> polygon;
     bound(scan.pointArrays, true, scan);
     bound(scan.cellArrays, false, scan);
@@ -228,8 +274,15 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
             iterator->GetCurrentCell(count, corners);
             const vtkIdType most =
                 isStrip ? std::numeric_limits<std::int32_t>::max() : vtkIdType{PolygonCutter::kMostCorners};
+            if (count < 3) {
+                ++thinFaces;
+                continue;
+            }
             if (Status status = checkCorners(corners, count, most, points, cell, context); !status.isOk()) {
                 return status;
+            }
+            if (ghosts.isHidden(firstCell + static_cast<vtkIdType>(cell), corners, count)) {
+                continue;
             }
             if (isStrip) {
                 for (vtkIdType k = 0; k + 2 < count; ++k) { // the winding alternates along a strip
@@ -260,6 +313,12 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
         scan.notes.push_back(cutter.crossing() == 1 ? core::Message(PALPATE_TEXT("one polygon has no simple outline"))
                                                     : core::Message(PALPATE_TEXT("%1 polygons have no simple outline"),
                                                                     Count(cutter.crossing())));
+    }
+    noteThinFaces(thinFaces, scan);
+    ghosts.note(scan);
+    if (triangles.empty()) {
+        return fault(StatusCode::Empty, context.file, {}, {PALPATE_TEXT("0 faces")},
+                     {PALPATE_TEXT("at least one face")});
     }
     takeArrays(data, scan, cellOf, soup.mesh.arrays);
     if (soup.partNames.empty()) {

@@ -28,8 +28,9 @@ struct TriangleSoup
 [[nodiscard]] core::Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanContext& context);
 
 /// Splits the soup into structures in O(n), converts to LPS and mm, and checks every coordinate.
-[[nodiscard]] core::Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, const PreScan& scan,
-                                                                       const ScanContext& context,
-                                                                       const std::string& fallbackName);
+/// Names become valid UTF-8 and different from each other.
+/// @param scan  receives notes
+[[nodiscard]] core::Result<std::vector<MeshStructure>>
+splitStructures(const TriangleSoup& soup, PreScan& scan, const ScanContext& context, const std::string& fallbackName);
 
 } // namespace palpate::meshio::internal

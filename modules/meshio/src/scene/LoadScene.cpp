@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/LoadScene.h"
+#include "palpate/meshio/MeshFolder.h"
 #include "palpate/meshio/MeshFormats.h"
 #include "palpate/meshio/SurfaceMaps.h"
 
 #include "scene/AnatomyColours.h"
+#include "scene/BlockFile.h"
+#include "text/Encoding.h"
 #include "text/Fault.h"
 
 #include <palpate/core/Parallel.h>
@@ -37,6 +40,7 @@ struct Source
     double unit_mm = 1.0;
     FileFrame frame = FileFrame::Untagged; ///< chosen
     std::optional<Result<MeshFile>> file;
+    std::string name{}; ///< in a multi-block file; empty: by the file
 };
 
 /// A structure while the scene is being loaded.
@@ -65,6 +69,8 @@ class Loader
     Status addScene(SceneFile scene, const std::string& name);
     Result<LoadedScene> open(const std::string& name);
     Status addFolder(const std::filesystem::path& path);
+    Status addBlocks(const std::filesystem::path& path);
+    [[nodiscard]] std::string displayName(const Source& source, const std::string& name, std::size_t structures) const;
     std::size_t sourceOf(const std::filesystem::path& path, double unit_mm, FileFrame frame);
     std::size_t sourceOf(const SceneStructure& one) { return sourceOf(one.mesh, one.unit_mm, one.frame); }
     void readSources();
@@ -85,6 +91,7 @@ class Loader
 
     const ReadOptions& m_options;
     bool m_isSceneFile = false;
+    std::string m_prefix; ///< before the names of all files of a folder; not shown
     std::vector<Source> m_sources;
     std::map<std::tuple<std::filesystem::path, double, FileFrame>, std::size_t> m_sourceOf;
     std::vector<Pending> m_pending;
@@ -97,7 +104,7 @@ std::size_t Loader::sourceOf(const std::filesystem::path& path, double unit_mm, 
 {
     const auto [found, isNew] = m_sourceOf.emplace(std::tuple(path, unit_mm, frame), m_sources.size());
     if (isNew) {
-        m_sources.push_back({path, unit_mm, frame, std::nullopt});
+        m_sources.push_back({path, unit_mm, frame, std::nullopt, {}});
     }
     return found->second;
 }
@@ -134,12 +141,7 @@ Status Loader::addScene(SceneFile scene, const std::string& name)
 Status Loader::addFolder(const std::filesystem::path& path)
 {
     std::error_code error;
-    std::vector<std::filesystem::path> files;
-    for (std::filesystem::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error)) {
-        if (hasMeshExtension(entry->path()) && entry->is_regular_file(error)) {
-            files.push_back(entry->path());
-        }
-    }
+    const std::vector<std::filesystem::path> files = meshFilesIn(path, error);
     const std::string name = path.filename().empty() ? path.string() : path.filename().string();
     if (error) {
         return fault(StatusCode::Unreadable, name, {},
@@ -150,11 +152,36 @@ Status Loader::addFolder(const std::filesystem::path& path)
         return fault(StatusCode::Empty, name, {}, {PALPATE_TEXT("a folder without mesh files")},
                      {PALPATE_TEXT("%1 files in it"), meshFormatNames("or")});
     }
-    std::sort(files.begin(), files.end());
+    std::vector<std::string> stems;
     for (const std::filesystem::path& file : files) {
         (void)sourceOf(file, m_options.unit_mm, m_options.frame);
+        stems.push_back(utf8Of(file.stem().string()));
+    }
+    m_prefix = commonPrefix(stems);
+    return {};
+}
+
+/// Adds the files that a multi-block file names.
+Status Loader::addBlocks(const std::filesystem::path& path)
+{
+    const Result<std::vector<Block>> blocks = readBlocks(path);
+    if (!blocks.isOk()) {
+        return blocks.status();
+    }
+    for (const Block& block : blocks.value()) {
+        m_sources[sourceOf(block.file, m_options.unit_mm, m_options.frame)].name = utf8Of(block.name);
     }
     return {};
+}
+
+/// @return the name of a structure, whose file may have a name in a multi-block file or a prefix in front of its own
+std::string Loader::displayName(const Source& source, const std::string& name, std::size_t structures) const
+{
+    const bool isOfFile = structures == 1 && name == utf8Of(source.path.stem().string());
+    if (isOfFile && !source.name.empty()) {
+        return source.name;
+    }
+    return isOfFile && name.starts_with(m_prefix) ? name.substr(m_prefix.size()) : name;
 }
 
 void Loader::readSources()
@@ -203,8 +230,8 @@ void Loader::expandFiles()
             d.part = file.structures.size() > 1 ? structure.name : std::string();
             d.unit_mm = file.unit_mm;
             d.frame = source.frame;
-            d.name = structure.name;
-            d.colour = structure.colour.value_or(anatomyColour(structure.name, m_pending.size() - 1));
+            d.name = displayName(source, structure.name, file.structures.size());
+            d.colour = structure.colour.value_or(anatomyColour(d.name, m_pending.size() - 1));
             pending.frame = file.frame;
             pending.mesh = std::move(structure.mesh);
         }
@@ -416,6 +443,8 @@ Result<LoadedScene> Loader::load(const std::filesystem::path& path)
         status = addFolder(whole.has_filename() ? whole : whole.parent_path());
     } else if (isSceneFile(whole)) {
         status = addScene(whole);
+    } else if (isBlockFile(whole)) {
+        status = addBlocks(whole);
     } else {
         (void)sourceOf(whole, m_options.unit_mm, m_options.frame);
     }

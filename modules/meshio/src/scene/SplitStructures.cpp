@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/TriangleSoup.h"
 
+#include "text/Encoding.h"
 #include "text/Fault.h"
 #include "text/TextScan.h"
 
@@ -9,6 +10,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
+#include <utility>
 
 namespace palpate::meshio::internal {
 
@@ -34,20 +37,55 @@ bool isPlaceholder(std::string_view name)
            });
 }
 
-/// Converts the points of the file to LPS and mm; the first invalid point is an error.
-Result<std::vector<Vec3>> toWorld(const std::vector<Vec3>& points, FileFrame frame, const ScanContext& context)
+/// Converts the points of the file to LPS and mm. The first invalid point that a triangle uses is an error; others are
+/// left out and noted.
+Result<std::vector<Vec3>> toWorld(const TriangleSoup& soup, FileFrame frame, const ScanContext& context, PreScan& scan)
 {
+    const std::vector<Vec3>& points = soup.mesh.vertices;
     std::vector<Vec3> out(points.size());
+    std::vector<bool> isBad; // empty if all are valid
     for (std::size_t i = 0; i < points.size(); ++i) {
         out[i] = core::toLps(frame, points[i]) * context.unit_mm;
         if (!(out[i].cwiseAbs().maxCoeff() <= kMostMm) || !out[i].allFinite()) {
-            return fault(StatusCode::NonFinite, context.file, {PALPATE_TEXT("point %1"), i},
-                         out[i].allFinite() ? core::Message(PALPATE_TEXT("it is farther than 10 km from the origin"))
-                                            : core::Message(PALPATE_TEXT("its coordinates are not finite numbers")),
-                         {PALPATE_TEXT("finite coordinates within 10 km")});
+            isBad.resize(points.size(), false);
+            isBad[i] = true;
         }
     }
+    if (isBad.empty()) {
+        return out;
+    }
+    for (const Triangle& triangle : soup.mesh.triangles) {
+        for (const std::uint32_t i : triangle) {
+            if (isBad[i]) {
+                return fault(StatusCode::NonFinite, context.file, {PALPATE_TEXT("point %1"), i},
+                             out[i].allFinite()
+                                 ? core::Message(PALPATE_TEXT("it is farther than 10 km from the origin"))
+                                 : core::Message(PALPATE_TEXT("its coordinates are not numbers")),
+                             {PALPATE_TEXT("finite coordinates within 10 km")});
+            }
+        }
+    }
+    noteBadVertices(static_cast<std::uint64_t>(std::ranges::count(isBad, true)), scan);
     return out;
+}
+
+/// Makes the names different: of two solids "ascii", the second becomes "ascii 2". A scene refers to them by name.
+void distinguish(std::vector<MeshStructure>& structures)
+{
+    std::set<std::string> used;
+    for (const MeshStructure& structure : structures) {
+        used.insert(structure.name);
+    }
+    std::set<std::string> seen;
+    for (MeshStructure& structure : structures) {
+        const std::string name = structure.name;
+        for (int number = 2; !seen.insert(structure.name).second; ++number) {
+            std::string next = name + " " + std::to_string(number);
+            if (used.insert(next).second) {
+                structure.name = std::move(next);
+            }
+        }
+    }
 }
 
 bool hasArea(const std::vector<Vec3>& p, const std::vector<Triangle>& triangles)
@@ -73,11 +111,11 @@ void takeValues(const std::vector<geometry::MeshArray>& from, bool isPerTriangle
 
 } // namespace
 
-Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, const PreScan& scan,
-                                                   const ScanContext& context, const std::string& fallbackName)
+Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, PreScan& scan, const ScanContext& context,
+                                                   const std::string& fallbackName)
 {
     const Result<std::vector<Vec3>> world =
-        toWorld(soup.mesh.vertices, core::resolvedFrame(context.frame, scan.frame), context);
+        toWorld(soup, core::resolvedFrame(context.frame, scan.frame), context, scan);
     if (!world.isOk()) {
         return world.status();
     }
@@ -117,14 +155,14 @@ Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, con
             continue;
         }
         MeshStructure& structure = structures.emplace_back();
-        structure.name = soup.partNames[part];
+        structure.name = utf8Of(soup.partNames[part]);
         if (part < soup.partColours.size()) {
             structure.colour = soup.partColours[part];
         }
         geometry::TriangleMesh& mesh = structure.mesh;
         mesh.triangles.reserve(begin[part + 1] - begin[part]);
         for (const geometry::MeshArray& array : soup.mesh.arrays) {
-            mesh.arrays.push_back({array.name, array.isPerTriangle, {}});
+            mesh.arrays.push_back({utf8Of(array.name), array.isPerTriangle, {}});
         }
         for (std::size_t i = begin[part]; i < begin[part + 1]; ++i) {
             Triangle triangle = triangles[order[i]];
@@ -149,6 +187,7 @@ Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, con
             structure.name = fallbackName;
         }
     }
+    distinguish(structures);
     return structures;
 }
 

@@ -10,6 +10,8 @@ namespace palpate::meshio::internal {
 
 namespace {
 
+constexpr char kDosEnd = '\x1a';
+
 bool isBlank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
@@ -28,13 +30,14 @@ bool LineReader::next()
         return false;
     }
     m_begin = m_next;
-    const std::size_t feed = m_text.find('\n', m_begin);
-    const std::size_t stop = feed == std::string_view::npos ? m_text.size() : feed;
-    m_next = feed == std::string_view::npos ? m_text.size() : feed + 1;
-    m_line = m_text.substr(m_begin, stop - m_begin);
-    if (!m_line.empty() && m_line.back() == '\r') {
-        m_line.remove_suffix(1);
+    if (m_feed < m_begin || m_number == 0) {
+        m_feed = std::min(m_text.find('\n', m_begin), m_text.size());
     }
+    // Searched up to the next LF only, so that a text of either kind is walked over once.
+    const std::size_t back = m_text.substr(m_begin, m_feed - m_begin).find('\r');
+    const std::size_t stop = back == std::string_view::npos ? m_feed : m_begin + back;
+    m_next = std::min(stop + (m_text.substr(stop, 2) == "\r\n" ? 2 : 1), m_text.size());
+    m_line = m_text.substr(m_begin, stop - m_begin);
     ++m_number;
     return true;
 }
@@ -65,6 +68,20 @@ std::string_view trimmed(std::string_view text)
     return text;
 }
 
+std::string_view withoutPadding(std::string_view text)
+{
+    while (!text.empty() && (isBlank(text.back()) || text.back() == '\0' || text.back() == kDosEnd)) {
+        text.remove_suffix(1);
+    }
+    return text;
+}
+
+bool isFiller(std::string_view bytes)
+{
+    return std::all_of(bytes.begin(), bytes.end(),
+                       [](char c) { return (c >= ' ' && c < '\x7f') || isBlank(c) || c == '\0' || c == kDosEnd; });
+}
+
 bool sameWord(std::string_view a, std::string_view b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
@@ -78,7 +95,8 @@ std::optional<double> wordToNumber(std::string_view word)
     double value = 0.0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (word.empty() || end != word.data() + word.size()) {
-        return std::nullopt;
+        const bool isMicrosofts = word.find(".#IND") != std::string_view::npos || word.ends_with(".#QNAN");
+        return isMicrosofts ? std::optional(std::numeric_limits<double>::quiet_NaN()) : std::nullopt;
     }
     if (error == std::errc::result_out_of_range) {
         return word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos

@@ -8,7 +8,7 @@
 
 namespace palpate::meshio::internal {
 
-/// Walks over a text line by line. Lines end in LF or CR LF; the end is not part of the line.
+/// Walks over a text line by line. Lines end in LF, CR LF or CR alone; the end is not part of the line.
 class LineReader
 {
   public:
@@ -29,6 +29,7 @@ class LineReader
     std::uint64_t m_number = 0;
     std::size_t m_begin = 0;
     std::size_t m_next = 0;
+    std::size_t m_feed = 0; ///< the first LF from m_begin on, or the end of the text
 };
 
 /// Removes the next word, a run of non-blank characters, from the front of `rest`. @return empty at the end
@@ -36,11 +37,19 @@ class LineReader
 
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
+/// @return `text` without blanks, zero bytes and DOS end-of-file characters (0x1A) at the end, which some programs
+/// write to fill the last block of a text file.
+[[nodiscard]] std::string_view withoutPadding(std::string_view text);
+
+/// @return true if every byte is zero, a blank, a DOS end-of-file character or printable ASCII: filler or a text behind
+/// binary numbers, but no further numbers.
+[[nodiscard]] bool isFiller(std::string_view bytes);
+
 /// @return true when both are equal but for the case of ASCII letters.
 [[nodiscard]] bool sameWord(std::string_view a, std::string_view b);
 
 /// Reads a decimal number that fills `word`, as strtod would: a leading '+', and "nan" and "inf", are allowed; too
-/// large gives infinity, too small zero.
+/// large gives infinity, too small zero. Also reads the NaN of older Microsoft libraries, "-1.#IND" or "1.#QNAN".
 [[nodiscard]] std::optional<double> wordToNumber(std::string_view word);
 [[nodiscard]] std::optional<std::int64_t> wordToInteger(std::string_view word);
 

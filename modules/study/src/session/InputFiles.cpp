@@ -3,7 +3,7 @@
 
 #include "palpate/study/RecordedScene.h"
 
-#include <palpate/meshio/MeshFormats.h>
+#include <palpate/meshio/MeshFolder.h>
 #include <palpate/meshio/SceneFile.h>
 #include <palpate/session/RecordingReader.h>
 
@@ -20,11 +20,8 @@ void addScene(const fs::path& file, std::vector<fs::path>& out)
     out.push_back(file);
     std::error_code error;
     if (fs::is_directory(file, error)) {
-        for (fs::directory_iterator at(file, error), end; !error && at != end; at.increment(error)) {
-            if (meshio::hasMeshExtension(at->path())) {
-                out.push_back(at->path());
-            }
-        }
+        const std::vector<fs::path> files = meshio::meshFilesIn(file, error);
+        out.insert(out.end(), files.begin(), files.end());
         return;
     }
     if (!meshio::isSceneFile(file) || !fs::is_regular_file(file, error)) {

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formats/OtherFormats.h"
+
+#include "formats/MeshFormat.h"
+#include "text/Fault.h"
+#include "text/TextScan.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::MessageText;
+
+/// A format recognised by the begin of a file.
+struct OtherFormat
+{
+    std::string_view begin;
+    MessageText<> name;
+    MessageText<> next;
+};
+
+constexpr MessageText<> kConvert = PALPATE_TEXT("a mesh saved as STL, PLY, OBJ or VTK (MeshLab or Blender convert it)");
+constexpr MessageText<> kFreeSurfer =
+    PALPATE_TEXT("a mesh in VTK format: convert it with FreeSurfer's mris_convert to a name that ends in .vtk");
+
+using namespace std::string_view_literals;
+
+constexpr auto kBinary = std::to_array<OtherFormat>({
+    {"\x00\x05\x16\x07"sv, PALPATE_TEXT("an AppleDouble file, in which macOS keeps the attributes of another file"),
+     PALPATE_TEXT("the file of the same name without \"._\"")},
+    {"\xff\xff\xfe"sv, PALPATE_TEXT("a FreeSurfer surface"), kFreeSurfer},
+    {"\xff\xff\xff"sv, PALPATE_TEXT("a FreeSurfer surface"), kFreeSurfer},
+    {"\x1f\x8b"sv, PALPATE_TEXT("a file compressed by gzip"),
+     PALPATE_TEXT("the mesh itself: unpack it first (gunzip)")},
+    {"glTF"sv, PALPATE_TEXT("a glTF file"), kConvert},
+    {"Kaydara FBX"sv, PALPATE_TEXT("an FBX file"), kConvert},
+    {"BLENDER"sv, PALPATE_TEXT("a Blender file"), PALPATE_TEXT("a mesh exported from Blender as STL, PLY or OBJ")},
+});
+
+constexpr auto kText = std::to_array<OtherFormat>({
+    {"$MeshFormat", PALPATE_TEXT("a Gmsh mesh"), PALPATE_TEXT("its surface saved as VTK or STL (Gmsh: Export)")},
+    {"#VRML", PALPATE_TEXT("a VRML file"), kConvert},
+    {"ISO-10303-21", PALPATE_TEXT("a STEP model"), PALPATE_TEXT("a mesh made of it (FreeCAD: Export as STL)")},
+});
+
+/// XML documents by the name of the root element.
+constexpr auto kXml = std::to_array<OtherFormat>({
+    {"GIFTI", PALPATE_TEXT("a GIFTI surface"), kFreeSurfer},
+    {"MRML", PALPATE_TEXT("a 3D Slicer scene (MRML)"),
+     PALPATE_TEXT("the files of its models, which are beside the scene: open them or their folder")},
+    {"amf", PALPATE_TEXT("an AMF file"), kConvert},
+    {"COLLADA", PALPATE_TEXT("a COLLADA file"), kConvert},
+    {"X3D", PALPATE_TEXT("an X3D file"), kConvert},
+});
+
+/// @return the root element of an XML document; empty for other content
+std::string_view rootElement(std::string_view text)
+{
+    while (text.starts_with('<')) {
+        const bool isRoot = text.size() > 1 && text[1] != '?' && text[1] != '!';
+        if (isRoot) {
+            const std::size_t end = text.find_first_of(" \t\r\n/>", 1);
+            return text.substr(1, end == std::string_view::npos ? end : end - 1);
+        }
+        const bool isComment = text.starts_with("<!--");
+        const std::size_t end = isComment ? text.find("-->") : text.find('>');
+        if (end == std::string_view::npos) {
+            return {};
+        }
+        text = text.substr(end + (isComment ? 3 : 1));
+        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    }
+    return {};
+}
+
+/// OFF: "OFF", "COFF", "NOFF" or "STOFF" alone on the first line, or before the counts.
+bool isOff(std::string_view text)
+{
+    const std::string_view word = takeWord(text);
+    return word.size() >= 3 && word.size() <= 6 && word.ends_with("OFF") &&
+           word.find_first_not_of("COFNST4n") == std::string_view::npos;
+}
+
+/// MNI's surfaces also end in .obj: "P", five surface properties and the number of points.
+bool isMniObject(std::string_view text)
+{
+    if (takeWord(text) != "P") {
+        return false;
+    }
+    for (int i = 0; i < 5; ++i) {
+        if (!wordToNumber(takeWord(text))) {
+            return false;
+        }
+    }
+    return wordToInteger(takeWord(text)).has_value();
+}
+
+/// glTF as text and other JSON documents.
+bool isGltfText(std::string_view text)
+{
+    return text.starts_with('{') && text.find("\"asset\"") != std::string_view::npos;
+}
+
+std::optional<OtherFormat> found(std::string_view bytes)
+{
+    const std::string_view head = startOf(bytes), text = startOfText(bytes), root = rootElement(text);
+    for (const OtherFormat& format : kBinary) {
+        if (head.starts_with(format.begin)) {
+            return format;
+        }
+    }
+    for (const OtherFormat& format : kText) {
+        if (text.starts_with(format.begin)) {
+            return format;
+        }
+    }
+    for (const OtherFormat& format : kXml) {
+        if (root == format.begin) {
+            return format;
+        }
+    }
+    if (isOff(text)) {
+        return OtherFormat{{}, PALPATE_TEXT("an OFF file"), kConvert};
+    }
+    if (isMniObject(text)) {
+        return OtherFormat{{}, PALPATE_TEXT("a surface in MNI's object format"), kConvert};
+    }
+    if (isGltfText(text)) {
+        return OtherFormat{{}, PALPATE_TEXT("a glTF file"), kConvert};
+    }
+    if (text.starts_with('{')) {
+        return OtherFormat{{},
+                           PALPATE_TEXT("a JSON document"),
+                           PALPATE_TEXT("a mesh, or a scene of Palpate with a name that ends in .json")};
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+core::Status otherMeshFormat(std::string_view bytes, const std::string& file)
+{
+    const std::optional<OtherFormat> other = found(bytes);
+    return other ? fault(core::StatusCode::Unsupported, file, {},
+                         {PALPATE_TEXT("is %1, which Palpate does not read"), core::Message(other->name)},
+                         core::Message(other->next))
+                 : core::Status();
+}
+
+} // namespace palpate::meshio::internal
