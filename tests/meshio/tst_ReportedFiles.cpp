@@ -254,15 +254,6 @@ bool hasNote(const std::vector<core::Message>& notes, const std::string& part)
                        [&](const core::Message& note) { return note.english().find(part) != std::string::npos; });
 }
 
-std::string joined(const std::vector<core::Message>& lines)
-{
-    std::string out;
-    for (const core::Message& line : lines) {
-        out += line.english() + "; ";
-    }
-    return out;
-}
-
 /// What the folder of reported files should give.
 struct Reported
 {
@@ -423,7 +414,7 @@ void ReportedFiles::opensAsTheBox()
     QCOMPARE(file.value().structures.size(), std::size_t{1});
     verifyBox(file.value().structures[0].mesh, kA);
     QVERIFY2(note.empty() ? file.value().notes.empty() : hasNote(file.value().notes, note),
-             joined(file.value().notes).c_str());
+             core::joined(file.value().notes).english().c_str());
     QVERIFY(file.value().loss.isEmpty());
 }
 
@@ -588,7 +579,7 @@ void ReportedFiles::materialColours()
     QCOMPARE(file.value().structures.size(), std::size_t{2});
     QVERIFY(file.value().structures[0].colour == Colour({0.8, 0.2, 0.2}));
     QVERIFY(file.value().structures[1].colour == Colour({0.5, 0.1, 0.4}));
-    QVERIFY2(file.value().notes.empty(), joined(file.value().notes).c_str());
+    QVERIFY2(file.value().notes.empty(), core::joined(file.value().notes).english().c_str());
     // Colours out of range and broken numbers are left out.
     folder.write("my colours.mtl", "newmtl Liver\nKd 2 0 0\nnewmtl Spleen\nKd x 0 0\nKd 0.5\n");
     const auto broken = meshio::readMesh(path);
@@ -737,7 +728,8 @@ void ReportedFiles::sharedFilesGiveTheRightAnswer()
             verifyBox(structures[i].mesh, i == 0 ? kA : kB);
             QVERIFY2(row.names[i] == nullptr || structures[i].name == row.names[i], structures[i].name.c_str());
         }
-        QVERIFY2(row.note == nullptr || hasNote(file.value().notes, row.note), joined(file.value().notes).c_str());
+        QVERIFY2(row.note == nullptr || hasNote(file.value().notes, row.note),
+                 core::joined(file.value().notes).english().c_str());
         if (QTest::currentTestFailed()) {
             QFAIL(row.file);
         }

@@ -230,7 +230,7 @@ void SceneFiles::offerReadingAsMetres(double size_mm)
 
 void SceneFiles::choose()
 {
-    QString endings = QStringLiteral("*.json *.palpate");
+    QString endings = QStringLiteral("*.json *.palpate *.vtm *.pvd");
     for (const std::string& extension : meshio::meshExtensions()) {
         endings += QStringLiteral(" *") + QString::fromStdString(extension);
     }

@@ -62,8 +62,9 @@ struct ReadOptions
 
 /// Reads a mesh file in a format of MeshFormats.h, detected from the content.
 ///
-/// Triangulates polygons and strips. OBJ groups and objects, and the `StructureId` cell array with `StructureNames` of
-/// a VTP, become structures. Independent of the numeric locale.
+/// Triangulates polygons and strips. STL solids, OBJ objects, groups or materials, and the `StructureId` cell array with
+/// `StructureNames` of a VTP, become structures, with names that differ and are valid UTF-8. Independent of the numeric
+/// locale.
 /// @return on failure one line with the file, the place, the found and the expected value
 /// @par Thread Any; no shared state.
 [[nodiscard]] PALPATE_EXPORT core::Result<MeshFile> readMesh(const std::filesystem::path& path,
