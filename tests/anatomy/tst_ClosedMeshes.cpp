@@ -93,7 +93,7 @@ class ClosedMeshes : public QObject
   private:
     void palpate(const RepairedMesh& surface, const std::string& name)
     {
-        const vtkSmartPointer<vtkPolyData> data = vtk::polyDataOf(surface.mesh);
+        const vtkSmartPointer<vtkPolyData> data = palpate::vtk::polyDataOf(surface.mesh);
         vtkNew<vtkImplicitPolyDataDistance> distance;
         distance->SetInput(data);
         vtkNew<vtkStaticCellLocator> locator;

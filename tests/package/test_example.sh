@@ -16,7 +16,7 @@ rm -rf "${work:?}/$name"
 cmake -S "$example" -B "$work/$name" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_PREFIX_PATH="$work/prefix" "$@"
 cmake --build "$work/$name"
-rm -f "$work/example.palpate" # of the last run: `record` never overwrites
+rm -f "$work/example.palpate"* # of the last run: `record` never overwrites
 read -ra run <<<"${PALPATE_RUN:-}" # e.g. xvfb-run for a window
 said=$("${run[@]}" "$work/$name/$name" "${arguments[@]}")
 echo "$said"

@@ -25,7 +25,7 @@ vtkSmartPointer<vtkPolyData> inwardBall()
 {
     geometry::TriangleMesh mesh = test::ball(50.0, 5);
     geometry::flip(mesh); // as of vtkMarchingCubes
-    return vtk::polyDataOf(mesh);
+    return palpate::vtk::polyDataOf(mesh);
 }
 
 /// Returns a hand that stays 4 mm below the top of the ball.
@@ -122,7 +122,7 @@ class PalpationViewTest : public QObject
     void aSecondStructureKeepsTheFirst()
     {
         QCOMPARE(m_view->add(inwardBall(), {.name = "liver", .tissue = {.stiffness_N_per_mm = 0.4}}).value(), 0);
-        const auto lump = vtk::polyDataOf(test::ball(5.0, 3));
+        const auto lump = palpate::vtk::polyDataOf(test::ball(5.0, 3));
         QCOMPARE(m_view->add(lump, {.name = "lump", .layer = 1}).value(), 1);
         QVERIFY(m_view->useDevice(pressingHand()).isOk());
         PALPATE_TRY_VERIFY(isFelt(1.6));

@@ -80,12 +80,12 @@ class PolyData : public QObject
     void contourOfASignedDistanceIsFelt()
     {
         const auto ball = contouredBall(10.0);
-        const auto given = vtk::surfaceOf(ball, {.repair = {.facing = geometry::Facing::AsGiven}});
+        const auto given = palpate::vtk::surfaceOf(ball, {.repair = {.facing = geometry::Facing::AsGiven}});
         QVERIFY2(given.isOk(), given.status().message().c_str());
         QCOMPARE(given.value().report.insideOutComponents, std::size_t{1}); // VTK's normals point inwards
         QCOMPARE(pressFromOutside_N(given.value()), 0.0);
 
-        const auto surface = vtk::surfaceOf(ball);
+        const auto surface = palpate::vtk::surfaceOf(ball);
         QVERIFY2(surface.isOk(), surface.status().message().c_str());
         QCOMPARE(surface.value().report.turnedComponents, std::size_t{1});
         QVERIFY(surface.value().report.isClosed());
@@ -99,13 +99,13 @@ class PolyData : public QObject
         stripper->SetInputData(ball);
         stripper->Update();
         QVERIFY(stripper->GetOutput()->GetNumberOfStrips() > 0);
-        const auto a = vtk::surfaceOf(ball), b = vtk::surfaceOf(stripper->GetOutput());
+        const auto a = palpate::vtk::surfaceOf(ball), b = palpate::vtk::surfaceOf(stripper->GetOutput());
         QVERIFY(b.isOk());
         QCOMPARE(b.value().report.triangles, a.value().report.triangles);
         QVERIFY(std::abs(b.value().report.volume_mm3 - a.value().report.volume_mm3) < 1e-9);
 
         // An L, concave, in metres.
-        const auto concave = vtk::surfaceOf(
+        const auto concave = palpate::vtk::surfaceOf(
             polygon({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {0, 1, 2, 3, 4, 5}),
             {.unit_mm = 1000.0});
         QVERIFY(concave.isOk());
@@ -116,7 +116,7 @@ class PolyData : public QObject
     void refusesWhatHasNoSurface()
     {
         const auto code = [](vtkPolyData* data, double unit_mm = 1.0) {
-            return vtk::surfaceOf(data, {.unit_mm = unit_mm}).status().code();
+            return palpate::vtk::surfaceOf(data, {.unit_mm = unit_mm}).status().code();
         };
         QCOMPARE(code(nullptr), StatusCode::Empty);
         QCOMPARE(code(vtkNew<vtkPolyData>()), StatusCode::Empty);
@@ -135,15 +135,15 @@ class PolyData : public QObject
     {
         geometry::TriangleMesh loose = soup(sphere(6, 10.0)); // every point several times
         loose.vertices.push_back({0, 0, 0});                  // of no triangle
-        const auto data = vtk::polyDataOf(loose);
-        const auto surface = vtk::surfaceOf(data);
+        const auto data = palpate::vtk::polyDataOf(loose);
+        const auto surface = palpate::vtk::surfaceOf(data);
         QVERIFY(surface.isOk());
         QVERIFY(surface.value().mesh.vertices.size() < loose.vertices.size() / 4);
         std::vector<float> values;
         for (const Vec3& p : surface.value().mesh.vertices) {
             values.push_back(float(p.x() + 2.0 * p.y()));
         }
-        const auto array = vtk::atPoints(surface.value(), values, "height");
+        const auto array = palpate::vtk::atPoints(surface.value(), values, "height");
         QVERIFY2(array.isOk(), array.status().message().c_str());
         QCOMPARE(array.value()->GetNumberOfValues(), data->GetNumberOfPoints());
         QCOMPARE(QString(array.value()->GetName()), QStringLiteral("height"));
@@ -153,14 +153,14 @@ class PolyData : public QObject
         QVERIFY(std::isnan(array.value()->GetValue(vtkIdType(loose.vertices.size() - 1))));
 
         values.pop_back();
-        QCOMPARE(vtk::atPoints(surface.value(), values, "height").status().code(), StatusCode::Mismatch);
+        QCOMPARE(palpate::vtk::atPoints(surface.value(), values, "height").status().code(), StatusCode::Mismatch);
     }
 
     /// The palpability map of a lump, computed on a refined surface, on the points of the contour.
     void putsAFeltMapOnTheCallersPoints()
     {
         const auto organ = contouredBall(10.0);
-        const auto surface = vtk::surfaceOf(organ);
+        const auto surface = palpate::vtk::surfaceOf(organ);
         const auto lump = std::make_shared<const RepairedMesh>(geometry::repair(moved(sphere(4, 2.0), {0, 0, 7.0})));
         buried::FeltOptions options;
         options.radius_mm = 1.0; // finer than the contour
@@ -169,7 +169,7 @@ class PolyData : public QObject
             buried::feltSurface("ball", surface.value(), {{"lump", lump, buried::RatioRange(10.0)}}, options);
         QVERIFY2(felt.isOk(), felt.status().message().c_str());
         QVERIFY(felt.value().surface.vertices.size() > surface.value().mesh.vertices.size());
-        const auto array = vtk::atPoints(surface.value(), felt.value().press[0].ratio, "k/k0");
+        const auto array = palpate::vtk::atPoints(surface.value(), felt.value().press[0].ratio, "k/k0");
         QVERIFY(array.isOk());
         float top = 0.0F, bottom = 0.0F;
         for (vtkIdType i = 0; i < organ->GetNumberOfPoints(); ++i) {

@@ -40,8 +40,8 @@ vtkSmartPointer<vtkPolyData> ball(double x_mm, double radius_mm, double step_mm)
 int main()
 {
     const vtkSmartPointer<vtkPolyData> organ = ball(0.0, 40.0, 2.0);
-    const auto surface = vtk::surfaceOf(organ); // checked, repaired and turned outwards
-    const auto lump = vtk::surfaceOf(ball(30.0, 5.0, 1.0));
+    const auto surface = palpate::vtk::surfaceOf(organ); // checked, repaired and turned outwards
+    const auto lump = palpate::vtk::surfaceOf(ball(30.0, 5.0, 1.0));
     if (!surface.isOk() || !lump.isOk()) {
         std::fprintf(stderr, "%s\n", (surface.isOk() ? lump.status() : surface.status()).message().c_str());
         return 1;
@@ -70,7 +70,7 @@ int main()
         std::fprintf(stderr, "%s\n", felt.status().message().c_str());
         return 1;
     }
-    const auto map = vtk::atPoints(surface.value(), felt.value().press[0].ratio, "k/k0");
+    const auto map = palpate::vtk::atPoints(surface.value(), felt.value().press[0].ratio, "k/k0");
     organ->GetPointData()->SetScalars(map.value());
     std::printf("stiffness %.1f to %.1f times that of the organ at %lld points\n", map.value()->GetRange()[0],
                 map.value()->GetRange()[1], static_cast<long long>(organ->GetNumberOfPoints()));

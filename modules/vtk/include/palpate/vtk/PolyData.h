@@ -12,9 +12,8 @@
 
 #include <span>
 
-/// Conversion between vtkPolyData and Palpate's meshes. In this namespace and in namespace palpate, VTK's own namespace
-/// is
-/// `::vtk`.
+/// Conversion between vtkPolyData and Palpate's meshes. VTK has a global namespace `vtk` of its own: after `using
+/// namespace palpate` write `palpate::vtk::surfaceOf`, and within namespace palpate `::vtk::` for VTK's.
 namespace palpate::vtk {
 
 struct SurfaceOptions
