@@ -89,8 +89,8 @@ void indexFile(Examined& one)
     one.report.surfaceNotes = surfaceNotes(one.report.scene, *one.felt);
     for (const meshio::LoadedStructure& structure : one.report.scene.structures) {
         const std::string name = structure.description.name + ": ";
-        std::erase_if(one.report.surfaceNotes, [&name](const std::string& note) { // already listed with the structure
-            return note.starts_with(name);
+        std::erase_if(one.report.surfaceNotes, [&name](const core::Message& note) { // already listed with the structure
+            return note.english().starts_with(name);
         });
     }
 }
