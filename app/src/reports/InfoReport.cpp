@@ -93,11 +93,8 @@ std::string wall(const geometry::SurfaceExamination& e)
 std::vector<std::string> sentencesOf(const meshio::LoadedStructure& structure)
 {
     std::vector<std::string> lines = structure.surface->report.sentences();
-    if (structure.staircase) {
-        lines.push_back(structure.staircase->sentence());
-    }
-    if (structure.smoothing) {
-        lines.push_back(structure.smoothing->sentence());
+    for (std::string& sentence : meshio::shapeSentences(structure.staircase, structure.smoothing)) {
+        lines.push_back(std::move(sentence));
     }
     return lines;
 }

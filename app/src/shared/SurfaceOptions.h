@@ -6,16 +6,18 @@
 
 #include <CLI/App.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace palpate::app {
 
-/// Surface processing before contact: options `--smooth` and `--outwards`.
+/// Surface processing before contact: options `--smooth`, `--smoothing` and `--outwards`.
 struct SurfaceOptions
 {
     bool isSmoothed = false;
     bool turnsOutwards = false;
+    std::optional<double> smoothing{};
 
     void addTo(CLI::App& command);
     void applyTo(meshio::ReadOptions& read) const;

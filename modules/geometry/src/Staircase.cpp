@@ -332,6 +332,12 @@ std::optional<Staircase> findStaircase(const TriangleMesh& mesh)
 std::string Staircase::sentence() const
 {
     std::array<char, 160> text{};
+    if (isStated) {
+        std::snprintf(text.data(), text.size(),
+                      "surface from a label map of %.3g × %.3g × %.3g mm voxels, with its steps", voxel_mm.x(),
+                      voxel_mm.y(), voxel_mm.z());
+        return text.data();
+    }
     std::snprintf(text.data(), text.size(),
                   "staircase of about %.3g × %.3g × %.3g mm voxels (%.0f %% of the area in %d directions)",
                   voxel_mm.x(), voxel_mm.y(), voxel_mm.z(), 100.0 * areaShare, kDirections);

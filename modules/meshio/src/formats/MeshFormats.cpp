@@ -27,7 +27,10 @@ std::string lowered(std::string_view text)
 
 bool hasExtension(const MeshFormat& format, const std::filesystem::path& path)
 {
-    return std::ranges::count(format.extensions, lowered(path.extension().string())) > 0;
+    const std::string name = lowered(path.filename().string());
+    return std::ranges::any_of(format.extensions, [&name](std::string_view extension) {
+        return name.size() > extension.size() && name.ends_with(extension);
+    });
 }
 
 bool isWebPage(std::string_view bytes)
@@ -39,11 +42,10 @@ bool isWebPage(std::string_view bytes)
 /// Identifies files of other kinds for the error message.
 std::string_view otherFormat(std::string_view head)
 {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kMagic{{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kMagic{{
         {"glTF", "a glTF file"},
         {"PK\x03\x04", "a ZIP archive"},
         {"\x1f\x8b", "a gzip file"},
-        {"NRRD", "an NRRD image"},
         {"\x89PNG", "a PNG image"},
         {"%PDF", "a PDF document"},
         {"SQLite format 3", "an SQLite database (a recording?)"},
@@ -61,7 +63,8 @@ std::string_view otherFormat(std::string_view head)
 std::span<const MeshFormat* const> formatTable()
 {
     // OBJ last: the format has no signature, only words that may begin a line.
-    static constexpr std::array<const MeshFormat*, 5> kTable{&kStl, &kVtp, &kPly, &kLegacyVtk, &kObj};
+    static constexpr std::array<const MeshFormat*, 8> kTable{&kStl,  &kVtp,   &kPly,       &kLegacyVtk,
+                                                             &kNrrd, &kNifti, &kMetaImage, &kObj};
     return kTable;
 }
 
@@ -130,6 +133,13 @@ bool hasMeshExtension(const std::filesystem::path& path)
 {
     return std::ranges::any_of(internal::formatTable(), [&](const internal::MeshFormat* format) {
         return internal::hasExtension(*format, path);
+    });
+}
+
+bool hasLabelMapExtension(const std::filesystem::path& path)
+{
+    return std::ranges::any_of(internal::formatTable(), [&](const internal::MeshFormat* format) {
+        return format->surfaces != nullptr && internal::hasExtension(*format, path);
     });
 }
 

@@ -6,8 +6,10 @@
 #include "palpate/meshio/MeshFile.h"
 
 #include <palpate/core/Types.h>
+#include <palpate/geometry/Staircase.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -35,12 +37,15 @@ struct PreScan
     std::vector<std::string> pointArrays, cellArrays;
     std::vector<std::string> notes; ///< ignored or assumed content, one sentence per entry
     std::string loss;               ///< truncated part, "place: missing content"
+    /// Voxels of a label map, in the axes and units of the file.
+    std::optional<geometry::Staircase> voxels;
 };
 
 /// File name for messages and number conventions of a pre-scan.
 struct ScanContext
 {
     std::string file;                      ///< name in messages
+    std::filesystem::path path{};          ///< of the file, for files beside it
     double unit_mm = 1.0;                  ///< for the limit on coordinates
     FileFrame frame = FileFrame::Untagged; ///< chosen by the user, overrides the tag
     bool isPartial = false;                ///< keep the complete elements of a truncated file

@@ -11,7 +11,9 @@
 
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <new>
+#include <utility>
 
 namespace palpate::meshio {
 
@@ -27,6 +29,54 @@ using core::StatusCode;
 constexpr double kScanned = 0.3;
 constexpr double kRead = 0.8;
 
+/// @return part of the progress from `from` to `to`; empty without progress
+std::function<bool(double)> shareOf(const ReadOptions& options, double from, double to)
+{
+    if (!options.progress) {
+        return {};
+    }
+    return [&options, from, to](double done) { return options.progress(from + (to - from) * done); };
+}
+
+/// Reads a mesh with VTK's reader after the checks of the format.
+/// @param context  the unit is changed if the file states a scale
+Result<TriangleSoup> readTriangles(const MeshFormat& format, FileImage& image, ScanContext& context,
+                                   const ReadOptions& options, PreScan& scan)
+{
+    context.progress = shareOf(options, 0.0, kScanned);
+    Result<PreScan> scanned = format.guard(image, context);
+    if (!scanned.isOk()) {
+        return scanned.status();
+    }
+    scan = std::move(scanned).value();
+    if (scan.scale && *scan.scale != 1.0) {
+        const bool isUsed = options.readsScale && options.unit_mm == 1.0;
+        context.unit_mm = isUsed ? 1.0 / *scan.scale : options.unit_mm;
+        scan.notes.push_back("SCALE=" + brief(*scan.scale) + " in the header: " +
+                             (isUsed ? "a unit of the file is taken as " + brief(context.unit_mm) + " mm"
+                                     : "not used, as the unit was given"));
+    }
+    context.progress = shareOf(options, kScanned, kRead);
+    Result<vtkSmartPointer<vtkPolyData>> data = readWithVtk(format, image, scan, context);
+    if (!data.isOk()) {
+        return data.status();
+    }
+    Result<TriangleSoup> soup = toTriangles(*data.value(), scan, context);
+    data.value() = nullptr;
+    return soup;
+}
+
+/// @return the voxels of a label map in LPS [mm]
+std::optional<geometry::Staircase> voxelsOf(const PreScan& scan, const ScanContext& context)
+{
+    std::optional<geometry::Staircase> voxels = scan.voxels;
+    if (voxels) {
+        voxels->voxel_mm *= context.unit_mm;
+        voxels->axes = core::lpsRotation(core::resolvedFrame(context.frame, scan.frame)) * voxels->axes;
+    }
+    return voxels;
+}
+
 } // namespace
 
 Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, const ReadOptions& options)
@@ -36,36 +86,16 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     context.unit_mm = options.unit_mm;
     context.isPartial = options.isPartial;
     context.frame = options.frame;
-    const auto share = [&options](double from, double to) -> std::function<bool(double)> {
-        if (!options.progress) {
-            return {};
-        }
-        return [&options, from, to](double done) { return options.progress(from + (to - from) * done); };
-    };
+    context.path = path;
+    context.progress = options.progress;
     const Result<const MeshFormat*> format = formatOf(image.bytes(), path);
     if (!format.isOk()) {
         return format.status();
     }
-    context.progress = share(0.0, kScanned);
-    Result<PreScan> scanned = format.value()->guard(image, context);
-    if (!scanned.isOk()) {
-        return scanned.status();
-    }
-    PreScan& scan = scanned.value();
-    if (scan.scale && *scan.scale != 1.0) {
-        const bool isUsed = options.readsScale && options.unit_mm == 1.0;
-        context.unit_mm = isUsed ? 1.0 / *scan.scale : options.unit_mm;
-        scan.notes.push_back("SCALE=" + brief(*scan.scale) + " in the header: " +
-                             (isUsed ? "a unit of the file is taken as " + brief(context.unit_mm) + " mm"
-                                     : "not used, as the unit was given"));
-    }
-    context.progress = share(kScanned, kRead);
-    Result<vtkSmartPointer<vtkPolyData>> data = readWithVtk(*format.value(), image, scan, context);
-    if (!data.isOk()) {
-        return data.status();
-    }
-    Result<TriangleSoup> soup = toTriangles(*data.value(), scan, context);
-    data.value() = nullptr;
+    PreScan scan;
+    Result<TriangleSoup> soup = format.value()->surfaces != nullptr
+                                    ? format.value()->surfaces(image, context, scan)
+                                    : readTriangles(*format.value(), image, context, options, scan);
     if (!soup.isOk()) {
         return soup.status();
     }
@@ -82,6 +112,7 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     file.frame = scan.frame;
     file.unit_mm = context.unit_mm;
     file.structures = std::move(structures).value();
+    file.voxels = voxelsOf(scan, context);
     file.notes = std::move(scan.notes);
     if (!scan.loss.empty()) {
         file.loss = context.file + ": " + scan.loss;

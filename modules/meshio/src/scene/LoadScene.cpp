@@ -44,6 +44,7 @@ struct Pending
     SceneStructure description;
     FileFrame frame = FileFrame::Untagged;
     geometry::TriangleMesh mesh;
+    std::optional<geometry::Staircase> voxels; ///< of a label map
     std::shared_ptr<const geometry::RepairedMesh> asRead;
     ShapedSurface shaped;
 };
@@ -200,7 +201,12 @@ void Loader::expandFiles()
             d.frame = source.frame;
             d.name = structure.name;
             d.colour = structure.colour.value_or(anatomyColour(structure.name, m_pending.size() - 1));
+            if (file.voxels) {
+                d.surface = SurfaceKind::Smoothed;
+                d.smoothing = kLabelSmoothing;
+            }
             pending.frame = file.frame;
+            pending.voxels = file.voxels;
             pending.mesh = std::move(structure.mesh);
         }
     }
@@ -247,6 +253,7 @@ void Loader::expandScene()
                 pending.description.name = structure.name;
             }
             pending.frame = file.frame;
+            pending.voxels = file.voxels;
             pending.mesh = structure.mesh;
         }
         if (!isFound) {
@@ -280,7 +287,14 @@ void Loader::repairAll()
         if (m_options.isSmoothed) {
             pending.description.surface = SurfaceKind::Smoothed;
         }
-        pending.shaped = shapeSurface(pending.asRead, pending.description);
+        if (m_options.smoothing && pending.description.surface == SurfaceKind::Smoothed) {
+            pending.description.smoothing = *m_options.smoothing;
+            pending.description.surface = *m_options.smoothing > 0.0 ? SurfaceKind::Smoothed : SurfaceKind::Facets;
+        }
+        if (pending.voxels) {
+            pending.voxels->axes = pending.description.X_WM.linear() * pending.voxels->axes;
+        }
+        pending.shaped = shapeSurface(pending.asRead, pending.description, pending.voxels);
         const double share = static_cast<double>(++done) / static_cast<double>(m_pending.size());
         if (thread == 0 && m_options.progress && !m_options.progress(kFilesShare + (1.0 - kFilesShare) * share)) {
             m_isCancelled = true;
@@ -294,11 +308,8 @@ void Loader::noteSurface(const Pending& pending)
     for (const std::string& sentence : pending.shaped.surface->report.sentences()) {
         m_scene.warnings.push_back(name + sentence);
     }
-    if (pending.shaped.staircase) {
-        m_scene.warnings.push_back(name + pending.shaped.staircase->sentence());
-    }
-    if (pending.shaped.smoothing) {
-        m_scene.warnings.push_back(name + pending.shaped.smoothing->sentence());
+    for (const std::string& sentence : shapeSentences(pending.shaped.staircase, pending.shaped.smoothing)) {
+        m_scene.warnings.push_back(name + sentence);
     }
     if (pending.description.surface == SurfaceKind::Smooth) {
         m_scene.warnings.push_back(name + "surface \"smooth\": curved facets are not available in this version; "

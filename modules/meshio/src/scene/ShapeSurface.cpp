@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/ShapeSurface.h"
 
+#include <palpate/core/Numbers.h>
 #include <palpate/geometry/Reshape.h>
 
 #include <vtkCellArray.h>
@@ -126,8 +127,51 @@ std::vector<Vec3> filtered(const geometry::TriangleMesh& mesh, double smoothing)
 
 } // namespace
 
+namespace {
+
+std::string voxelText(const Vec3& voxel_mm)
+{
+    std::string text;
+    for (int axis = 0; axis < 3; ++axis) {
+        text.append(axis == 0 ? "" : " × ").append(core::shortNumber(voxel_mm[axis], 3));
+    }
+    return text + " mm";
+}
+
+/// @return the surface with the vertices moved
+std::shared_ptr<const RepairedMesh> smoothedSurface(const RepairedMesh& before, const MoveLimit& limit, double strength,
+                                                    SurfaceSmoothing& done)
+{
+    std::vector<Vec3> vertices = filtered(before.mesh, strength);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Vec3 move_mm = limit.limited(vertices[i] - before.mesh.vertices[i]);
+        vertices[i] = before.mesh.vertices[i] + move_mm;
+        done.most_mm = std::max(done.most_mm, move_mm.norm());
+    }
+    auto smoothed = std::make_shared<const RepairedMesh>(geometry::withVertices(before, std::move(vertices)));
+    done.volumeAfter_mm3 = std::abs(smoothed->report.volume_mm3);
+    return smoothed;
+}
+
+} // namespace
+
 std::string SurfaceSmoothing::sentence() const
 {
+    if (isWithdrawn) {
+        return (labelVoxel_mm ? "surface from a label map of " + voxelText(*labelVoxel_mm) + " voxels, not smoothed"
+                              : std::string("not smoothed")) +
+               ": too small, it would lose more than half of its volume";
+    }
+    if (labelVoxel_mm) {
+        std::string text = "surface from a label map of " + voxelText(*labelVoxel_mm) + " voxels, smoothed by " +
+                           core::shortNumber(strength, 3) + ": ";
+        if (volumeBefore_mm3 > 0.0) {
+            std::array<char, 64> change{};
+            std::snprintf(change.data(), change.size(), "%+.2f", 100.0 * (volumeAfter_mm3 / volumeBefore_mm3 - 1.0));
+            text += "volume changed by " + std::string(change.data()) + " %, ";
+        }
+        return text + "at most " + core::shortNumber(most_mm, 2) + " mm from the voxel boundary";
+    }
     std::array<char, 160> text{};
     const double change = volumeBefore_mm3 > 0.0 ? 100.0 * (volumeAfter_mm3 / volumeBefore_mm3 - 1.0) : 0.0;
     if (volumeBefore_mm3 > 0.0) {
@@ -139,9 +183,23 @@ std::string SurfaceSmoothing::sentence() const
     return text.data();
 }
 
-ShapedSurface shapeSurface(std::shared_ptr<const RepairedMesh> asRead, const SceneStructure& description)
+std::vector<std::string> shapeSentences(const std::optional<geometry::Staircase>& staircase,
+                                        const std::optional<SurfaceSmoothing>& smoothing)
 {
-    ShapedSurface out{asRead, geometry::findStaircase(asRead->mesh), std::nullopt};
+    std::vector<std::string> lines;
+    if (staircase && !(staircase->isStated && smoothing)) {
+        lines.push_back(staircase->sentence());
+    }
+    if (smoothing) {
+        lines.push_back(smoothing->sentence());
+    }
+    return lines;
+}
+
+ShapedSurface shapeSurface(std::shared_ptr<const RepairedMesh> asRead, const SceneStructure& description,
+                           const std::optional<geometry::Staircase>& known)
+{
+    ShapedSurface out{asRead, known ? known : geometry::findStaircase(asRead->mesh), std::nullopt};
     if (description.outwards) {
         if (std::optional<RepairedMesh> turned = geometry::orientedOutwards(*asRead)) {
             out.surface = std::make_shared<const RepairedMesh>(std::move(*turned));
@@ -152,18 +210,22 @@ ShapedSurface shapeSurface(std::shared_ptr<const RepairedMesh> asRead, const Sce
     }
     const RepairedMesh& before = *out.surface;
     const MoveLimit limit = limitFor(before.mesh, out.staircase);
-    std::vector<Vec3> vertices = filtered(before.mesh, description.smoothing);
     SurfaceSmoothing& done = out.smoothing.emplace();
+    done.strength = description.smoothing;
     done.limit_mm = limit.half_mm.maxCoeff();
-    done.volumeBefore_mm3 = std::abs(before.report.volume_mm3);
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const Vec3 move_mm = limit.limited(vertices[i] - before.mesh.vertices[i]);
-        vertices[i] = before.mesh.vertices[i] + move_mm;
-        done.most_mm = std::max(done.most_mm, move_mm.norm());
+    done.volumeBefore_mm3 = done.volumeAfter_mm3 = std::abs(before.report.volume_mm3);
+    if (out.staircase && out.staircase->isStated) {
+        done.labelVoxel_mm = out.staircase->voxel_mm;
     }
-    auto smoothed = std::make_shared<const RepairedMesh>(geometry::withVertices(before, std::move(vertices)));
-    done.volumeAfter_mm3 = std::abs(smoothed->report.volume_mm3);
-    out.surface = std::move(smoothed);
+    std::shared_ptr<const RepairedMesh> smoothed = smoothedSurface(before, limit, description.smoothing, done);
+    constexpr double kLeastVolume = 0.5;
+    if (done.volumeAfter_mm3 < kLeastVolume * done.volumeBefore_mm3) {
+        done.isWithdrawn = true;
+        done.most_mm = 0.0;
+        done.volumeAfter_mm3 = done.volumeBefore_mm3;
+    } else {
+        out.surface = std::move(smoothed);
+    }
     return out;
 }
 

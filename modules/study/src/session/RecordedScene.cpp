@@ -6,6 +6,7 @@
 #include "palpate/study/RecordedLooks.h"
 #include "palpate/study/StructureSources.h"
 
+#include <palpate/meshio/MeshFormats.h>
 #include <palpate/session/Findings.h>
 #include <palpate/session/GeometryHash.h>
 
@@ -61,6 +62,9 @@ meshio::ReadOptions readAs(const RecordingReader& reader, const fs::path& file)
         number < looks.size()) {
         options.turnsOutwards = looks[number].outwards;
         options.isSmoothed = looks[number].surface == meshio::SurfaceKind::Smoothed;
+        if (meshio::hasLabelMapExtension(file)) {
+            options.smoothing = options.isSmoothed ? looks[number].smoothing : 0.0;
+        }
     }
     return options;
 }

@@ -380,11 +380,8 @@ QStringList StructureModel::findings(int row) const
             lines << engineText(sentence);
         }
     }
-    if (one.staircase) {
-        lines << engineText(one.staircase->sentence());
-    }
-    if (one.smoothing) {
-        lines << engineText(one.smoothing->sentence());
+    for (const std::string& sentence : meshio::shapeSentences(one.staircase, one.smoothing)) {
+        lines << engineText(sentence);
     }
     return lines;
 }
@@ -394,6 +391,9 @@ QStringList StructureModel::surfaceTexts(const meshio::LoadedStructure& one)
 {
     const QLocale locale;
     if (const auto& done = one.smoothing) {
+        if (done->isWithdrawn) {
+            return {tr("The surface is not smoothed: it is too small")};
+        }
         const QString moved = locale.toString(done->most_mm, 'g', 2);
         if (!(done->volumeBefore_mm3 > 0.0)) {
             return {tr("The surface is smoothed: moved by at most %1 mm").arg(moved)};

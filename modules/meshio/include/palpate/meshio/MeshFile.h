@@ -3,6 +3,7 @@
 
 #include <palpate/core/FileFrame.h>
 #include <palpate/core/Status.h>
+#include <palpate/geometry/Staircase.h>
 #include <palpate/geometry/TriangleMesh.h>
 
 #include <array>
@@ -36,7 +37,9 @@ struct MeshFile
     double unit_mm = 1.0;                  ///< assumed size of one file unit [mm]
     std::vector<MeshStructure> structures;
     std::vector<std::string> notes; ///< ignored or assumed content, one sentence per entry
-    std::string loss;               ///< missing part of a truncated file, one line with counts; see `isPartial`
+    /// Voxels of a label map, whose surfaces are staircases of them; empty for a mesh.
+    std::optional<geometry::Staircase> voxels{};
+    std::string loss; ///< missing part of a truncated file, one line with counts; see `isPartial`
 };
 
 struct ReadOptions
@@ -55,6 +58,9 @@ struct ReadOptions
     /// surface (SurfaceKind::Smoothed).
     bool turnsOutwards = false;
     bool isSmoothed = false;
+    /// Option of `loadScene`: strength of the smoothing of each smoothed surface, as of label maps, 0 … 1; overrides
+    /// the scene. 0 keeps the voxel steps. Empty: as in the scene, or as `defaultSmoothing`.
+    std::optional<double> smoothing{};
 };
 
 /// Reads a mesh file in a format of MeshFormats.h, detected from the content.
