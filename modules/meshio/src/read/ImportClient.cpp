@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/meshio/MeshFormats.h"
+
 #include "read/ImportServer.h"
 #include "read/MeshWire.h"
 #include "text/Fault.h"
@@ -52,12 +54,13 @@ struct Budget
     double wall_s;
 };
 
-Budget budgetFor(const ImportLimits& limits, std::size_t fileSize)
+Budget budgetFor(const ImportLimits& limits, std::size_t fileSize, bool isLabelMap)
 {
     const auto size = static_cast<double>(fileSize);
-    const double more_s = limits.perMegabyte_s * size * 1e-6;
-    return {limits.memory_bytes + static_cast<std::uint64_t>(limits.memoryPerByte * size), limits.cpu_s + more_s,
-            limits.wall_s + more_s};
+    const double more_s = limits.perMegabyte_s * size * 1e-6 + (isLabelMap ? limits.label_s : 0.0);
+    return {limits.memory_bytes + static_cast<std::uint64_t>(limits.memoryPerByte * size) +
+                (isLabelMap ? limits.labelMemory_bytes : 0),
+            limits.cpu_s + more_s, limits.wall_s + more_s};
 }
 
 /// @return `value` in seconds, with three digits
@@ -67,7 +70,7 @@ std::string inSeconds(double value)
 }
 
 /// Describes why a reader ended without a result.
-/// @param noun  "mesh" or "volume"
+/// @param noun  "mesh", "label map" or "volume"
 Status death(int outcome, const std::string& file, const Budget& budget, const std::string& noun)
 {
     const auto refused = [&file](StatusCode code, std::string found, std::string_view expected) {
@@ -245,7 +248,7 @@ Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_
     if (result.value() < 0) {
         return unstarted(errno);
     }
-    const Budget budget = budgetFor(server().limits, size);
+    const Budget budget = budgetFor(server().limits, size, task.kind == ImportKind::Mesh && hasLabelMapExtension(path));
     const auto deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(budget.wall_s));
     task.memory_bytes = budget.memory_bytes;
@@ -290,7 +293,11 @@ Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& 
     task.isPartial = options.isPartial;
     task.frame = options.frame;
     task.readsScale = options.readsScale;
-    const Result<Descriptor> result = outcomeOf(task, file, file.size, path, options.progress, "mesh");
+    // A label map may have files beside it; the server's working directory is the one in which the program was started.
+    const bool isLabelMap = hasLabelMapExtension(path);
+    const std::filesystem::path whole = std::filesystem::absolute(path);
+    const Result<Descriptor> result = outcomeOf(task, file, isLabelMap ? volumeBytes(path) : file.size, whole,
+                                                options.progress, isLabelMap ? "label map" : "mesh");
     // The reader releases its memory in the meantime.
     return result.isOk() ? unlessCancelled(readOutcome(result.value().value(), path), path, options.progress)
                          : result.status();

@@ -82,6 +82,7 @@ class Loader
 
     const ReadOptions& m_options;
     bool m_isSceneFile = false;
+    bool m_isFolder = false;
     std::vector<Source> m_sources;
     std::map<std::tuple<std::filesystem::path, double, FileFrame>, std::size_t> m_sourceOf;
     std::vector<Pending> m_pending;
@@ -147,6 +148,7 @@ Status Loader::addFolder(const std::filesystem::path& path)
                      meshFormatNames("or") + " files in it");
     }
     std::sort(files.begin(), files.end());
+    m_isFolder = true;
     for (const std::filesystem::path& file : files) {
         (void)sourceOf(file, m_options.unit_mm, m_options.frame);
     }
@@ -439,7 +441,11 @@ Result<LoadedScene> Loader::open(const std::string& name)
         return cancelled;
     }
     for (const Source& source : m_sources) {
-        if (!source.file->isOk()) {
+        if (m_isFolder && !source.file->isOk() && source.file->status().code() == StatusCode::Unsupported &&
+            hasLabelMapExtension(source.path)) { // an image beside the structures
+            m_scene.warnings.push_back("left out: " + source.file->status().message());
+            m_firstFailure = m_firstFailure.isOk() ? source.file->status() : m_firstFailure;
+        } else if (!source.file->isOk()) {
             lose(source.file->status().message());
             m_firstFailure = m_firstFailure.isOk() ? source.file->status() : m_firstFailure;
         } else if (!source.file->value().loss.empty()) {
