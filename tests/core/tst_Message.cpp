@@ -5,6 +5,8 @@
 #include <palpate/core/Status.h>
 
 #include <limits>
+#include <string>
+#include <type_traits>
 
 using palpate::core::Count;
 using palpate::core::MessageArgument;
@@ -60,6 +62,21 @@ class Message : public QObject
         QCOMPARE(Sentence::fromParts("%1 and %2", {MessageArgument("x")}).english(), std::string("x and %2"));
         QCOMPARE(Sentence::untranslated("disk 50%1").english(), std::string("disk 50%1"));
         QVERIFY(Sentence::untranslated("").isEmpty());
+    }
+
+    /// Text that is put together at run time has no entry in a catalogue.
+    void isNotMadeFromText()
+    {
+        QVERIFY((!std::is_constructible_v<Sentence, std::string>));
+        QVERIFY((!std::is_constructible_v<Sentence, const char*>));
+        QVERIFY((!std::is_constructible_v<palpate::core::Status, StatusCode, std::string>));
+        QVERIFY((!std::is_constructible_v<palpate::core::Status, StatusCode, const char*>));
+    }
+
+    void roundsToTheWantedDigits()
+    {
+        const Sentence message(PALPATE_TEXT("%1 mm, %2 mm"), palpate::core::Rounded{0.61803, 2}, 0.6180339887);
+        QCOMPARE(message.english(), std::string("0.62 mm, 0.618034 mm"));
     }
 
     void statusCarriesIt()

@@ -200,7 +200,7 @@ class Repair : public QObject
         MeshReport report;
         report.openEdges = 52114;
         QCOMPARE(report.sentences().size(), std::size_t{1});
-        QCOMPARE(report.sentences()[0], std::string("52,114 open edges: the surface has holes or a rim"));
+        QCOMPARE(report.sentences()[0].english(), std::string("52,114 open edges: the surface has holes or a rim"));
     }
 };
 

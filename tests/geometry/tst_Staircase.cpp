@@ -52,8 +52,9 @@ class Staircase : public QObject
     {
         const auto found = findStaircase(maskSurface(ballMask(12.0, Vec3(1, 1, 3))));
         QVERIFY(found.has_value());
-        QCOMPARE(found->sentence(), std::string("staircase of about 1 × 1 × 3 mm voxels (100 % of the area in 60 "
-                                                "directions)"));
+        QCOMPARE(found->sentence().english(),
+                 std::string("staircase of about 1 × 1 × 3 mm voxels (100 % of the area in 60 "
+                             "directions)"));
     }
 
     /// As in oblique acquisitions: rotated, far from the origin, in floats or with two decimals.
@@ -109,7 +110,7 @@ class Staircase : public QObject
     {
         QFETCH(TriangleMesh, mesh);
         const auto found = findStaircase(mesh);
-        QVERIFY2(!found, found ? found->sentence().c_str() : "");
+        QVERIFY2(!found, found ? found->sentence().english().c_str() : "");
     }
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "English.h"
 #include "Samples.h"
 #include "TestRunner.h"
 
@@ -13,12 +14,6 @@ using core::FileFrame;
 using core::Vec3;
 
 namespace {
-
-bool mentions(const std::vector<std::string>& lines, std::string_view part)
-{
-    return std::any_of(lines.begin(), lines.end(),
-                       [&](const std::string& line) { return line.find(part) != std::string::npos; });
-}
 
 /// Returns a tetrahedron with edges of 10, 20 and 30 mm along x, y and z from (1, 2, 3), normals outwards.
 std::string lopsided(const std::string& head = "")
@@ -102,8 +97,8 @@ class Frames : public QObject
         QCOMPARE(one.surface->report.insideOutComponents, std::size_t{0});
         QCOMPARE(one.description.frame, chosen);
         const bool isTold = !head.empty() && chosen != FileFrame::Untagged;
-        QCOMPARE(mentions(scene.value().warnings, "as was chosen"), isTold);
-        QCOMPARE(mentions(scene.value().warnings, "no SPACE tag: coordinates taken as LPS"),
+        QCOMPARE(test::mentions(scene.value().warnings, "as was chosen"), isTold);
+        QCOMPARE(test::mentions(scene.value().warnings, "no SPACE tag: coordinates taken as LPS"),
                  head.empty() && chosen == FileFrame::Untagged);
     }
 
@@ -124,7 +119,7 @@ class Frames : public QObject
         const auto asked = meshio::loadScene(path, as(FileFrame::Ras));
         QVERIFY(asked.value().structures[0].surface->mesh.vertices ==
                 again.value().structures[0].surface->mesh.vertices);
-        QVERIFY(mentions(asked.value().warnings, "taken as Y-up, as the scene file says; not as RAS"));
+        QVERIFY(test::mentions(asked.value().warnings, "taken as Y-up, as the scene file says; not as RAS"));
         // In memory, reinterpreted in another frame.
         meshio::SceneFile turned = again.value().scene;
         turned.structures[0].frame = FileFrame::Ras;
@@ -192,7 +187,8 @@ class Frames : public QObject
         QTest::addColumn<double>("taken_mm");
         QTest::addColumn<QString>("note");
         QTest::newRow("metres") << std::string(";SCALE=0.001") << 1.0 << 1000.0 << "taken as 1000 mm";
-        QTest::newRow("unit given") << std::string(";SCALE=0.001") << 10.0 << 10.0 << "not used, as the unit was given";
+        QTest::newRow("unit given") << std::string(";SCALE=0.001") << 10.0 << 10.0
+                                    << "not used, because the unit was given";
         QTest::newRow("none") << std::string() << 1.0 << 1.0 << "";
         QTest::newRow("mm") << std::string(";SCALE=1") << 1.0 << 1.0 << "";
         QTest::newRow("zero") << std::string(";SCALE=0") << 1.0 << 1.0 << "SCALE=\"0\" in the header is not used";
@@ -214,8 +210,8 @@ class Frames : public QObject
             QVERIFY2(file.isOk(), file.status().message().c_str());
             QCOMPARE(file.value().unit_mm, taken_mm);
             QVERIFY(file.value().structures[0].mesh.bounds().max() == Vec3(2.5, 1.5, 0) * taken_mm);
-            QCOMPARE(mentions(file.value().notes, "SCALE="), !note.isEmpty());
-            QVERIFY(mentions(file.value().notes, note.toStdString()) || note.isEmpty());
+            QCOMPARE(test::mentions(file.value().notes, "SCALE="), !note.isEmpty());
+            QVERIFY(test::mentions(file.value().notes, note.toStdString()) || note.isEmpty());
             // A scene file states its unit, and keeps the unit from the mesh header.
             const auto scene = meshio::loadScene(path, {unit_mm, {}});
             QCOMPARE(scene.value().scene.structures[0].unit_mm, taken_mm);
@@ -264,8 +260,8 @@ class Frames : public QObject
         const test::Folder folder;
         const auto file = meshio::readMesh(folder.write(name.toStdString(), bytes));
         QVERIFY2(file.isOk(), file.status().message().c_str());
-        QCOMPARE(mentions(file.value().notes, "colours not read"), !note.isEmpty());
-        QVERIFY(note.isEmpty() || mentions(file.value().notes, note.toStdString()));
+        QCOMPARE(test::mentions(file.value().notes, "colours not read"), !note.isEmpty());
+        QVERIFY(note.isEmpty() || test::mentions(file.value().notes, note.toStdString()));
     }
 
     void otherPrograms_data()
@@ -279,8 +275,8 @@ class Frames : public QObject
                              << "a.json: is not a Palpate scene: found neither `version` nor `structures`";
         QTest::newRow("glTF")
             << "a.glb" << std::string("glTF\x02")
-            << "a.glb: is a glTF file, which Palpate does not read; expected an STL, VTP, PLY, VTK or "
-               "OBJ mesh: save it as one of these";
+            << "a.glb: is a glTF file, which Palpate does not read; expected a mesh saved in one of the "
+               "formats STL, VTP, PLY, VTK, OBJ";
         QTest::newRow("no version") << "a.json" << std::string(R"({"structures": []})")
                                     << "a.json: version: found nothing, expected 1";
     }

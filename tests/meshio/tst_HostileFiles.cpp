@@ -136,12 +136,12 @@ void HostileFiles::ownFilesAreRefused_data()
     row("stl cut in a facet", "a.stl", test::binaryStl(2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}}).append(20, '\0'), "byte 80: ");
     row("stl of no triangle", "a.stl", test::binaryStl(0, {}), "byte 80: 0 triangles");
     row("stl NaN", "a.stl", test::binaryStl(2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 0, 0, 1, nan, 0, 0, 1, 0}}),
-        "byte 134: 1 of 2 triangles have coordinates that are not numbers (first: triangle 1)");
-    row("stl far", "a.stl", test::binaryStl(1, {{0, 0, 0, 2e7F, 0, 0, 0, 1, 0}}), "byte 84: 1 of 1 triangle");
-    row("stl without area", "a.stl", test::binaryStl(1, {{0, 0, 0, 1, 1, 1, 2, 2, 2}}),
-        "none of 1 triangle has an area");
+        "byte 134: coordinates are not numbers in 1 of 2 triangles (first: triangle 1)");
+    row("stl far", "a.stl", test::binaryStl(1, {{0, 0, 0, 2e7F, 0, 0, 0, 1, 0}}),
+        "byte 84: coordinates are farther than 10 km from the origin in 1 of 1 triangles");
+    row("stl without area", "a.stl", test::binaryStl(1, {{0, 0, 0, 1, 1, 1, 2, 2, 2}}), "all triangles have zero area");
     row("ascii stl without endsolid", "a.stl", test::asciiStl().substr(0, test::asciiStl().rfind("endsolid")),
-        "line 8: the file ends after 1 whole triangle");
+        "line 8: the file ends after one complete triangle");
     row("ascii stl, two loops", "a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\n",
         "line 5: ");
     row("ascii stl, empty solid", "a.stl", "solid a\nendsolid a\n", "line 2: 0 triangles");
@@ -158,7 +158,7 @@ void HostileFiles::ownFilesAreRefused_data()
     row("obj decimal comma", "a.obj", "v 0,5 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1: \"0,5\" is not a number");
     row("obj cut in a vertex", "a.obj", "v 0 0 0\nv 1 0", "line 2: the vertex has fewer than three coordinates");
     row("obj no face", "a.obj", "v 0 0 0\nv 1 0 0\n", "line 2: 0 faces");
-    row("obj zero byte", "a.obj", test::kObj + std::string("g a\0b\n", 6), "line 5: a zero byte");
+    row("obj zero byte", "a.obj", test::kObj + std::string("g a\0b\n", 6), "line 5: found a zero byte");
     std::string many = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
     for (int i = 0; i < 2000; ++i) {
         many += " 1";
@@ -166,7 +166,7 @@ void HostileFiles::ownFilesAreRefused_data()
     row("obj 2000 corners", "a.obj", many + "\n", "line 4: a face with 2,000 corners");
 
     row("ply count beyond bytes", "a.ply", test::asciiPly("0 0 0\n", "", 1000000000, 1),
-        "line 4: 1,000,000,000 \"vertex\"");
+        "line 4: number of elements \"vertex\": declared 1,000,000,000");
     row("ply negative count", "a.ply", test::asciiPly("0 0 0\n", "", -3, 1), "line 4: ");
     row("ply index beyond", "a.ply", test::asciiPly("0 0 0\n1 0 0\n0 1 0\n", "3 0 1 3\n"),
         "line 14: face 0 uses vertex 3");
@@ -174,10 +174,11 @@ void HostileFiles::ownFilesAreRefused_data()
         "line 14: face 0 uses vertex -1");
     row("ply NaN", "a.ply", test::asciiPly("0 0 0\n1 nan 0\n0 1 0\n"), "line 12: vertex 1");
     row("ply words", "a.ply", test::asciiPly("0 0 0\n1 x 0\n0 1 0\n"),
-        "line 12: \"x\" is not a number in vertex 1 of 3");
-    row("ply cut", "a.ply", test::asciiPly("0.00 0.00 0.00\n1 0 0\n", ""), "line 13: the file ends in vertex 2 of 3");
+        "line 12: \"x\" is not a number, in element \"vertex\" 1 of 3");
+    row("ply cut", "a.ply", test::asciiPly("0.00 0.00 0.00\n1 0 0\n", ""),
+        "line 13: the file ends in element \"vertex\" 2 of 3");
     row("ply two corners", "a.ply", test::asciiPly("0 0 0\n1 0 0\n0 1 0\n", "2 0 1\n"),
-        "line 14: face 0 has 2 corners");
+        "line 14: number of corners of face 0: 2; expected 3 to 255");
     row("ply more data", "a.ply", test::asciiPly() + "3 0 1 2\n", "line ");
     row("ply without faces", "a.ply", withPlyHeader("element vertex 1\n" + kXyz, std::string(12, '\0')),
         "header: no faces");
@@ -195,14 +196,14 @@ void HostileFiles::ownFilesAreRefused_data()
         "0 polygons");
     row("vtp two-cornered polygon", "a.vtp",
         test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "2"),
-        "polygon 0: 2 corners");
+        "polygon 0: number of corners: 2; expected 3 to 1,024");
     row("vtp offsets fall", "a.vtp",
         test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"3\"", "3 1 3"),
         "line 5: array \"offsets\": value 1 is 1; expected 3 to 3");
     row("vtp numbers behind a tag", "a.vtp", test::asciiVtp("<Key/>0 0 0 1 0 0 0 1 0"),
-        "line 4: array \"Points\": 0 values; expected 9");
+        "line 4: array \"Points\": number of values: 0; expected exactly 9");
     row("vtp numbers around a comment", "a.vtp", test::asciiVtp("0 0 0 1 0 <!-- 2 -->0 0 1 0"),
-        "line 4: array \"Points\": 5 values; expected 9");
+        "line 4: array \"Points\": number of values: 5; expected exactly 9");
     row("vtp without area", "a.vtp", test::asciiVtp("0 0 0 1 1 1 2 2 2"), "none of 1 triangle");
     const auto withText = [](const char* tuples, const char* characters) {
         return test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "3", "Polys",
@@ -211,7 +212,8 @@ void HostileFiles::ownFilesAreRefused_data()
     };
     row("vtp field data without end", "a.vtp", withText("4000000000", "76 0"), "line 3: array \"SPACE\"");
     row("vtp more strings than declared", "a.vtp", withText("1", "76 0 80 0"),
-        "line 3: array \"SPACE\": 1 tuple of 1 component declared; expected 2, which is what is there");
+        "line 3: array \"SPACE\": number of tuples: declared 1, of components in each: 1; expected exactly 2 values, "
+        "as many as it contains");
     row("vtp string without end", "a.vtp", withText("1", "76 0 80"),
         "line 3: array \"SPACE\": its last string has no end");
     row("vtp text of no characters", "a.vtp", withText("1", "76 999 0"),
@@ -219,7 +221,7 @@ void HostileFiles::ownFilesAreRefused_data()
     row("vtp what is no array", "a.vtp",
         test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "3", "Polys",
                        "<FieldData><Aaryr type=\"Strig\" Name=\"SPACE\" NumberOfTuples=\"2\">76 0</Aaryr></FieldData>"),
-        "line 3: an element \"Aaryr\" under \"FieldData\"; expected \"DataArray\" or \"Array\"");
+        "line 3: found an element \"Aaryr\" under \"FieldData\"; expected \"DataArray\" or \"Array\"");
     const test::Folder folder;
     const std::vector<meshio::MeshStructure> structures{test::tetrahedron("a")};
     QVERIFY(meshio::writeMesh(folder.path("w.vtp"), structures).isOk());
@@ -227,10 +229,10 @@ void HostileFiles::ownFilesAreRefused_data()
     const std::size_t data = written.find('_', written.find("<AppendedData")) + 1;
     // VTK divides by the block size
     row("vtp blocks of no bytes", "a.vtp", std::string(written).replace(data + 8, 8, 8, '\0'),
-        "line 4: array \"StructureNames\": blocks of 0 bytes, the last of ");
+        "line 4: array \"StructureNames\": block size 0 bytes, size of the last block ");
     const std::size_t encoding = written.find("encoding=\"raw\"");
     row("vtp of another encoding", "a.vtp", std::string(written).replace(encoding + 10, 3, "ras"),
-        "line 34: encoding=\"ras\"; expected \"raw\" or \"base64\"");
+        "line 34: found encoding=\"ras\"; expected \"raw\" or \"base64\"");
     // VTK names the element of the point data if reading the cell data fails.
     const std::size_t offset = written.find("offset=\"", written.find("\"StructureId\"")) + 8;
     const std::size_t block = data + std::stoul(written.substr(offset)) + std::size_t{4} * 8; // after its header
@@ -240,30 +242,34 @@ void HostileFiles::ownFilesAreRefused_data()
         "line 9: array \"StructureId\": its compressed data are damaged");
     row("vtp entity", "a.vtp", "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\"><PolyData>&a;</PolyData></VTKFile>",
         "line 1: ");
-    row("vtp as legacy", "a.vtp", "# vtk DataFile Version 3.0\n", "line 2: \"\"; expected \"ASCII\" or \"BINARY\"");
+    row("vtp as legacy", "a.vtp", "# vtk DataFile Version 3.0\n",
+        "line 2: found \"\"; expected the keyword \"ASCII\" or \"BINARY\"");
 
     row("vtk of a grid", "a.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n",
-        "line 4: a VTK file of a \"UNSTRUCTURED_GRID\"; expected POLYDATA");
-    row("vtk without a version", "a.vtk", "# vtk DataFile\nx\nASCII\nDATASET POLYDATA\n", "line 3: \"# vtk DataFile\"");
+        "line 4: a VTK file of type \"UNSTRUCTURED_GRID\"; expected the type \"POLYDATA\"");
+    row("vtk without a version", "a.vtk", "# vtk DataFile\nx\nASCII\nDATASET POLYDATA\n",
+        "line 3: found \"# vtk DataFile\"");
     row("vtk of a version to come", "a.vtk", test::asciiVtk("", "", "x", "65536"),
         "line 3: version 65536; expected 1 to 5");
     row("vtk points beyond bytes", "a.vtk", test::asciiVtk("POINTS 1000000000 float\n0 0 0\n"),
-        "line 5: 1,000,000,000 points declared");
-    row("vtk negative points", "a.vtk", test::asciiVtk("POINTS -3 float\n0 0 0\n"), "line 5: \"-3\"");
+        "line 5: number of points: declared 1,000,000,000");
+    row("vtk negative points", "a.vtk", test::asciiVtk("POINTS -3 float\n0 0 0\n"),
+        "line 5: number of points: found \"-3\"");
     row("vtk points of words", "a.vtk", test::asciiVtk("POINTS 3 string\na\nb\nc\n"),
         "line 5: points of type \"string\"");
     row("vtk points cut", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1\n", ""),
-        "line 7: no number for point 2 of 3");
+        "line 7: a coordinate of point 2 of 3 is missing");
     row("vtk NaN", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 1 nan 0 0 1 0\n"),
         "line 6: point 1: a coordinate is not");
     row("vtk far", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 2e7 0 0 0 1 0\n"),
         "line 6: point 1: a coordinate is farther");
-    row("vtk no points", "a.vtk", test::asciiVtk(""), "line 6: POLYGONS use point 0; expected POINTS before");
+    row("vtk no points", "a.vtk", test::asciiVtk(""),
+        "line 6: POLYGONS use point 0; expected POINTS before this section");
     row("vtk points twice", "a.vtk", test::asciiVtk("POINTS 1 float\n0 0 0\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"),
-        "line 7: \"POINTS\" a second time");
+        "line 7: a second section \"POINTS\"");
     row("vtk points twice, in small letters", "a.vtk",
         test::asciiVtk("POINTS 1 float\n0 0 0\npoints 3 float\n0 0 0 1 0 0 0 1 0\n"),
-        "line 7: \"points\" a second time");
+        "line 7: a second section \"points\"");
     row("vtk index beyond", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 1 4\n3 0 1 3\n"),
         "line 8: POLYGONS use point 3; expected 0 to 2");
     row("vtk index negative", "a.vtk",
@@ -273,33 +279,34 @@ void HostileFiles::ownFilesAreRefused_data()
         "line 8: LINES use point 7");
     row("vtk corners beyond the list", "a.vtk",
         test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 1 4\n4 0 1 2 0\n"),
-        "line 8: cell 0 of POLYGONS has 4 corners; expected at most 3");
+        "line 8: POLYGONS: number of corners of cell 0: 4; expected 0 to 3");
     row("vtk corners negative", "a.vtk",
         test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 1 4\n-3 0 1 2\n"),
-        "line 8: cell 0 of POLYGONS has -3 corners");
+        "line 8: POLYGONS: number of corners of cell 0: -3; expected 0 to 3");
     row("vtk list too long", "a.vtk",
         test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 1 6\n3 0 1 2 0 0\n"),
-        "line 8: 6 numbers of POLYGONS declared; expected 4");
+        "line 8: POLYGONS: number of values: declared 6; expected 4");
     row("vtk cells beyond bytes", "a.vtk",
         test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 900000000 4\n3 0 1 2\n"),
-        "line 7: 900,000,000 cells declared");
+        "line 7: number of cells: declared 900,000,000");
     row("vtk no polygon", "a.vtk", test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", ""), "line 7: 0 polygons");
     const auto offsets = [](const std::string& numbers) {
         return test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n",
                               "POLYGONS 2 3\nOFFSETS vtktypeint64\n" + numbers + "\nCONNECTIVITY vtktypeint64\n0 1 2\n",
                               "x", "5.1");
     };
-    row("vtk first offset", "a.vtk", offsets("1 3"), "line 9: offset 0 of POLYGONS is 1; expected 0");
-    row("vtk offset beyond", "a.vtk", offsets("0 9"), "line 9: offset 1 of POLYGONS is 9; expected 0 to 3");
-    row("vtk offsets end early", "a.vtk", offsets("0 2"), "line 9: 3 corners of POLYGONS declared; expected 2");
+    row("vtk first offset", "a.vtk", offsets("1 3"), "line 9: POLYGONS: offset 0 is 1; expected exactly 0");
+    row("vtk offset beyond", "a.vtk", offsets("0 9"), "line 9: POLYGONS: offset 1 is 9; expected 0 to 3");
+    row("vtk offsets end early", "a.vtk", offsets("0 2"),
+        "line 9: POLYGONS: number of corners: declared 3; expected 2");
     row("vtk no offsets", "a.vtk",
         test::asciiVtk("POINTS 3 float\n0 0 0 1 0 0 0 1 0\n", "POLYGONS 1 4\n3 0 1 2\n", "x", "5.1"),
-        "line 8: \"3\" \"0\"; expected \"OFFSETS\"");
-    row("vtk unknown section", "a.vtk", test::asciiVtk("TRIANGLES 3\n"), "line 5: \"TRIANGLES\"");
+        "line 8: found \"3\" and \"0\"; expected the keyword \"OFFSETS\"");
+    row("vtk unknown section", "a.vtk", test::asciiVtk("TRIANGLES 3\n"), "line 5: found \"TRIANGLES\"");
     row("vtk field beyond bytes", "a.vtk", test::asciiVtk("FIELD f 1\na 3 2000000000 double\n1 2 3\n"),
-        "line 6: 2,000,000,000 tuples declared");
+        "line 6: number of tuples: declared 2,000,000,000");
     row("vtk field of no type", "a.vtk", test::asciiVtk("FIELD f 1\na 1 3 quux\n1 2 3\n"),
-        "line 7: the array \"a\" of 3 values");
+        "line 7: array \"a\": number of values: declared 3");
 }
 
 void HostileFiles::ownFilesAreRefused()

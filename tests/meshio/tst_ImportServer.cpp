@@ -8,6 +8,9 @@
 
 #include <QtTest>
 
+#include <palpate/core/Message.h>
+
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <csignal>
@@ -96,10 +99,20 @@ meshio::MeshFile twoStructures()
     meshio::MeshFile file;
     file.format = "VTP";
     file.frame = meshio::FileFrame::Ras;
-    file.notes = {"one", "two"};
+    file.notes = {core::Message(PALPATE_TEXT("one")), core::Message(PALPATE_TEXT("%1 and %2"), 1, "two")};
+    file.loss = core::Message(PALPATE_TEXT("%1: lost"), "a.stl");
     file.structures = {test::tetrahedron("liver"), test::tetrahedron("größe", {1, 2, 3})};
     file.structures[1].colour = {0.1, 0.2, 0.3};
     return file;
+}
+
+bool haveSameParts(const core::Message& a, const core::Message& b)
+{
+    const auto isSame = [](const core::MessageArgument& x, const core::MessageArgument& y) {
+        return x.kind == y.kind && x.english == y.english && (x.message == nullptr) == (y.message == nullptr) &&
+               (x.message == nullptr || haveSameParts(*x.message, *y.message));
+    };
+    return a.text() == b.text() && std::ranges::equal(a.arguments(), b.arguments(), isSame);
 }
 
 std::size_t openDescriptors()
@@ -144,6 +157,9 @@ class ImportServer : public QObject
     void manyAtOnceAndNothingLeft();
     void outcomeComesBackWhole();
     void errorComesBackAsOneLine();
+    void errorKeepsItsTextsAndArguments();
+    void excessiveMessagesAreRefused_data();
+    void excessiveMessagesAreRefused();
     void liesAreRefused_data();
     void liesAreRefused();
     void anyByteMayBeWrong();
@@ -180,7 +196,7 @@ void ImportServer::readsWhatThisProcessReads()
             QCOMPARE(child.value().unit_mm, 0.1);
             QCOMPARE(child.value().format, here.value().format);
             QCOMPARE(child.value().frame, here.value().frame);
-            QVERIFY(child.value().notes == here.value().notes);
+            QVERIFY(std::ranges::equal(child.value().notes, here.value().notes, haveSameParts));
             QCOMPARE(child.value().structures.size(), here.value().structures.size());
             QCOMPARE(child.value().structures[0].name, here.value().structures[0].name);
             QVERIFY(child.value().structures[0].mesh.vertices == here.value().structures[0].mesh.vertices);
@@ -194,13 +210,13 @@ void ImportServer::readsWhatThisProcessReads()
 void ImportServer::readerThatEndsBadlyIsOneError_data()
 {
     QTest::addColumn<std::string>("found");
-    QTest::newRow("segv.stl") << std::string("the process that read it crashed (Segmentation fault)");
-    QTest::newRow("abort.stl") << std::string("the process that read it crashed (Aborted)");
-    QTest::newRow("exit.stl") << std::string("the process that read it gave up (exit code 7)");
-    QTest::newRow("files.stl") << std::string("the process that read it gave up (exit code 7)");
+    QTest::newRow("segv.stl") << std::string("the process that read it crashed (SIGSEGV)");
+    QTest::newRow("abort.stl") << std::string("the process that read it crashed (SIGABRT)");
+    QTest::newRow("exit.stl") << std::string("the process that read it ended with exit code 7");
+    QTest::newRow("files.stl") << std::string("the process that read it ended with exit code 7");
     QTest::newRow("hang.stl") << std::string("reading it took more than ");
     QTest::newRow("spin.stl") << std::string("reading it took more than ");
-    QTest::newRow("eat.stl") << std::string("the process that read it crashed (Aborted)"); // by an uncaught bad_alloc
+    QTest::newRow("eat.stl") << std::string("the process that read it crashed (SIGABRT)"); // by an uncaught bad_alloc
 }
 
 void ImportServer::readerThatEndsBadlyIsOneError()
@@ -309,7 +325,7 @@ void ImportServer::manyAtOnceAndNothingLeft()
     QVERIFY2(scene.isOk(), scene.status().message().c_str());
     QCOMPARE(scene.value().structures.size(), std::size_t{40});
     QCOMPARE(scene.value().losses.size(), std::size_t{1});
-    QVERIFY(scene.value().losses[0].starts_with("segv.stl: "));
+    QVERIFY(scene.value().losses[0].english().starts_with("segv.stl: "));
     QCOMPARE(openDescriptors(), before);
 }
 
@@ -322,7 +338,8 @@ void ImportServer::outcomeComesBackWhole()
     const meshio::MeshFile whole = twoStructures();
     QCOMPARE(file.value().format, whole.format);
     QCOMPARE(file.value().frame, whole.frame);
-    QVERIFY(file.value().notes == whole.notes);
+    QVERIFY(std::ranges::equal(file.value().notes, whole.notes, haveSameParts));
+    QVERIFY(haveSameParts(file.value().loss, whole.loss));
     QCOMPARE(file.value().structures.size(), std::size_t{2});
     for (std::size_t i = 0; i < 2; ++i) {
         QCOMPARE(file.value().structures[i].name, whole.structures[i].name);
@@ -338,6 +355,53 @@ void ImportServer::errorComesBackAsOneLine()
     QVERIFY(writeOutcome(wire.file(), core::Status(StatusCode::OutOfRange, PALPATE_TEXT("two\nlines"))));
     QCOMPARE(wire.taken().status().code(), StatusCode::OutOfRange);
     QCOMPARE(wire.taken().status().message(), std::string("a.stl: two lines"));
+}
+
+void ImportServer::errorKeepsItsTextsAndArguments()
+{
+    const core::Message inner(PALPATE_TEXT("array \"%1\""), "heat");
+    const core::Status sent(StatusCode::BadFormat, PALPATE_TEXT("%1: %2: %3 of %4"), "a.stl", inner, core::Count(1234),
+                            0.5);
+    const Wire wire;
+    QVERIFY(writeOutcome(wire.file(), sent));
+    const core::Status received = wire.taken().status();
+    QCOMPARE(received.message(), std::string("a.stl: array \"heat\": 1,234 of 0.5"));
+    QVERIFY(haveSameParts(received.text(), sent.text()));
+    const Wire ofVolume; // of another name, which is added
+    QVERIFY(writeVolume(ofVolume.file(), sent));
+    QVERIFY(haveSameParts(ofVolume.volume().status().text(), sent.at("a.mha").text()));
+}
+
+void ImportServer::excessiveMessagesAreRefused_data()
+{
+    QTest::addColumn<bool>("isAccepted");
+    QTest::addColumn<core::Message>("message");
+    core::Message deep(PALPATE_TEXT("a.stl: x"));
+    for (int levels = 1; levels < 8; ++levels) {
+        deep = core::Message::fromParts("%1", {deep});
+    }
+    QTest::newRow("8 levels") << true << deep;
+    QTest::newRow("9 levels") << false << core::Message::fromParts("%1", {deep});
+    const std::string longest(4000 - 7, 'x');
+    QTest::newRow("4000 bytes") << true << core::Message(PALPATE_TEXT("a.stl: %1"), longest);
+    QTest::newRow("4001 bytes") << false << core::Message(PALPATE_TEXT("a.stl: %1"), longest + 'x');
+    QTest::newRow("no text") << false << core::Message();
+    core::Message growing(PALPATE_TEXT("an English text of 32 characters"));
+    for (int levels = 1; levels < 8; ++levels) { // doubles: 32 x 2^7 bytes
+        growing = core::Message::fromParts("%1%1", {growing});
+    }
+    QTest::newRow("repeated places") << false << growing;
+}
+
+void ImportServer::excessiveMessagesAreRefused()
+{
+    QFETCH(bool, isAccepted);
+    QFETCH(core::Message, message);
+    const Wire wire;
+    QVERIFY(writeOutcome(wire.file(), core::Status(StatusCode::BadFormat, message)));
+    const core::Status received = wire.taken().status();
+    QCOMPARE(received.code(), isAccepted ? StatusCode::BadFormat : StatusCode::Internal);
+    QVERIFY(received.message().starts_with("a.stl: "));
 }
 
 void ImportServer::liesAreRefused_data()
@@ -376,7 +440,7 @@ void ImportServer::liesAreRefused()
     const auto file = wire.taken();
     QVERIFY(!file.isOk());
     QCOMPARE(file.status().code(), StatusCode::Internal);
-    QVERIFY(file.status().message().starts_with("a.stl: the import process handed back "));
+    QVERIFY(file.status().message().starts_with("a.stl: the result of the import process is damaged: "));
 }
 
 void ImportServer::anyByteMayBeWrong()
@@ -433,15 +497,15 @@ void ImportServer::readerOfAVolumeThatEndsBadlyIsOneError_data()
 {
     QTest::addColumn<std::string>("found");
     QTest::addColumn<std::string>("expected");
-    QTest::newRow("segv.mha") << std::string("the process that read it crashed (Segmentation fault)")
+    QTest::newRow("segv.mha") << std::string("the process that read it crashed (SIGSEGV)")
                               << std::string("a file that can be read");
-    QTest::newRow("exit.vti") << std::string("the process that read it gave up (exit code 7)")
+    QTest::newRow("exit.vti") << std::string("the process that read it ended with exit code 7")
                               << std::string("a file that can be read");
     QTest::newRow("hang.nrrd") << std::string("reading it took more than ")
-                               << std::string("a volume that can be read sooner");
+                               << std::string("a file that can be read in this time");
     QTest::newRow("spin.nii") << std::string("reading it took more than ")
-                              << std::string("a volume that can be read sooner");
-    QTest::newRow("eat.mha") << std::string("the process that read it crashed (Aborted)") // by an uncaught bad_alloc
+                              << std::string("a file that can be read in this time");
+    QTest::newRow("eat.mha") << std::string("the process that read it crashed (SIGABRT)") // by an uncaught bad_alloc
                              << std::string("a file that can be read");
 }
 
@@ -484,8 +548,8 @@ void ImportServer::mapsGoThroughTheChild()
     QVERIFY2(scene.isOk(), scene.status().message().c_str());
     QVERIFY(scene.value().structures[0].maps.empty());
     QCOMPARE(scene.value().losses.size(), std::size_t{1});
-    QVERIFY2(scene.value().losses[0].find("segv.mha: the process that read it crashed") != std::string::npos,
-             scene.value().losses[0].c_str());
+    QVERIFY2(scene.value().losses[0].english().find("segv.mha: the process that read it crashed") != std::string::npos,
+             scene.value().losses[0].english().c_str());
 }
 
 void ImportServer::liesAboutAVolumeAreRefused_data()
@@ -534,7 +598,7 @@ void ImportServer::liesAboutAVolumeAreRefused()
     const auto volume = wire.volume();
     QVERIFY(!volume.isOk());
     QCOMPARE(volume.status().code(), StatusCode::Internal);
-    QVERIFY(volume.status().message().starts_with("a.mha: the import process handed back "));
+    QVERIFY(volume.status().message().starts_with("a.mha: the result of the import process is damaged: "));
 }
 
 void ImportServer::anyByteOfAVolumeMayBeWrong()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "English.h"
 #include "Samples.h"
 #include "TestRunner.h"
 
@@ -11,12 +12,6 @@ using namespace palpate;
 using core::Vec3;
 
 namespace {
-
-bool says(const std::vector<std::string>& lines, const std::string& words)
-{
-    return std::any_of(lines.begin(), lines.end(),
-                       [&](const std::string& line) { return line.find(words) != std::string::npos; });
-}
 
 std::array<double, 3> rgb(int r, int g, int b)
 {
@@ -179,8 +174,8 @@ void LoadScene::missingMeshIsALossAndTheRestOpens()
     QVERIFY2(loaded.isOk(), loaded.status().message().c_str());
     QCOMPARE(loaded.value().structures.size(), std::size_t{1});
     QCOMPARE(loaded.value().losses.size(), std::size_t{2});
-    QVERIFY(says(loaded.value().losses, "none.stl: "));
-    QVERIFY(says(loaded.value().losses, "no structure \"three\""));
+    QVERIFY(test::mentions(loaded.value().losses, "none.stl: "));
+    QVERIFY(test::mentions(loaded.value().losses, "no structure \"three\""));
 }
 
 void LoadScene::changedMeshIsNamedAndOpened()
@@ -206,7 +201,7 @@ void LoadScene::changedMeshIsNamedAndOpened()
     const auto changed = meshio::loadScene(folder.path("s.palpate.json"));
     QVERIFY2(changed.isOk(), changed.status().message().c_str());
     QCOMPARE(changed.value().structures.size(), std::size_t{2});
-    QVERIFY(says(changed.value().losses, "a.vtp: changed since the scene was saved: found SHA-256 "));
+    QVERIFY(test::mentions(changed.value().losses, "a.vtp: changed since the scene was saved: found SHA-256 "));
     QCOMPARE(meshio::fileHash(folder.path("gone.stl")), std::string());
 }
 
@@ -228,9 +223,9 @@ void LoadScene::repairsAreSaid()
     const test::Folder folder;
     const auto loaded = meshio::loadScene(folder.write("a.obj", test::kObj + "f 1 3 2\nf 1 1 2\n"));
     QVERIFY2(loaded.isOk(), loaded.status().message().c_str());
-    QVERIFY(says(loaded.value().warnings, "a: 1 duplicate triangle left out"));
-    QVERIFY(says(loaded.value().warnings, "a: 1 triangle without area left out"));
-    QVERIFY(says(loaded.value().warnings, "open edges"));
+    QVERIFY(test::mentions(loaded.value().warnings, "a: 1 duplicate triangle left out"));
+    QVERIFY(test::mentions(loaded.value().warnings, "a: 1 triangle without area left out"));
+    QVERIFY(test::mentions(loaded.value().warnings, "open edges"));
 }
 
 void LoadScene::frameAndUnitAreSaid()
@@ -238,13 +233,13 @@ void LoadScene::frameAndUnitAreSaid()
     const test::Folder folder;
     const auto path = folder.write("a.obj", "v 0 0 0\nv 0.2 0 0\nv 0 0.1 0\nf 1 2 3\n");
     const auto mm = meshio::loadScene(path);
-    QVERIFY(says(mm.value().warnings, "a.obj: no SPACE tag: coordinates taken as LPS"));
-    QVERIFY(
-        says(mm.value().warnings, "a.obj: only 0.2 units wide, taken as mm; looks like metres: open with --unit m"));
+    QVERIFY(test::mentions(mm.value().warnings, "a.obj: no SPACE tag: coordinates taken as LPS"));
+    QVERIFY(test::mentions(mm.value().warnings,
+                           "a.obj: only 0.2 units wide, taken as mm; looks like metres: open with --unit m"));
     const auto m = meshio::loadScene(path, {1000.0, {}});
-    QVERIFY(!says(m.value().warnings, "looks like"));
+    QVERIFY(!test::mentions(m.value().warnings, "looks like"));
     const auto ras = meshio::loadScene(folder.write("r.obj", "# SPACE=RAS\n" + test::kObj));
-    QVERIFY(says(ras.value().warnings, "r.obj: tagged SPACE=RAS"));
+    QVERIFY(test::mentions(ras.value().warnings, "r.obj: tagged SPACE=RAS"));
     QCOMPARE(ras.value().structures[0].frame, meshio::FileFrame::Ras);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "English.h"
 #include "Masks.h"
 #include "Samples.h"
 #include "TestRunner.h"
@@ -26,12 +27,6 @@ meshio::SceneStructure smoothed(double smoothing = meshio::kDefaultSmoothing)
     description.surface = SurfaceKind::Smoothed;
     description.smoothing = smoothing;
     return description;
-}
-
-bool contains(const std::vector<std::string>& lines, const std::string& words)
-{
-    return std::any_of(lines.begin(), lines.end(),
-                       [&](const std::string& line) { return line.find(words) != std::string::npos; });
 }
 
 } // namespace
@@ -118,8 +113,8 @@ class ShapeSurface : public QObject
         const auto loaded = meshio::loadScene(file);
         QVERIFY2(loaded.isOk(), loaded.status().message().c_str());
         QVERIFY(loaded.value().structures.front().smoothing.has_value());
-        QVERIFY(contains(loaded.value().warnings, "staircase of about 1 × 1 × 3 mm voxels"));
-        QVERIFY(contains(loaded.value().warnings, "smoothed: vertices moved by at most "));
+        QVERIFY(test::mentions(loaded.value().warnings, "staircase of about 1 × 1 × 3 mm voxels"));
+        QVERIFY(test::mentions(loaded.value().warnings, "smoothed: vertices moved by at most "));
     }
 
     void whatIsNotSaidIsNotWritten()
@@ -167,7 +162,7 @@ class ShapeSurface : public QObject
             folder.write("s.palpate.json", R"({"version": 1, "structures": [{"mesh": "a.stl", "surface": "smooth"}]})");
         const auto loaded = meshio::loadScene(file);
         QVERIFY(loaded.isOk());
-        QVERIFY(contains(loaded.value().warnings, "curved facets are not available in this version"));
+        QVERIFY(test::mentions(loaded.value().warnings, "curved facets are not available in this version"));
         QVERIFY(loaded.value().structures.front().description.surface == SurfaceKind::Smooth);
         QVERIFY(!loaded.value().structures.front().smoothing.has_value());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests arrays and volumes that describe how a tissue varies: from the file through mesh repair to the force, and the
 // rejected cases.
+#include "English.h"
 #include "Samples.h"
 #include "TestRunner.h"
 
@@ -144,13 +145,9 @@ class SurfaceMaps : public QObject
         QVERIFY2(scene.isOk(), scene.status().message().c_str());
         const auto& values = scene.value().structures[0].maps[0].values;
         QVERIFY(values[0] == 1.0F && std::isnan(values[1]) && std::isnan(values[2]) && values[3] == 2.0F);
-        bool isSaid = false;
-        for (const std::string& warning : scene.value().warnings) {
-            isSaid = isSaid || warning ==
-                                   "m: the array \"Stiffness_N_per_mm\" says nothing at 2 places of 4, more than "
-                                   "a fifth: the structure's own value is felt there";
-        }
-        QVERIFY(isSaid);
+        QVERIFY(test::mentions(scene.value().warnings,
+                               "m: the array \"Stiffness_N_per_mm\" has no value at 2 of 4 places, more than a fifth: "
+                               "the structure's own value is felt there"));
         const auto masked = meshio::loadScene(folder.write(
             "k.vtp", vtp(array("StiffnessScale", "1 2 0.5 4") + array("vtkValidPointMask", "1 1 1 0", 1, "Int8"))));
         QVERIFY(std::isnan(masked.value().structures[0].maps[0].values[3]));
@@ -166,12 +163,12 @@ class SurfaceMaps : public QObject
         const auto row = [](const char* type, const char* values, const char* said) {
             QTest::newRow(values) << QString(type) << QString(values) << QString(said);
         };
-        row("Float64", "1 2 1 inf", "value 3 is \"inf\"; expected a blank or a new line behind it");
+        row("Float64", "1 2 1 inf", "value 3 is \"inf\"; expected a blank or a line end after it");
         row("Float64", "1 2 1 -INF", "value 3 is \"-INF\"; expected a blank");
-        row("Float32", "1 2 1 nan", "value 3 is \"nan\"; expected a blank or a new line behind it");
-        row("Float64", "1 1e999 1 2", "value 1 is \"1e999\"; expected a number that a Float64 can hold");
-        row("Float32", "1 2 -1e39 2", "value 2 is \"-1e39\"; expected a number that a Float32 can hold");
-        row("Int32", "1 9999999999 1 2", "value 1 is \"9999999999\"; expected a number that an Int32 can hold");
+        row("Float32", "1 2 1 nan", "value 3 is \"nan\"; expected a blank or a line end after it");
+        row("Float64", "1 1e999 1 2", "value 1 is \"1e999\"; expected a number in the range of Float64");
+        row("Float32", "1 2 -1e39 2", "value 2 is \"-1e39\"; expected a number in the range of Float32");
+        row("Int32", "1 9999999999 1 2", "value 1 is \"9999999999\"; expected a number in the range of Int32");
         row("Float64", "1 inf 1 nan ", "");
         row("Float64", "1 2 1e-999 1e5", "");
     }
@@ -237,11 +234,9 @@ class SurfaceMaps : public QObject
             unknown += isKnown ? 0 : 1;
         }
         QCOMPARE(meshio::missingValues(map), static_cast<std::size_t>(unknown));
-        const std::string said = "m: the array \"" + name.toStdString() + "\" says nothing at " +
-                                 std::to_string(unknown) + " places of 4, more than a fifth";
-        QVERIFY2(std::any_of(scene.value().warnings.begin(), scene.value().warnings.end(),
-                             [&said](const std::string& line) { return line.starts_with(said); }),
-                 said.c_str());
+        const std::string said = "m: the array \"" + name.toStdString() + "\" has no value at " +
+                                 std::to_string(unknown) + " of 4 places, more than a fifth";
+        QVERIFY2(test::mentions(scene.value().warnings, said), said.c_str());
     }
 
     void aFifthIsManyAndLessIsNot()
@@ -260,16 +255,16 @@ class SurfaceMaps : public QObject
             meshio::LoadedStructure structure;
             structure.description.name = "liver";
             structure.surface = std::make_shared<const geometry::RepairedMesh>(geometry::repair(mesh));
-            std::vector<std::string> warnings, losses;
+            std::vector<core::Message> warnings, losses;
             meshio::resolveMaps(structure, warnings, losses);
             QVERIFY(losses.empty());
             QCOMPARE(warnings.size(), std::size_t{missing > 0 ? 1U : 0U});
             if (missing > 0) {
-                QCOMPARE(warnings[0].find("more than a fifth") != std::string::npos, missing == 3);
-                QVERIFY2(warnings[0].starts_with("liver: the array \"StiffnessScale\" says nothing at " +
-                                                 std::to_string(missing) + (missing > 1 ? " places" : " place") +
-                                                 " of 10"),
-                         warnings[0].c_str());
+                const std::string line = warnings[0].english();
+                QCOMPARE(line.find("more than a fifth") != std::string::npos, missing == 3);
+                QVERIFY2(line.starts_with("liver: the array \"StiffnessScale\" has no value at " +
+                                          std::to_string(missing) + " of 10 places"),
+                         line.c_str());
             }
         }
     }
@@ -295,16 +290,16 @@ class SurfaceMaps : public QObject
         QTest::addColumn<QString>("said");
         const auto q = [](const std::string& text) { return QString::fromStdString(text); };
         QTest::newRow("too short") << q(array("Friction", "1 2 3")) << ""
-                                   << "array \"Friction\": 3 values";
+                                   << "array \"Friction\": number of values: 3;";
         QTest::newRow("three components") << q(array("StiffnessScale", "1 2 3 4 5 6 7 8 9 1 2 3", 3)) << ""
-                                          << "array \"StiffnessScale\": 3 components for each point; expected 1";
+                                          << "array \"StiffnessScale\": number of components: 3; expected exactly 1";
         QTest::newRow("cells too long") << "" << q(array("Friction", "1 2 3 4 5"))
-                                        << "array \"Friction\": 5 values; expected 4, one for each polygon";
+                                        << "array \"Friction\": number of values: 5; expected 4, one for each polygon";
         QTest::newRow("three components of a cell")
             << "" << q(array("Damping_Ns_per_mm", "1 2 3 4 5 6 7 8 9 1 2 3", 3))
-            << "array \"Damping_Ns_per_mm\": 3 components for each polygon; expected 1";
+            << "array \"Damping_Ns_per_mm\": number of components: 3; expected exactly 1";
         QTest::newRow("none") << q(array("Friction", "")) << ""
-                              << "array \"Friction\": 0 values";
+                              << "array \"Friction\": number of values: 0;";
         QTest::newRow("no number") << q(array("ShearModulus_kPa", "1 2 soft 4")) << ""
                                    << "array \"ShearModulus_kPa\": value 2 is \"soft\"";
     }
@@ -386,7 +381,7 @@ class SurfaceMaps : public QObject
             "s.palpate.json", sceneWith(json("[{'quantity': 'stiffness', 'array': 'mre', 'unit': 'scale'}]"))));
         QVERIFY(scene.isOk());
         QCOMPARE(scene.value().losses.size(), std::size_t{1});
-        QCOMPARE(QString::fromStdString(scene.value().losses[0]),
+        QCOMPARE(QString::fromStdString(scene.value().losses[0].english()),
                  QString("m.vtp: m: no array \"mre\"; expected one of \"heat\""));
         const auto none = meshio::loadScene(folder.write("n.palpate.json", sceneWith("[]")));
         QVERIFY(none.value().structures[0].maps.empty() && none.value().losses.empty());
@@ -432,12 +427,12 @@ class SurfaceMaps : public QObject
         meshio::LoadedStructure structure = scene.value().structures[0];
         for (const int asks : {0, 1}) { // cancelled at once, and during reading
             int asked = 0;
-            std::vector<std::string> warnings, losses;
+            std::vector<core::Message> warnings, losses;
             meshio::resolveMaps(structure, warnings, losses, [&] { return asked++ < asks; });
             QCOMPARE(asked, asks + 1); // no further calls
             QVERIFY(structure.maps.empty());
             QCOMPARE(losses.size(), std::size_t{1});
-            QVERIFY2(losses[0].find("v.mha: reading was cancelled") != std::string::npos, losses[0].c_str());
+            QVERIFY2(test::mentions(losses, "v.mha: reading was cancelled"), losses[0].english().c_str());
         }
     }
 
@@ -449,7 +444,7 @@ class SurfaceMaps : public QObject
         QTest::newRow("missing") << "gone.mha" << QByteArray() << "no such file";
         QTest::newRow("another kind") << "v.dcm" << QByteArray("x") << "expected a volume";
         QTest::newRow("no image") << "v.nii" << QByteArray("not an image")
-                                  << "v.nii: header: no header of NIfTI; expected 348";
+                                  << "v.nii: header: no NIfTI header; expected a header of 348";
         QTest::newRow("cut short") << "v.mha"
                                    << QByteArray(
                                           metaImage([](const core::Vec3&) { return 1.0; }).substr(0, 900).c_str())
@@ -470,7 +465,7 @@ class SurfaceMaps : public QObject
         QVERIFY(scene.isOk());
         QVERIFY(scene.value().structures[0].maps.empty());
         QCOMPARE(scene.value().losses.size(), std::size_t{1});
-        QVERIFY2(QString::fromStdString(scene.value().losses[0]).contains(said), scene.value().losses[0].c_str());
+        QVERIFY2(test::mentions(scene.value().losses, said.toStdString()), scene.value().losses[0].english().c_str());
     }
 };
 

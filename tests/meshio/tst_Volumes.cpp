@@ -127,11 +127,11 @@ class Volumes : public QObject
         row("a distance that is no number", "v.mha", meta("ElementSpacing = 1 2 3", "ElementSpacing = 1 nan 3"),
             "v.mha: ");
         row("axes in a plane", "v.mha", meta("1 0 0 0 1 0 0 0 1", "1 0 0 0 1 0 1 1 0"),
-            "v.mha: header: directions of its axes that can't be read");
+            "v.mha: header: unreadable directions of its axes");
         row("three numbers a voxel", "v.mha",
             meta("ElementType = MET_FLOAT", "ElementNumberOfChannels = 3\nElementType = MET_FLOAT") + floats + floats,
-            "v.mha: 3 components a voxel; expected one number for each voxel");
-        row("a header without an end", "v.mha", "ObjectType = Image\nNDims = 3\n", "v.mha: header: it does not end");
+            "v.mha: 3 components per voxel; expected one number for each voxel");
+        row("a header without an end", "v.mha", "ObjectType = Image\nNDims = 3\n", "v.mha: header: it has no end");
         row("packed, and too few", "v.mha",
             test::metaHeader("MET_FLOAT", "LOCAL", "CompressedData = True\n") + test::zlibbed(floats.substr(0, 100)),
             "v.mha: 100 bytes when unpacked; expected 288 bytes of voxels");
@@ -139,7 +139,7 @@ class Volumes : public QObject
             test::metaHeader("MET_FLOAT", "LOCAL", "CompressedData = True\n") + std::string(200, 'x'),
             "v.mha: its compressed voxels are cut off or broken");
         row("NRRD, a header without an end", "v.nrrd", "NRRD0004\ntype: float\ndimension: 3\n",
-            "v.nrrd: header: it does not end");
+            "v.nrrd: header: it has no end");
         row("NRRD, text", "v.nrrd", test::nrrdHeader("ascii") + "1 2 3",
             "v.nrrd: header: voxels in another encoding; expected `raw` or `gzip`");
         row("NRRD, packed, and too few", "v.nrrd", test::nrrdHeader("gzip") + test::gzipped(floats.substr(0, 100)),
@@ -160,13 +160,13 @@ class Volumes : public QObject
             return text.replace(text.find(from), from.size(), to);
         };
         row("dimensions beyond counting", "v.mha", meta("NDims = 3", "NDims = 1e308"),
-            "v.mha: header: NDims: what is not one number; expected 1 to 4");
+            "v.mha: header: NDims: not a digit; expected 1 to 4");
         row("NRRD, a 0 in its header", "v.nrrd", nrrd("kinds", std::string("ki\0ds", 5)),
             "v.nrrd: header: a byte of 0 in its text");
         row("NRRD, an end of another kind", "v.nrrd", "NRRD0004\ndimension: 3\nElementDataFile =\n" + floats,
             "v.nrrd: ");
         row("NRRD, a size that is no number", "v.nrrd", nrrd("sizes: 12", "sizes: 1e308"),
-            "v.nrrd: header: sizes: \"1e308 3 2\"; expected three counts of voxels");
+            "v.nrrd: header: sizes: \"1e308 3 2\"; expected three numbers of voxels");
         row("NRRD, a dimension that is no number", "v.nrrd", nrrd("dimension: 3", "dimension: three"),
             "v.nrrd: header: dimension: \"three\"; expected 3");
         row("NRRD, a field twice", "v.nrrd", nrrd("endian: little", "endian: little\nsizes: 9 9 9"),
@@ -175,22 +175,23 @@ class Volumes : public QObject
             "v.nrrd: header: data file: \"%s%n 1 9 0\"; expected the name of one file");
         row("NRRD, the name of a data file twice", "v.nrrd",
             nrrd("endian: little", "endian: little\ndata file: a\ndatafile: b"),
-            "v.nrrd: header: \"data file\" and \"datafile\"; expected one of them");
+            "v.nrrd: header: both \"data file\" and \"datafile\"; expected one of the two");
         row("MetaImage, text", "v.mha", meta("BinaryData = True", "BinaryData = False"),
             "v.mha: header: voxels in another encoding; expected `BinaryData = True`");
         row("MetaImage, a long word", "v.mha", meta("NDims", "NDims = 3\n" + std::string(300, 'x')),
             "v.mha: header: a line of 304 characters; expected at most 254");
         row("NRRD, a blank line that is not empty", "v.nrrd",
             test::nrrdHeader("raw").substr(0, test::nrrdHeader("raw").size() - 1) + " \n" + floats.substr(0, 8),
-            "v.nrrd: header: it does not end");
+            "v.nrrd: header: it has no end");
         row("NRRD, an empty list", "v.nhdr", test::nrrdHeader("raw", "data file: LIST\n"),
             "v.nhdr: header: the file of its voxels: an empty LIST");
         row("NRRD, a list of files that are not there", "v.nhdr", test::nrrdHeader("raw", "data file: LIST\na\nb\n"),
-            "v.nhdr: header: the file of its voxels: no file \"a\"; expected one beside the header");
+            "v.nhdr: header: the file of its voxels: no file \"a\"; expected this file in the folder of the header");
         row("NRRD, a list of compressed files", "v.nhdr", test::nrrdHeader("gzip", "data file: LIST\na\nb\n"),
             "v.nhdr: header: the file of its voxels: a LIST of compressed files");
         row("a file that is not there", "v.mhd", test::metaHeader("MET_FLOAT", "beside.raw"),
-            "v.mhd: header: the file of its voxels: no file \"beside.raw\"; expected one beside the header");
+            "v.mhd: header: the file of its voxels: no file \"beside.raw\"; expected this file in the folder of the "
+            "header");
         row("a pattern", "v.mhd", test::metaHeader("MET_FLOAT", "slice%d.raw 0 1 0"),
             "v.mhd: header: the file of its voxels: \"slice%d.raw 0 1 0\"; expected the name of one file");
         row("an empty line before the file", "v.mha", meta("ElementDataFile", "\nElementDataFile = z%d\n#"),
@@ -201,11 +202,11 @@ class Volumes : public QObject
         row("NRRD, a word with a control character", "v.nrrd", nrrd("encoding: raw", "encoding: gzip\x02z"),
             "v.nrrd: ");
         row("NIfTI, a kind beyond the table", "v.nii", nifti(70, std::int16_t{16400}),
-            "v.nii: header: voxels of kind 16400; expected one of NIfTI's kinds");
+            "v.nii: header: voxels of type 16400; expected a type of the NIfTI format");
         row("NIfTI, packed, a kind beyond the table", "v.nii.gz", test::gzipped(nifti(70, std::int16_t{16400})),
-            "v.nii.gz: header: voxels of kind 16400");
+            "v.nii.gz: header: voxels of type 16400");
         row("NIfTI, many numbers a voxel", "v.nii", test::niftiWideHeader(832586256) + floats,
-            "v.nii: 832586256 components a voxel; expected one number for each voxel");
+            "v.nii: 832586256 components per voxel; expected one number for each voxel");
         row("NIfTI-2, a count beyond 32 bits", "v.nii", test::niftiWideHeader(1, (std::int64_t{1} << 32) + 12) + floats,
             "v.nii: header: 4294967308 voxels along axis 1; expected 1 to 2147483647");
         row("NIfTI-2, less than none", "v.nii", test::niftiWideHeader(1, -12) + floats,
@@ -241,7 +242,7 @@ class Volumes : public QObject
             "v.vti: it does not end with its last tag; expected `</VTKFile>` at the end");
         std::string flat = test::vtiAppended(floats);
         row("VTI, a distance of 0", "v.vti", flat.replace(flat.find("1 2 3"), 5, "1 0 3"),
-            "v.vti: axes or distances of its voxels that say no place");
+            "v.vti: axes or spacings of its voxels that do not define positions");
         row("nothing", "v.vti", "", "v.vti: ");
     }
     void whatIsWrongIsRefused()

@@ -256,7 +256,8 @@ class VtkWriter : public QObject
 
         const auto file = meshio::readMesh(path);
         QVERIFY2(file.isOk(), file.status().message().c_str());
-        for (const std::string& note : file.value().notes) {
+        for (const core::Message& message : file.value().notes) {
+            const std::string note = message.english();
             QVERIFY2(note.find("damaged") == std::string::npos, note.c_str());
         }
         const auto& structures = file.value().structures;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "English.h"
 #include "TestRunner.h"
 
 #include <palpate/study/FindingsFile.h>
@@ -208,7 +209,7 @@ class FindingsFile : public QObject
             QTest::newRow(name) << list("", (std::string(point) + ", " + point + ", " + good).c_str())
                                 << "a.mrk.json: markups[0].controlPoints[0]" + QString(loss) + " (and 1 more)";
         };
-        const QString noNumber = ".position: found a coordinate that is no number within 1e7 mm: left out";
+        const QString noNumber = ".position: found a coordinate that is not a number within 1e7 mm: left out";
         bad("nan", R"({"position": [NaN, 0, 0]})", qPrintable(noNumber));
         bad("infinite", R"({"position": [0, -Infinity, 1e5]})", qPrintable(noNumber));
         bad("far", R"({"position": [0, 0, 1e9]})", qPrintable(noNumber));
@@ -241,7 +242,7 @@ class FindingsFile : public QObject
         const auto markups = read(text);
         QVERIFY2(markups.isOk(), markups.status().message().c_str());
         QCOMPARE(markups.value().losses.size(), std::size_t{1});
-        QCOMPARE(QString::fromStdString(markups.value().losses[0]), loss);
+        QCOMPARE(QString::fromStdString(markups.value().losses[0].english()), loss);
         QCOMPARE(markups.value().findings.size(), std::size_t{1});
         QCOMPARE(markups.value().findings[0].name, std::string("good"));
         QCOMPARE(markups.value().findings[0].p_W, core::Vec3(1, 2, 3));
@@ -256,16 +257,16 @@ class FindingsFile : public QObject
         const auto many = read(list("", points.constData()));
         QVERIFY(many.isOk());
         QCOMPARE(many.value().findings.size(), study::kMaxMarkups);
-        QCOMPARE(many.value().losses,
+        QCOMPARE(test::english(many.value().losses),
                  std::vector<std::string>{"a.mrk.json: markups[0].controlPoints[10000]: found more than 10,000 points: "
                                           "left out (and 1 more)"});
         const QByteArray label = "{\"position\": [1, 2, 3], \"label\": \"" + QByteArray(1000000, 'x') + "\"}";
         const auto wordy = read(list("", label.constData()));
         QVERIFY(wordy.isOk());
         QCOMPARE(wordy.value().findings[0].name.size(), std::size_t{1000});
-        QCOMPARE(wordy.value().losses,
+        QCOMPARE(test::english(wordy.value().losses),
                  std::vector<std::string>{"a.mrk.json: markups[0].controlPoints[0].label: found a text of 1,000,000 "
-                                          "letters, expected at most 1,000: shortened"});
+                                          "characters, expected at most 1,000: shortened"});
         const auto huge = read(QByteArray(65 * 1024 * 1024, ' '));
         QVERIFY(!huge.isOk());
         QVERIFY2(huge.status().message().find("found more than 64 MiB") != std::string::npos,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "English.h"
 #include "Shapes.h"
 #include "TestRunner.h"
 
@@ -52,7 +53,7 @@ class Layers : public QObject
         meshio::LoadedScene scene = sceneOf(parts);
         auto felt = study::hapticScene(scene);
         Found found;
-        found.lines = study::setLayers(scene, felt);
+        found.lines = test::english(study::setLayers(scene, felt));
         found.layerCount = felt->layerCount();
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const std::uint32_t layer = scene.structures[i].description.layer;
@@ -198,7 +199,7 @@ class Layers : public QObject
             sceneOf({ball("liver", 40.0), ball("vein", 20.0), ball("tumour", 5.0), ball("node", 5.0, {30, 0, 0})});
         scene.structures[1].description.palpable = false;
         auto felt = study::hapticScene(scene);
-        QCOMPARE(study::setLayers(scene, felt),
+        QCOMPARE(test::english(study::setLayers(scene, felt)),
                  (Lines{"tumour lies in liver and is felt below it", "node lies in liver and is felt below it"}));
         // The layering in the window before names decide on contact: the tumour is inside the vein.
         Layering found;
@@ -207,9 +208,11 @@ class Layers : public QObject
         found.structures[2].in = 1;
         found.structures[3].unreliableParent = 1;
         const std::vector<std::string> names{"liver", "vein", "tumour", "node"};
-        QCOMPARE(found.sentences(names, {true, false, true, true}), Lines{"tumour lies in liver and is felt below it"});
-        QCOMPARE(found.sentences(names, {true, true, false, false}), Lines{"vein lies in liver and is felt below it"});
-        QCOMPARE(found.sentences(names, {false, false, true, true}), Lines());
+        QCOMPARE(test::english(found.sentences(names, {true, false, true, true})),
+                 Lines{"tumour lies in liver and is felt below it"});
+        QCOMPARE(test::english(found.sentences(names, {true, true, false, false})),
+                 Lines{"vein lies in liver and is felt below it"});
+        QVERIFY(found.sentences(names, {false, false, true, true}).empty());
         QCOMPARE(found.sentences(names, {true, true, true, true}).size(), std::size_t{3});
     }
 

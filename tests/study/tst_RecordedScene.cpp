@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "English.h"
 #include "Shapes.h"
 #include "TestRunner.h"
 
@@ -248,10 +249,7 @@ class RecordedScene : public QObject
         const auto opened = study::openScene(path("r.palpate"));
         QVERIFY2(opened.isOk(), opened.status().message().c_str());
         QCOMPARE(opened.value().structures.size(), std::size_t{1});
-        const auto says = [&](const char* what) {
-            return std::any_of(opened.value().losses.begin(), opened.value().losses.end(),
-                               [&](const std::string& line) { return line.find(what) != std::string::npos; });
-        };
+        const auto says = [&](const char* what) { return test::mentions(opened.value().losses, what); };
         QVERIFY(says("organ: organ.vtp: is another surface now than was recorded"));
         QVERIFY(says("lump: lump.vtp: no such file, neither where it was nor beside the recording"));
         std::filesystem::remove(path("organ.vtp"));

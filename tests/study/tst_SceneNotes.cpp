@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "English.h"
 #include "Shapes.h"
 #include "TestRunner.h"
 
@@ -24,7 +25,7 @@ void add(meshio::LoadedScene& scene, const std::string& name, const geometry::Tr
 
 std::vector<std::string> notesOf(const meshio::LoadedScene& scene)
 {
-    return study::neighbourNotes(scene, *study::hapticScene(scene));
+    return test::english(study::neighbourNotes(scene, *study::hapticScene(scene)));
 }
 
 } // namespace

@@ -74,7 +74,7 @@ class StiffnessRatio : public QObject
         organ.tissue.law.kind = lump.tissue.law.kind = core::LawKind::Exponential;
         lump.tissue.stiffness_N_per_mm = 2.0;
         QVERIFY(!between(lump, organ)); // no single value
-        const std::string question = study::ratioQuestion("thing", "liver");
+        const std::string question = study::ratioQuestion("thing", "liver").english();
         for (const char* part : {"thing", "liver", "not known", "--ratio \"thing=R\"", "4.4 (2.2 to 5.2)", "cyst"}) {
             QVERIFY2(question.find(part) != std::string::npos, question.c_str());
         }
@@ -96,9 +96,10 @@ class StiffnessRatio : public QObject
     {
         for (const study::PublishedRatio& one : study::publishedRatios()) {
             const study::StiffnessRatio& ratio = one.ratio;
-            QVERIFY2(ratio.low > 0.0 && ratio.low <= ratio.typical && ratio.typical <= ratio.high, one.name.data());
-            QVERIFY2(!ratio.citation.empty() && ratio.source == RatioSource::Published, one.name.data());
-            QVERIFY2(study::publishedRatio(one.lump, one.organ) == &one, one.name.data());
+            QVERIFY2(ratio.low > 0.0 && ratio.low <= ratio.typical && ratio.typical <= ratio.high,
+                     one.name.text().data());
+            QVERIFY2(!ratio.citation.empty() && ratio.source == RatioSource::Published, one.name.text().data());
+            QVERIFY2(study::publishedRatio(one.lump, one.organ) == &one, one.name.text().data());
         }
         // A benign liver tumour by MR elastography: 2.7 to 2.3 kPa; a malignant one 10.1.
         QVERIFY(std::abs(study::publishedRatio(AnatomyKind::BenignLump, AnatomyKind::Liver)->ratio.typical -

@@ -81,8 +81,8 @@ void addObj(std::vector<HostileMesh>& out)
     add("o12_cut_face", kVertices + "f 1 2", "line 4: a face with 2 corners");
     add("o13_words", "v 0 zero 0\nf 1 1 1\n", "line 1: \"zero\" is not a number");
     add("o14_comma", "v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1: \"0,5\" is not a number");
-    add("o15_nul", std::string(kVertices).append("g a\0b\nf 1 2 3\n", 14), "line 4: a zero byte");
-    add("o16_degenerate", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "none of 1 triangle has an area");
+    add("o15_nul", std::string(kVertices).append("g a\0b\nf 1 2 3\n", 14), "line 4: found a zero byte");
+    add("o16_degenerate", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "all triangles have zero area");
     add("o17_corners", std::string(kVertices).append("f").append(repeated(" 1 2 3", 700)).append("\n"),
         "line 4: a face with 2,100 corners");
     add("o18_noise", std::string("v ").append(noise(20000)), "line 1: ");
@@ -110,12 +110,14 @@ void addPly(std::vector<HostileMesh>& out)
     const std::string body = "0 0 0\n2.5 0 0\n0 1.5 0\n3 0 1 2\n";
     const std::string binary = header("3", "1", "binary_little_endian");
     add("q01_empty", "", "byte 0: the file is empty");
-    add("q02_header_only", header("3", "1"), "line 3: 3 \"vertex\" elements declared");
-    add("q03_vertices_4e9", header("4294967295", "1") + body, "line 3: 4,294,967,295 \"vertex\"");
+    add("q02_header_only", header("3", "1"), "line 3: number of elements \"vertex\": declared 3");
+    add("q03_vertices_4e9", header("4294967295", "1") + body,
+        "line 3: number of elements \"vertex\": declared 4,294,967,295");
     add("q04_vertices_1e19", header("99999999999999999999", "1") + body, "line 3: ");
     add("q05_vertices_negative", header("-3", "1") + body, "line 3: ");
-    add("q06_faces_1e9", header("3", "1000000000") + body, "line 7: 1,000,000,000 \"face\"");
-    add("q07_one_face_too_many", header("3", "2") + body, "line 14: the file ends in face 1 of 2");
+    add("q06_faces_1e9", header("3", "1000000000") + body,
+        "line 7: number of elements \"face\": declared 1,000,000,000");
+    add("q07_one_face_too_many", header("3", "2") + body, "line 14: the file ends in element \"face\" 1 of 2");
     add("q08_one_vertex_too_few", header("2", "1") + body, "line ");
     add("q09_index_beyond", header("3", "1") + "0 0 0\n2.5 0 0\n0 1.5 0\n3 0 1 3\n", "line 13: face 0 uses vertex 3");
     add("q10_index_negative", header("3", "1") + "0 0 0\n2.5 0 0\n0 1.5 0\n3 0 1 -1\n",
@@ -126,7 +128,8 @@ void addPly(std::vector<HostileMesh>& out)
     add("q14_far", binary + binaryBody(1e30F), "byte ");
     add("q15_cut", binary + binaryBody().substr(0, 45), "byte ");
     add("q16_more", binary + binaryBody() + "more", "byte ");
-    add("q17_two_corners", header("3", "1") + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "line 13: face 0 has 2 corners");
+    add("q17_two_corners", header("3", "1") + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n",
+        "line 13: number of corners of face 0: 2");
     add("q18_255_corners_of_none", binary + binaryBody(2.5F, 2, 255), "byte ");
     add("q19_list_of_4e9",
         header("3", "1", "binary_little_endian", "float", "uint int") + binaryBody() + "\xff\xff\xff", "byte ");
@@ -142,7 +145,7 @@ void addPly(std::vector<HostileMesh>& out)
     add("q25_cut_header", "ply\nformat ascii 1.0\nelement vertex 3\n", "line 3: the file ends in the header");
     add("q26_comma", header("3", "1") + "0,5 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "line 10: \"0,5\" is not a number");
     add("q27_words", header("3", "1") + "0 0 0\n1 one 0\n0 1 0\n3 0 1 2\n", "line 11: \"one\" is not a number");
-    add("q28_degenerate", header("3", "1") + "0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n", "none of 1 triangle has an area");
+    add("q28_degenerate", header("3", "1") + "0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n", "all triangles have zero area");
     add("q29_noise", std::string("ply\n").append(noise(20000)), "line ");
     add("q30_noise_in_body", binary + noise(20000), "byte ");
     add("q31_many_elements",

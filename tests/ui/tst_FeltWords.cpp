@@ -90,7 +90,7 @@ class FeltWords : public QObject
         QCOMPARE(ui::verdictRangeText(press, range), QStringLiteral("by a trained hand"));
         QCOMPARE(ui::ratioRangeText(std::nullopt), QStringLiteral("unknown"));
         for (const study::PublishedRatio& one : study::publishedRatios()) {
-            QCOMPARE(ui::publishedName(one), QString::fromUtf8(one.name.data()));
+            QCOMPARE(ui::publishedName(one), QString::fromUtf8(one.name.text().data()));
         }
     }
 };

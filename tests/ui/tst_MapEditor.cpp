@@ -41,7 +41,7 @@ std::vector<ui::StructureRow> mappedRows()
     ball.arrays = {scale, mre};
     rows.push_back(test::row("liver", ball));
     rows.push_back(test::row("lump", test::ball(8.0, 2)));
-    std::vector<std::string> warnings, losses;
+    std::vector<core::Message> warnings, losses;
     meshio::resolveMaps(rows[0].loaded, warnings, losses);
     return rows;
 }

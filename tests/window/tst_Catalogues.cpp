@@ -89,27 +89,75 @@ QString faultOf(const Message& message, const QString& translation)
     return {};
 }
 
-/// @return the texts marked with PALPATE_TEXT in the sources of these folders
-QStringList markedTexts(const QStringList& folders)
+/// A source file, without lines that are comments.
+struct Source
+{
+    QString path; ///< in the source tree
+    QString text;
+};
+
+QList<Source> sourcesIn(const QStringList& folders)
 {
     static const QRegularExpression comment(QStringLiteral("^\\s*//.*$"), QRegularExpression::MultilineOption);
+    const QString root = QStringLiteral(PALPATE_SOURCE_DIR "/");
+    QList<Source> all;
+    for (const QString& folder : folders) {
+        QDirIterator files(root + folder, {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
+                           QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            QFile file(files.next());
+            if (file.open(QIODevice::ReadOnly)) {
+                all.push_back({file.fileName().mid(root.size()), QString::fromUtf8(file.readAll()).remove(comment)});
+            }
+        }
+    }
+    return all;
+}
+
+const QStringList kProduct{QStringLiteral("modules"), QStringLiteral("app"), QStringLiteral("plugins")};
+
+/// @return the texts marked with PALPATE_TEXT in these sources
+QStringList markedTexts(const QList<Source>& sources)
+{
     static const QRegularExpression mark(QStringLiteral(R"re(\bPALPATE_TEXT\(\s*((?:"(?:\\.|[^"\\])*"\s*)+)\))re"));
     static const QRegularExpression literal(QStringLiteral(R"re("((?:\\.|[^"\\])*)")re"));
     QStringList all;
-    for (const QString& folder : folders) {
-        QDirIterator files(QStringLiteral(PALPATE_SOURCE_DIR "/") + folder,
-                           {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files, QDirIterator::Subdirectories);
-        while (files.hasNext()) {
-            QFile file(files.next());
-            const QString source =
-                file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()).remove(comment) : QString();
-            for (auto marks = mark.globalMatch(source); marks.hasNext();) {
-                QString text;
-                for (auto parts = literal.globalMatch(marks.next().captured(1)); parts.hasNext();) {
-                    text += parts.next().captured(1);
-                }
-                all << text.replace(QStringLiteral("\\\""), QStringLiteral("\""));
+    for (const Source& source : sources) {
+        for (auto marks = mark.globalMatch(source.text); marks.hasNext();) {
+            QString text;
+            for (auto parts = literal.globalMatch(marks.next().captured(1)); parts.hasNext();) {
+                text += parts.next().captured(1);
             }
+            all << text.replace(QStringLiteral("\\\""), QStringLiteral("\""));
+        }
+    }
+    return all;
+}
+
+/// @return the statements of a source that build a message by concatenation: a literal with a word and a blank next to
+/// a `+` and PALPATE_TEXT in the same statement, or English text of a message next to a `+`
+QStringList concatenations(const QString& source)
+{
+    static const QRegularExpression literal(QStringLiteral(R"re("((?:\\.|[^"\\])*)")re"));
+    static const QRegularExpression words(QStringLiteral("\\p{L}{2}.* | .*\\p{L}{2}"));
+    static const QRegularExpression message(QStringLiteral("\\b(PALPATE_TEXT|Message|fault)\\("));
+    static const QRegularExpression glued(QStringLiteral("\"w\"\\s*\\+|\\+\\s*\"w\""));
+    static const QRegularExpression english(
+        QStringLiteral("\\+=?\\s*[\\w.\\->()]*(\\.|->)(english|message)\\(\\)|\\b(english|message)\\(\\)\\s*\\+"));
+    const QString code = QString(source).remove(QStringLiteral("'\"'")); // a quotation mark that begins no literal
+    QString plain;
+    qsizetype end = 0;
+    for (auto literals = literal.globalMatch(code); literals.hasNext();) {
+        const QRegularExpressionMatch one = literals.next();
+        plain += code.mid(end, one.capturedStart() - end);
+        plain += one.captured(1).contains(words) ? QStringLiteral("\"w\"") : QStringLiteral("\"\"");
+        end = one.capturedEnd();
+    }
+    plain += code.mid(end);
+    QStringList all;
+    for (const QString& statement : plain.split(QLatin1Char(';'))) {
+        if ((statement.contains(message) && statement.contains(glued)) || statement.contains(english)) {
+            all << statement.simplified();
         }
     }
     return all;
@@ -191,8 +239,7 @@ class Catalogues : public QObject
                 known << message.source;
             }
         }
-        const QStringList marked =
-            markedTexts({QStringLiteral("modules"), QStringLiteral("app"), QStringLiteral("plugins")});
+        const QStringList marked = markedTexts(sourcesIn(kProduct));
         QVERIFY(marked.contains(QStringLiteral("%1: %2")));
         QStringList missing;
         for (const QString& text : marked) {
@@ -202,6 +249,45 @@ class Catalogues : public QObject
         }
         QVERIFY2(missing.isEmpty(), qPrintable(QStringLiteral("run resources/translations/update.sh and translate:\n") +
                                                missing.join(QLatin1Char('\n'))));
+    }
+
+    /// A message is one text with arguments: clauses that are put together have no entry in a catalogue.
+    void noMessageIsConcatenated()
+    {
+        QCOMPARE(concatenations(QStringLiteral("return fault(file + \": found \" + word);")).size(), 1);
+        QCOMPARE(concatenations(QStringLiteral("lines.push_back(name + status.message());")).size(), 1);
+        QVERIFY(
+            concatenations(QStringLiteral("return {PALPATE_TEXT(\"found %1\"), folder + \"/\" + file};")).isEmpty());
+        QStringList faults;
+        for (const Source& source : sourcesIn(kProduct)) {
+            for (const QString& statement : concatenations(source.text)) {
+                faults << source.path + QStringLiteral(": ") + statement;
+            }
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    }
+
+    /// Only texts of other software are shown without translation.
+    void onlyForeignTextsAreUntranslated()
+    {
+        const QStringList foreign{
+            QStringLiteral("app/src/shared/Program.cpp"),                   // what() of an exception
+            QStringLiteral("modules/core/include/palpate/core/Message.h"),  // declaration
+            QStringLiteral("modules/core/src/Message.cpp"),                 // rare errors of the C library
+            QStringLiteral("modules/device/src/PluginProbe.cpp"),           // plugins
+            QStringLiteral("modules/meshio/src/scene/ReadScene.cpp"),       // Qt's JSON parser
+            QStringLiteral("modules/session/src/database/Database.cpp"),    // SQLite
+            QStringLiteral("modules/session/src/database/ReadOnlyVfs.cpp"), // SQLite
+            QStringLiteral("modules/study/src/session/ReadMarkups.cpp"),    // Qt's JSON parser
+        };
+        QStringList found;
+        for (const Source& source : sourcesIn(kProduct)) {
+            if (source.text.contains(QRegularExpression(QStringLiteral("\\buntranslated\\(")))) {
+                found << source.path;
+            }
+        }
+        found.sort();
+        QCOMPARE(found, foreign);
     }
 
     void frenchHasItsSpaces()

@@ -3,9 +3,9 @@
 #include "Shapes.h"
 #include "TestRunner.h"
 
-#include <palpate/ui/EngineTexts.h>
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/Messages.h>
+#include <palpate/ui/Translated.h>
 
 #include <QAbstractItemView>
 #include <QFile>
@@ -108,7 +108,7 @@ class German : public QObject
         row("flat",
             m_desk->writeStl("flat.stl",
                              {{core::Vec3(0, 0, 0), core::Vec3(1, 0, 0), core::Vec3(2, 0, 0)}, {{0, 1, 2}}}),
-            "hat keine Fläche");
+            "keines der Dreiecke hat eine Fläche");
         const double nan = std::numeric_limits<double>::quiet_NaN();
         row("not numbers", m_desk->writeStl("nan.stl", withCorner(core::Vec3(nan, 0, 0))), "keine Zahlen");
         row("far", m_desk->writeStl("far.stl", withCorner(core::Vec3(1e9, 0, 0))), "weiter als 10 km");
@@ -140,22 +140,28 @@ class German : public QObject
         QCOMPARE(englishIn(lines), QString());
     }
 
-    void whatIsNotKnownSaysItsLanguage()
+    void foreignTextsSayTheirLanguage()
     {
-        QCOMPARE(ui::engineText("a.stl: the moon is in the way"),
+        QCOMPARE(ui::translated(core::Message::untranslated("a.stl: the moon is in the way")),
                  QStringLiteral("a.stl: the moon is in the way (auf Englisch)"));
-        QCOMPARE(ui::engineText("the file is empty"), QStringLiteral("die Datei ist leer"));
-        QCOMPARE(ui::engineText("the 100 %1 box.stl: line 7: \"the end\" is not a number; expected three numbers"),
-                 QStringLiteral("the 100 %1 box.stl: Zeile 7: \"the end\" ist keine Zahl; erwartet: drei Zahlen"));
-        QCOMPARE(ui::engineText(""), QString());
+        QCOMPARE(ui::translated(core::Message()), QString());
+    }
+
+    void namesAreNotTranslatedAndNumbersAreLocal()
+    {
+        QCOMPARE(ui::translated(core::Message(PALPATE_TEXT("the file is empty"))),
+                 QStringLiteral("die Datei ist leer"));
+        const core::Message line(PALPATE_TEXT("line %1"), 7);
+        QCOMPARE(ui::translated(core::Message(PALPATE_TEXT("%1: %2"), "the 100 %1 box.stl", line)),
+                 QStringLiteral("the 100 %1 box.stl: Zeile 7"));
     }
 
     /// In English the engine's own messages stay unchanged.
     void inEnglishNothingChanges()
     {
         QCoreApplication::removeTranslator(&m_german);
-        const QString line = QStringLiteral("a.stl: 1,234 open edges: the surface has holes or a rim");
-        QCOMPARE(ui::engineText(line.toStdString()), line);
+        const core::Message line(PALPATE_TEXT("%1 open edges: the surface has holes or a rim"), core::Count(1234));
+        QCOMPARE(ui::translated(line), QStringLiteral("1,234 open edges: the surface has holes or a rim"));
         QCoreApplication::installTranslator(&m_german);
     }
 

@@ -105,13 +105,11 @@ core::Result<Subjects> loadSubjects(const EvaluateOptions& options, const meshio
             return loaded.status();
         }
         meshio::LoadedScene scene = std::move(loaded).value();
-        for (const std::string& loss : scene.losses) {
-            losses.push_back(core::Message::untranslated(loss));
-        }
+        losses.insert(losses.end(), scene.losses.begin(), scene.losses.end());
         if (!options.layers.empty()) {
             auto felt = study::hapticScene(scene);
-            for (const std::string& line : layOut(path, scene, felt)) {
-                print("%s: layers: %s\n", path.filename().string().c_str(), line.c_str());
+            for (const core::Message& line : layOut(path, scene, felt)) {
+                print("%s: layers: %s\n", path.filename().string().c_str(), line.english().c_str());
             }
         }
         for (meshio::LoadedStructure& structure : scene.structures) {

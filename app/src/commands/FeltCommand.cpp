@@ -122,17 +122,12 @@ Result<std::vector<study::OrganPalpability>> feelAll(const meshio::LoadedScene& 
 int writeAndPrint(const FeltCommandOptions& options, const meshio::LoadedScene& scene,
                   const std::vector<study::OrganPalpability>& felt)
 {
-    std::vector<core::Message> losses;
-    const auto lose = [&losses](const std::vector<std::string>& lines) {
-        for (const std::string& line : lines) {
-            losses.push_back(core::Message::untranslated(line));
-        }
-    };
-    lose(scene.losses);
+    std::vector<core::Message> losses = scene.losses;
     for (const study::OrganPalpability& one : felt) {
         losses.insert(losses.end(), one.felt.notes.begin(), one.felt.notes.end());
     }
-    lose(study::ratioQuestions(scene, felt));
+    const std::vector<core::Message> questions = study::ratioQuestions(scene, felt);
+    losses.insert(losses.end(), questions.begin(), questions.end());
     if (!options.vtp.empty()) {
         const auto bytes = study::feltVtp(felt);
         const Status status = bytes.isOk() ? core::writeAtomically(options.vtp, bytes.value()) : bytes.status();

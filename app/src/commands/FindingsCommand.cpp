@@ -119,11 +119,7 @@ int runImport(const FindingsOptions& options)
     }
     print("%s: %s finding%s taken, %s in all\n", options.out.string().c_str(), grouped(count).c_str(),
           count == 1 ? "" : "s", grouped(out.findings.size()).c_str());
-    std::vector<core::Message> losses;
-    for (const std::string& loss : markups.value().losses) {
-        losses.push_back(core::Message::untranslated(loss));
-    }
-    return reportLosses(losses);
+    return reportLosses(markups.value().losses);
 }
 
 int runFindings(const FindingsOptions& options)

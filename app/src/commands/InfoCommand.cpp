@@ -142,11 +142,11 @@ void compareFiles(std::vector<Examined>& files, const std::vector<std::size_t>& 
         structures.insert(structures.end(), files[i].felt->structures().begin(), files[i].felt->structures().end());
     }
     auto felt = std::make_shared<const haptics::HapticScene>(std::move(structures));
-    std::optional<std::vector<std::string>> layers;
+    std::optional<std::vector<core::Message>> layers;
     if (setsLayers) {
         layers = layOut(files[numbers.front()].report.path, together, felt);
     }
-    const std::vector<std::string> notes = study::neighbourNotes(together, *felt);
+    const std::vector<core::Message> notes = study::neighbourNotes(together, *felt);
     std::size_t next = 0;
     for (const std::size_t i : numbers) {
         for (meshio::LoadedStructure& structure : files[i].report.scene.structures) {
@@ -160,11 +160,11 @@ void compareFiles(std::vector<Examined>& files, const std::vector<std::size_t>& 
 void printComparison(const std::vector<Examined>& files, const std::vector<std::size_t>& numbers)
 {
     const FileReport& first = files[numbers.front()].report;
-    for (const std::string& line : first.layers.value_or(std::vector<std::string>())) {
-        print("  layers: %s\n", line.c_str());
+    for (const core::Message& line : first.layers.value_or(std::vector<core::Message>())) {
+        print("  layers: %s\n", line.english().c_str());
     }
-    for (const std::string& line : first.neighbours) {
-        print("  note: %s\n", line.c_str());
+    for (const core::Message& line : first.neighbours) {
+        print("  note: %s\n", line.english().c_str());
     }
 }
 
@@ -206,9 +206,8 @@ int runMeshInfo(const InfoOptions& options)
             return report(one.status());
         }
         files.push_back(std::move(one).value());
-        for (const std::string& loss : files.back().report.scene.losses) {
-            losses.push_back(core::Message::untranslated(loss));
-        }
+        const std::vector<core::Message>& lost = files.back().report.scene.losses;
+        losses.insert(losses.end(), lost.begin(), lost.end());
         show(printRead, files.back());
         indexFile(files.back());
         show(printTouch, files.back());

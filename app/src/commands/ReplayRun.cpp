@@ -217,17 +217,15 @@ Status ReplayRun::loadScene()
         return {StatusCode::Empty, PALPATE_TEXT("%1: found nothing palpable, expected a structure that is"),
                 m_options.scene};
     }
-    for (const std::string& loss : loaded.value().losses) {
-        m_losses.push_back(core::Message::untranslated(loss));
-    }
+    m_losses = loaded.value().losses;
     for (const std::string& field : meshio::unknownFields(loaded.value().scene)) {
         printError(PALPATE_TEXT("%1: %2: this version does not know this field; it is kept, but not used"),
                    m_options.scene.filename(), field);
     }
     if (!m_options.layers.empty()) {
         const auto before = m_scene;
-        for (const std::string& line : layOut(m_options.scene, loaded.value(), m_scene)) {
-            print("layers: %s\n", line.c_str());
+        for (const core::Message& line : layOut(m_options.scene, loaded.value(), m_scene)) {
+            print("layers: %s\n", line.english().c_str());
         }
         m_isRelayered = m_scene != before;
     }

@@ -89,25 +89,34 @@ std::string wall(const geometry::SurfaceExamination& e)
     return text.data();
 }
 
-/// Describes the findings on a structure's mesh.
-std::vector<std::string> sentencesOf(const meshio::LoadedStructure& structure)
+std::vector<std::string> english(const std::vector<core::Message>& messages)
 {
-    std::vector<std::string> lines = structure.surface->report.sentences();
-    for (std::string& sentence : meshio::shapeSentences(structure.staircase, structure.smoothing)) {
-        lines.push_back(std::move(sentence));
+    std::vector<std::string> lines;
+    for (const core::Message& message : messages) {
+        lines.push_back(message.english());
     }
     return lines;
 }
 
+/// Describes the findings on a structure's mesh.
+std::vector<std::string> sentencesOf(const meshio::LoadedStructure& structure)
+{
+    std::vector<core::Message> lines = structure.surface->report.sentences();
+    for (core::Message& sentence : meshio::shapeSentences(structure.staircase, structure.smoothing)) {
+        lines.push_back(std::move(sentence));
+    }
+    return english(lines);
+}
+
 std::vector<std::string> notes(const FileReport& report)
 {
-    std::vector<std::string> out = report.scene.warnings;
-    for (const std::string& note : report.lumpNotes) {
+    std::vector<std::string> out = english(report.scene.warnings);
+    for (const std::string& note : english(report.lumpNotes)) {
         if (std::find(out.begin(), out.end(), note) == out.end()) { // already printed with the palpable lumps
             out.push_back(note);
         }
     }
-    for (const std::string& question : study::ratioQuestions(report.scene, report.lumps)) {
+    for (const std::string& question : english(study::ratioQuestions(report.scene, report.lumps))) {
         if (std::find(out.begin(), out.end(), question) == out.end()) {
             out.push_back(question);
         }
@@ -193,8 +202,8 @@ void printRead(const FileReport& report)
 
 void printTouch(const FileReport& report)
 {
-    for (const std::string& note : report.surfaceNotes) {
-        print("  note: %s\n", note.c_str());
+    for (const core::Message& note : report.surfaceNotes) {
+        print("  note: %s\n", note.english().c_str());
     }
     print("  touch: %s triangles in %s bytes (%.1f a triangle), read in %.0f ms, indexed in %.0f ms\n",
           grouped(report.touchTriangles).c_str(), grouped(report.touchBytes).c_str(),
@@ -361,7 +370,8 @@ QJsonObject toJson(const FileReport& report)
     }
     std::vector<std::string> allNotes = notes(report);
     for (const auto* more : {&report.surfaceNotes, &report.neighbours}) {
-        allNotes.insert(allNotes.end(), more->begin(), more->end());
+        const std::vector<std::string> lines = english(*more);
+        allNotes.insert(allNotes.end(), lines.begin(), lines.end());
     }
     const std::optional<double>& likely = report.scene.likelyUnit_mm;
     QJsonObject object{{"schema", 1},
@@ -373,14 +383,14 @@ QJsonObject toJson(const FileReport& report)
                                                                    {"option", QString("--unit ") + unitName(*likely)}})
                                           : QJsonValue()},
                        {"notes", texts(allNotes)},
-                       {"losses", texts(report.scene.losses)},
+                       {"losses", texts(english(report.scene.losses))},
                        {"touch", QJsonObject{{"triangles", count(report.touchTriangles)},
                                              {"bytes", count(report.touchBytes)},
                                              {"load_s", report.load_s},
                                              {"index_s", report.index_s},
                                              {"examine_s", report.examine_s}}}};
     if (report.layers) {
-        object["layers"] = texts(*report.layers);
+        object["layers"] = texts(english(*report.layers));
     }
     object["lumps"] = study::lumpsJson(report.scene, report.lumps);
     return object;

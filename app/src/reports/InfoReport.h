@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
 #include <palpate/geometry/SurfaceExamination.h>
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/study/BuriedLumps.h>
@@ -23,12 +24,12 @@ struct FileReport
     double index_s = 0.0;                                              ///< time for building the haptic surfaces
     std::vector<std::optional<geometry::SurfaceExamination>> examined; ///< per structure; empty if not palpable
     double examine_s = 0.0;
-    std::vector<std::string> surfaceNotes; ///< inverted or stair-stepped surfaces, one sentence each
-    std::vector<std::string> neighbours;   ///< structures of all files that obstruct each other, one sentence each
+    std::vector<core::Message> surfaceNotes; ///< inverted or stair-stepped surfaces, one sentence each
+    std::vector<core::Message> neighbours;   ///< structures of all files that obstruct each other, one sentence each
     /// Nesting of structures across all files, one sentence each, if requested.
-    std::optional<std::vector<std::string>> layers;
+    std::optional<std::vector<core::Message>> layers;
     std::vector<study::OrganPalpability> lumps; ///< palpability of lumps in organs
-    std::vector<std::string> lumpNotes;         ///< organs and lumps that cannot be evaluated, one sentence each
+    std::vector<core::Message> lumpNotes;       ///< organs and lumps that cannot be evaluated, one sentence each
     std::size_t touchBytes = 0;
     std::size_t touchTriangles = 0;
 };

@@ -110,8 +110,8 @@ std::string ReplaySummary::json() const
                                 {"index_s", m_cost.index_s},
                                 {"ready_to_touch_s", m_cost.load_s + m_cost.index_s}};
     QJsonArray notes;
-    for (const std::string& note : m_cost.notes) {
-        notes.append(text(note));
+    for (const core::Message& note : m_cost.notes) {
+        notes.append(text(note.english()));
     }
     root["notes"] = notes;
     root["solve_ns"] = QJsonObject{{"p50", static_cast<qint64>(t.p50)},

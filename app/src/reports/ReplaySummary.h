@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
 #include <palpate/session/Measures.h>
 #include <palpate/session/Replay.h>
 #include <palpate/session/StructureNames.h>
@@ -21,10 +22,10 @@ struct SceneCost
     std::string name; ///< file name
     std::size_t structures = 0;
     std::size_t triangles = 0;
-    std::size_t bytes = 0;          ///< memory of all haptic surfaces
-    double load_s = 0.0;            ///< time for reading and repairing
-    double index_s = 0.0;           ///< time for building the haptic surfaces
-    std::vector<std::string> notes; ///< notes on the surfaces for the user, one sentence each
+    std::size_t bytes = 0;            ///< memory of all haptic surfaces
+    double load_s = 0.0;              ///< time for reading and repairing
+    double index_s = 0.0;             ///< time for building the haptic surfaces
+    std::vector<core::Message> notes; ///< notes on the surfaces for the user, one sentence each
 };
 
 /// Quantiles of a duration, by nearest rank. [ns]

@@ -7,8 +7,8 @@
 
 #include <palpate/session/RecordingReader.h>
 #include <palpate/ui/ActionList.h>
-#include <palpate/ui/EngineTexts.h>
 #include <palpate/ui/MapDisplay.h>
+#include <palpate/ui/Translated.h>
 #include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
@@ -142,7 +142,7 @@ bool DocumentPart::saveTo(const std::filesystem::path& path)
         m_recent.add(path);
         m_core.notices.say(tr("Scene saved to %1").arg(toText(path)));
     } else {
-        m_core.notices.showError(ui::engineText(saved));
+        m_core.notices.showError(ui::translated(saved));
     }
     return saved.isOk();
 }

@@ -3,7 +3,7 @@
 
 #include "shared/Paths.h"
 
-#include <palpate/ui/EngineTexts.h>
+#include <palpate/ui/Translated.h>
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -243,7 +243,7 @@ bool SceneDocument::writeCopy()
     }
     if (!std::exchange(m_hasCopyFailed, !status.isOk()) && !status.isOk()) { // the next edit tries again
         Q_EMIT copyFailed(
-            tr("Unsaved changes would be lost in a crash. Save the scene. %1").arg(ui::engineText(status)));
+            tr("Unsaved changes would be lost in a crash. Save the scene. %1").arg(ui::translated(status)));
     }
     return status.isOk();
 }

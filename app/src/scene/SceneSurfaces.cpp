@@ -11,7 +11,7 @@
 #include <QLocale>
 
 #include <memory>
-#include <palpate/ui/EngineTexts.h>
+#include <palpate/ui/Translated.h>
 
 #include <optional>
 #include <utility>
@@ -75,7 +75,7 @@ void SceneSurfaces::connectLoader()
                 model.setMaps(row, found->description.maps, found->maps, problems);
                 QStringList lines;
                 for (const core::Message& problem : problems) {
-                    lines << ui::engineText(problem);
+                    lines << ui::translated(problem);
                 }
                 m_core.notices.say(lines.isEmpty()
                                        ? tr("The map of %1 was applied.").arg(ui::readableName(found->description.name))

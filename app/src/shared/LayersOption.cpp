@@ -15,17 +15,18 @@ core::Status checkLayers(const std::string& option)
     return {core::StatusCode::BadCommandLine, PALPATE_TEXT("--layers: found \"%1\", expected auto"), option};
 }
 
-std::vector<std::string> layOut(const std::filesystem::path& path, meshio::LoadedScene& scene,
-                                std::shared_ptr<const haptics::HapticScene>& felt)
+std::vector<core::Message> layOut(const std::filesystem::path& path, meshio::LoadedScene& scene,
+                                  std::shared_ptr<const haptics::HapticScene>& felt)
 {
-    const bool isRecording = session::isRecordingFile(path);
-    if (isRecording || meshio::isSceneFile(path)) {
-        return {path.filename().string() + (isRecording ? " is a recording" : " is a scene file") +
-                " and keeps its own layers"};
+    if (session::isRecordingFile(path)) {
+        return {{PALPATE_TEXT("%1 is a recording and keeps its own layers"), path.filename()}};
     }
-    std::vector<std::string> lines = study::setLayers(scene, felt);
+    if (meshio::isSceneFile(path)) {
+        return {{PALPATE_TEXT("%1 is a scene file and keeps its own layers"), path.filename()}};
+    }
+    std::vector<core::Message> lines = study::setLayers(scene, felt);
     if (lines.empty()) {
-        lines.emplace_back("nothing lies in another structure: all is in one layer");
+        lines.push_back({PALPATE_TEXT("nothing lies in another structure: all is in one layer")});
     }
     return lines;
 }

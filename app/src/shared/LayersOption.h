@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
 #include <palpate/core/Status.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/meshio/LoadScene.h>
@@ -22,7 +23,7 @@ inline constexpr const char* kLayersHelp =
 /// Applies `--layers auto`: assigns layers to mesh files by nesting. Scene files and recordings keep their layers.
 /// @param felt  made from `scene`; replaced when layers were assigned
 /// @return one sentence per assignment
-[[nodiscard]] std::vector<std::string> layOut(const std::filesystem::path& path, meshio::LoadedScene& scene,
-                                              std::shared_ptr<const haptics::HapticScene>& felt);
+[[nodiscard]] std::vector<core::Message> layOut(const std::filesystem::path& path, meshio::LoadedScene& scene,
+                                                std::shared_ptr<const haptics::HapticScene>& felt);
 
 } // namespace palpate::app

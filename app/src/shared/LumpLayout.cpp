@@ -3,8 +3,8 @@
 
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/StiffnessRatio.h>
-#include <palpate/ui/EngineTexts.h>
 #include <palpate/ui/FeltWords.h>
+#include <palpate/ui/Translated.h>
 
 #include <optional>
 
@@ -52,8 +52,8 @@ LumpLayout::LumpLayout(const StructureModel& model, const study::Layering& layer
             m_needsSentence[i] = false;
         }
     }
-    for (const std::string& sentence : layering.sentences(names, m_needsSentence)) {
-        m_lines << engineText(sentence);
+    for (const core::Message& sentence : layering.sentences(names, m_needsSentence)) {
+        m_lines << translated(sentence);
     }
 }
 

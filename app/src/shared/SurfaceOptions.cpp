@@ -12,14 +12,15 @@ namespace palpate::app {
 namespace {
 
 /// Shortens a list of names: "liver, spleen, kidney and 3 more".
-std::string named(const std::vector<std::string>& names)
+core::Message named(const std::vector<std::string>& names)
 {
     constexpr std::size_t kMost = 3;
     std::string text;
     for (std::size_t i = 0; i < names.size() && i < kMost; ++i) {
         text += (i == 0 ? "" : ", ") + names[i];
     }
-    return names.size() > kMost ? text + " and " + std::to_string(names.size() - kMost) + " more" : text;
+    return names.size() > kMost ? core::Message(PALPATE_TEXT("%1 and %2 more"), text, names.size() - kMost)
+                                : core::Message(PALPATE_TEXT("%1"), text);
 }
 
 } // namespace
@@ -42,14 +43,15 @@ void SurfaceOptions::applyTo(meshio::ReadOptions& read) const
     read.turnsOutwards = turnsOutwards;
 }
 
-std::vector<std::string> surfaceNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt)
+std::vector<core::Message> surfaceNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt)
 {
-    std::vector<std::string> insideOut, stepped, lines;
+    std::vector<std::string> insideOut, stepped;
+    std::vector<core::Message> lines;
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
         const meshio::LoadedStructure& one = scene.structures[i];
         const std::string& name = one.description.name;
         if (one.smoothing) {
-            lines.push_back(name + ": " + one.smoothing->sentence());
+            lines.push_back({PALPATE_TEXT("%1: %2"), name, one.smoothing->sentence()});
         }
         if (felt.structures()[i].surface == nullptr && !one.isTransmitted) {
             continue;
@@ -58,30 +60,37 @@ std::vector<std::string> surfaceNotes(const meshio::LoadedScene& scene, const ha
             insideOut.push_back(name);
         }
         if (one.staircase && !one.smoothing) {
-            lines.push_back(name + ": " + one.staircase->sentence());
+            lines.push_back({PALPATE_TEXT("%1: %2"), name, one.staircase->sentence()});
             stepped.push_back(name);
         }
     }
     if (!stepped.empty()) {
-        lines.push_back("the steps of " + named(stepped) +
-                        " are felt, with forces that are wrong by a multiple: --smooth smooths them");
+        lines.push_back(
+            {PALPATE_TEXT("the steps of %1 are felt, with forces that are wrong by a multiple: --smooth smooths them"),
+             named(stepped)});
     }
     if (!insideOut.empty()) {
-        lines.push_back((insideOut.size() == 1 ? "1 surface is" : std::to_string(insideOut.size()) + " surfaces are") +
-                        " inside out and felt from within only: " + named(insideOut) +
-                        "; --outwards turns closed surfaces outwards");
+        lines.push_back(
+            insideOut.size() == 1
+                ? core::Message(PALPATE_TEXT("1 surface is inside out and felt from within only: %1; --outwards turns "
+                                             "closed surfaces outwards"),
+                                named(insideOut))
+                : core::Message(
+                      PALPATE_TEXT("%1 surfaces are inside out and felt from within only: %2; --outwards turns "
+                                   "closed surfaces outwards"),
+                      insideOut.size(), named(insideOut)));
     }
     return lines;
 }
 
-std::vector<std::string> printTouchNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt)
+std::vector<core::Message> printTouchNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt)
 {
-    std::vector<std::string> lines = surfaceNotes(scene, felt);
-    for (std::string& line : study::neighbourNotes(scene, felt)) {
+    std::vector<core::Message> lines = surfaceNotes(scene, felt);
+    for (core::Message& line : study::neighbourNotes(scene, felt)) {
         lines.push_back(std::move(line));
     }
-    for (const std::string& line : lines) {
-        print("note: %s\n", line.c_str());
+    for (const core::Message& line : lines) {
+        print("note: %s\n", line.english().c_str());
     }
     return lines;
 }

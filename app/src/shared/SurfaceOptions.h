@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/meshio/LoadScene.h>
 
 #include <CLI/App.hpp>
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace palpate::app {
@@ -26,9 +26,10 @@ struct SurfaceOptions
 /// Describes palpable surfaces that are inverted or stair-stepped, with the options that fix them, and the voxel
 /// staircases.
 /// @param felt  made from `scene`, structure by structure
-[[nodiscard]] std::vector<std::string> surfaceNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt);
+[[nodiscard]] std::vector<core::Message> surfaceNotes(const meshio::LoadedScene& scene,
+                                                      const haptics::HapticScene& felt);
 
 /// Prints these sentences and study::neighbourNotes, each as a line "note: …". @return the sentences
-std::vector<std::string> printTouchNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt);
+std::vector<core::Message> printTouchNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt);
 
 } // namespace palpate::app

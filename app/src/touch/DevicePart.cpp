@@ -11,11 +11,11 @@
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/ChipRow.h>
 #include <palpate/ui/DeviceChoice.h>
-#include <palpate/ui/EngineTexts.h>
 #include <palpate/ui/HandControl.h>
 #include <palpate/ui/HandPanel.h>
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/PalpationController.h>
+#include <palpate/ui/Translated.h>
 
 #include <QAction>
 #include <QMainWindow>
@@ -151,8 +151,8 @@ void DevicePart::chooseWaiting()
 void DevicePart::use(const std::string& id)
 {
     if (const core::Status status = m_devices->choose(id); !status.isOk()) {
-        m_core.notices.showError(ui::engineText(status));
-        Q_EMIT refused(ui::engineText(status));
+        m_core.notices.showError(ui::translated(status));
+        Q_EMIT refused(ui::translated(status));
     }
 }
 

@@ -7,8 +7,8 @@
 #include <palpate/core/AtomicFile.h>
 #include <palpate/session/Findings.h>
 #include <palpate/study/FindingsFile.h>
-#include <palpate/ui/EngineTexts.h>
 #include <palpate/ui/FeltWords.h>
+#include <palpate/ui/Translated.h>
 
 #include <QDateTime>
 #include <QLocale>
@@ -191,7 +191,7 @@ void FindingsDesk::exportTo(const std::filesystem::path& path)
     if (status.isOk()) {
         Q_EMIT said(tr("%n finding(s) exported to %1", nullptr, static_cast<int>(all.size())).arg(toText(path)));
     } else {
-        Q_EMIT failed(ui::engineText(status));
+        Q_EMIT failed(ui::translated(status));
     }
 }
 
@@ -199,7 +199,7 @@ void FindingsDesk::importFrom(const std::filesystem::path& path)
 {
     auto markups = study::readMarkups(path);
     if (!markups.isOk()) {
-        Q_EMIT failed(ui::engineText(markups.status()));
+        Q_EMIT failed(ui::translated(markups.status()));
         return;
     }
     const auto count = static_cast<int>(markups.value().findings.size());
@@ -207,8 +207,8 @@ void FindingsDesk::importFrom(const std::filesystem::path& path)
                                          tr("Import %n finding(s)", nullptr, count));
     Q_EMIT said(tr("%n finding(s) imported from %1", nullptr, count).arg(toText(path.filename())));
     QStringList losses;
-    for (const std::string& loss : markups.value().losses) {
-        losses << ui::engineText(loss);
+    for (const core::Message& loss : markups.value().losses) {
+        losses << ui::translated(loss);
     }
     if (!losses.isEmpty()) {
         Q_EMIT failed(losses.join(QLatin1Char('\n')));

@@ -8,8 +8,8 @@
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/SearchedLumps.h>
 #include <palpate/study/SessionExport.h>
-#include <palpate/ui/EngineTexts.h>
 #include <palpate/ui/RecordedTouch.h>
+#include <palpate/ui/Translated.h>
 
 #include <QAccessible>
 #include <QClipboard>
@@ -73,7 +73,7 @@ bool lacksSurface(const session::RecordingReader& reader, const session::MeshesB
 
 QString lineOf(const core::Status& status)
 {
-    return ui::engineText(status);
+    return ui::translated(status);
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 #include "shared/Paths.h"
 
 #include <palpate/core/AtomicFile.h>
-#include <palpate/ui/EngineTexts.h>
+#include <palpate/ui/Translated.h>
 
 #include <QMessageBox>
 #include <QPushButton>
@@ -90,7 +90,7 @@ bool RecordingControl::mayEnd(QWidget* window)
         return false;
     }
     if (const core::Status stopped = stop(); !stopped.isOk()) {
-        QMessageBox::warning(window, tr("Recording"), ui::engineText(stopped));
+        QMessageBox::warning(window, tr("Recording"), ui::translated(stopped));
     }
     return true;
 }
@@ -107,7 +107,7 @@ void RecordingControl::refresh()
         m_panel.showRecording(now.duration_s, losses);
         const std::string problem = now.problem.english();
         if (std::exchange(m_reportedProblem, problem) != problem && isTroubled) {
-            Q_EMIT writeProblem(ui::engineText(now.problem));
+            Q_EMIT writeProblem(ui::translated(now.problem));
         }
         return;
     }
@@ -117,7 +117,7 @@ void RecordingControl::refresh()
         m_hasFailed = true;
         m_panel.showTitle(tr("%1 stopped: write error").arg(toText(m_path.filename())));
         m_panel.showRecording(now.duration_s, lossesText(now.late, now.dropped));
-        Q_EMIT failed(ui::engineText(now.problem));
+        Q_EMIT failed(ui::translated(now.problem));
     }
     m_chip.say(m_failure, Chip::Tone::Recording);
 }

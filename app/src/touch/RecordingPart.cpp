@@ -12,11 +12,11 @@
 #include <palpate/session/RecordingReader.h>
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/ChipRow.h>
-#include <palpate/ui/EngineTexts.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/Playback.h>
 #include <palpate/ui/RecordedTouch.h>
 #include <palpate/ui/TouchPanel.h>
+#include <palpate/ui/Translated.h>
 #include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
@@ -115,8 +115,8 @@ void RecordingPart::open(const std::filesystem::path& path)
 {
     auto recording = ui::RecordedTouch::open(path);
     if (!recording.isOk()) {
-        m_core.notices.showError(ui::engineText(recording.status()));
-        Q_EMIT openFailed(ui::engineText(recording.status()));
+        m_core.notices.showError(ui::translated(recording.status()));
+        Q_EMIT openFailed(ui::translated(recording.status()));
         return;
     }
     const QString losses = recording.value()->losses();
@@ -155,7 +155,7 @@ void RecordingPart::start()
     m_core.actions.at("record").setChecked(started.isOk());
     Q_EMIT begun(m_control->path());
     if (!started.isOk()) {
-        m_core.notices.showError(ui::engineText(started));
+        m_core.notices.showError(ui::translated(started));
         return;
     }
     m_touch.panel().clearHistory();
@@ -175,7 +175,7 @@ void RecordingPart::stop()
     open(m_control->path());
     m_touch.setPalpating(wasPalpating);
     m_core.notices.bar().offer(stopped.isOk() ? tr("Recorded to %1").arg(toText(m_control->path()))
-                                              : ui::engineText(stopped),
+                                              : ui::translated(stopped),
                                tr("Results…"), [this] { m_core.actions.at("measures").trigger(); });
 }
 

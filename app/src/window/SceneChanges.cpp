@@ -14,12 +14,12 @@
 #include "touch/TouchPart.h"
 
 #include <palpate/ui/ActionList.h>
-#include <palpate/ui/EngineTexts.h>
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/Playback.h>
 #include <palpate/ui/StructureModel.h>
 #include <palpate/ui/StructurePanel.h>
+#include <palpate/ui/Translated.h>
 #include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
@@ -100,7 +100,7 @@ void SceneChanges::show(const ui::OpenedScene& scene)
     setSceneCamera(view, scene.scene.camera);
     m_parts.touch.palpation().setSceneSize(view.bounds().diagonal().norm());
     if (const core::Status started = m_core.live.start(); !started.isOk()) {
-        m_core.notices.showError(ui::engineText(started));
+        m_core.notices.showError(ui::translated(started));
     }
     ui::StructurePanel& panel = m_parts.structures.panel();
     panel.select(0);

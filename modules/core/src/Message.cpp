@@ -27,6 +27,12 @@ MessageArgument::MessageArgument(Count count)
 {
 }
 
+MessageArgument::MessageArgument(Rounded number)
+    : english(shortNumber(number.value, number.digits))
+    , kind(Kind::Number)
+{
+}
+
 MessageArgument::MessageArgument(Message part)
     : english(part.english())
     , kind(Kind::Message)

@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/geometry/MeshReport.h"
 
-#include <palpate/core/Text.h>
-
 namespace palpate::geometry {
-
-namespace {
-
-/// Formats a count with its noun, e.g. "52,114 triangles".
-std::string counted(std::size_t n, const char* one, const char* many)
-{
-    return core::grouped(n) + ' ' + (n == 1 ? one : many);
-}
-
-} // namespace
 
 bool MeshReport::isClean() const noexcept
 {
@@ -22,25 +10,35 @@ bool MeshReport::isClean() const noexcept
            insideOutComponents == 0;
 }
 
-std::vector<std::string> MeshReport::sentences() const
+std::vector<core::Message> MeshReport::sentences() const
 {
-    std::vector<std::string> lines;
-    const auto say = [&lines](std::size_t n, const char* one, const char* many, const char* rest) {
+    std::vector<core::Message> lines;
+    const auto add = [&lines](std::size_t n, core::MessageText<> one, core::MessageText<core::Count> many) {
         if (n > 0) {
-            lines.push_back(counted(n, one, many) + rest);
+            lines.push_back(n == 1 ? core::Message(one) : core::Message(many, core::Count(n)));
         }
     };
-    say(mixedValues, "value", "values",
-        " of arrays differed by more than 10 % from another at the same vertex: the mean is used");
-    say(zeroAreaTriangles, "triangle", "triangles", " without area left out");
-    say(duplicateTriangles, "duplicate triangle", "duplicate triangles", " left out");
-    say(reorientedTriangles, "triangle", "triangles", " turned round to face the same way as the rest");
-    say(openEdges, "open edge", "open edges", ": the surface has holes or a rim");
-    say(nonManifoldEdges, "edge", "edges", " shared by more than two triangles");
-    say(nonOrientableComponents, "part", "parts", " without a consistent front");
-    say(openComponents, "part", "parts", " without an inside, touched from both sides");
-    say(insideOutComponents, "closed part looks", "closed parts look",
-        " inside out: touched from within only, unless turned outwards");
+    add(mixedValues,
+        PALPATE_TEXT("1 value of arrays differed by more than 10 % from another at the same vertex: the mean is used"),
+        PALPATE_TEXT(
+            "%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used"));
+    add(zeroAreaTriangles, PALPATE_TEXT("1 triangle without area left out"),
+        PALPATE_TEXT("%1 triangles without area left out"));
+    add(duplicateTriangles, PALPATE_TEXT("1 duplicate triangle left out"),
+        PALPATE_TEXT("%1 duplicate triangles left out"));
+    add(reorientedTriangles, PALPATE_TEXT("1 triangle turned round to face the same way as the rest"),
+        PALPATE_TEXT("%1 triangles turned round to face the same way as the rest"));
+    add(openEdges, PALPATE_TEXT("1 open edge: the surface has holes or a rim"),
+        PALPATE_TEXT("%1 open edges: the surface has holes or a rim"));
+    add(nonManifoldEdges, PALPATE_TEXT("1 edge shared by more than two triangles"),
+        PALPATE_TEXT("%1 edges shared by more than two triangles"));
+    add(nonOrientableComponents, PALPATE_TEXT("1 part without a consistent front"),
+        PALPATE_TEXT("%1 parts without a consistent front"));
+    add(openComponents, PALPATE_TEXT("1 part without an inside, touched from both sides"),
+        PALPATE_TEXT("%1 parts without an inside, touched from both sides"));
+    add(insideOutComponents,
+        PALPATE_TEXT("1 closed part looks inside out: touched from within only, unless turned outwards"),
+        PALPATE_TEXT("%1 closed parts look inside out: touched from within only, unless turned outwards"));
     return lines;
 }
 

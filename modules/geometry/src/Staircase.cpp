@@ -329,19 +329,18 @@ std::optional<Staircase> findStaircase(const TriangleMesh& mesh)
     return out;
 }
 
-std::string Staircase::sentence() const
+core::Message Staircase::sentence() const
 {
-    std::array<char, 160> text{};
     if (isStated) {
-        std::snprintf(text.data(), text.size(),
-                      "surface from a label map of %.3g × %.3g × %.3g mm voxels, with its steps", voxel_mm.x(),
-                      voxel_mm.y(), voxel_mm.z());
-        return text.data();
+        return {PALPATE_TEXT("surface from a label map of %1 × %2 × %3 mm voxels, with its steps"),
+                core::Rounded{voxel_mm.x(), 3}, core::Rounded{voxel_mm.y(), 3}, core::Rounded{voxel_mm.z(), 3}};
     }
-    std::snprintf(text.data(), text.size(),
-                  "staircase of about %.3g × %.3g × %.3g mm voxels (%.0f %% of the area in %d directions)",
-                  voxel_mm.x(), voxel_mm.y(), voxel_mm.z(), 100.0 * areaShare, kDirections);
-    return text.data();
+    return {PALPATE_TEXT("staircase of about %1 × %2 × %3 mm voxels (%4 % of the area in %5 directions)"),
+            core::Rounded{voxel_mm.x(), 3},
+            core::Rounded{voxel_mm.y(), 3},
+            core::Rounded{voxel_mm.z(), 3},
+            std::lround(100.0 * areaShare),
+            kDirections};
 }
 
 } // namespace palpate::geometry

@@ -30,7 +30,7 @@ constexpr std::size_t kFewVoxels = 8; ///< a structure of so few voxels has no r
 struct NamedLabels
 {
     LabelNames names;
-    std::vector<std::string> notes;
+    std::vector<core::Message> notes;
 };
 
 /// Finds names in the file, else beside it, else in the standard tables.
@@ -48,15 +48,15 @@ NamedLabels namesFor(const VolumeLayout& layout, const LabelVolume& volume, cons
         const Result<FileImage> image = FileImage::load(*beside);
         if (image.isOk()) {
             out.names = itkSnapNames(image.value().bytes());
-            out.notes.push_back("names and colours from the ITK-SNAP label description " +
-                                inQuotes(beside->filename().string()));
+            out.notes.push_back({PALPATE_TEXT("names and colours from the ITK-SNAP label description %1"),
+                                 inQuotes(beside->filename().string())});
             return out;
         }
     }
     if (auto table = standardTable(volume.labels, path.filename().string())) {
         out.names = std::move(table->names);
-        out.notes.push_back("the file has no names: names by the numbers of " + std::string(table->source) +
-                            ", check them");
+        out.notes.push_back(
+            {PALPATE_TEXT("the file has no names: names by the numbers of %1, check them"), table->source});
     }
     return out;
 }
@@ -85,26 +85,30 @@ std::vector<LabelName> uniqueNames(const NamedLabels& named, const LabelVolume& 
     return out;
 }
 
+/// @return the first names, "a, b, …"
+std::string listOf(const std::vector<std::string>& names)
+{
+    constexpr std::size_t kShown = 5;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), kShown); ++i) {
+        text.append(i == 0 ? "" : ", ").append(names[i]);
+    }
+    return names.size() > kShown ? text.append(", …") : text;
+}
+
 /// Notes names without voxels, and structures of a few voxels.
 void noteLabels(const NamedLabels& named, const std::vector<LabelName>& names, const LabelVolume& volume,
-                std::vector<std::string>& notes)
+                std::vector<core::Message>& notes)
 {
     std::vector<std::string> small, empty;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (volume.labels[i].voxels <= kFewVoxels) {
-            small.push_back(inQuotes(names[i].name) + " (" + counted(volume.labels[i].voxels, "voxel") + ")");
+            small.push_back(inQuotes(names[i].name));
         }
     }
-    const auto list = [](const std::vector<std::string>& items) {
-        constexpr std::size_t kShown = 5;
-        std::string text;
-        for (std::size_t i = 0; i < std::min(items.size(), kShown); ++i) {
-            text += (i == 0 ? "" : ", ") + items[i];
-        }
-        return items.size() > kShown ? text + " and " + std::to_string(items.size() - kShown) + " more" : text;
-    };
     if (!small.empty()) {
-        notes.push_back("structures of only a few voxels, whose shape is uncertain: " + list(small));
+        notes.push_back(
+            {PALPATE_TEXT("structures of at most %1 voxels, whose shape is uncertain: %2"), kFewVoxels, listOf(small)});
     }
     if (named.names.size() > 2 * kMostLabels || named.notes.size() > 0) {
         return; // a table names more structures than a file has
@@ -118,7 +122,7 @@ void noteLabels(const NamedLabels& named, const std::vector<LabelName>& names, c
         }
     }
     if (!empty.empty()) {
-        notes.push_back("no voxels of " + list(empty));
+        notes.push_back({PALPATE_TEXT("no voxels of %1"), listOf(empty)});
     }
 }
 

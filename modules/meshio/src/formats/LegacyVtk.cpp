@@ -70,10 +70,10 @@ class LegacyBody
 
     [[nodiscard]] std::size_t at() const noexcept { return m_at; }
     [[nodiscard]] std::string_view rest() const noexcept { return m_bytes.substr(m_at); }
-    [[nodiscard]] std::string place() const
+    [[nodiscard]] core::Message place() const
     {
-        return isBinary ? atByte(m_at)
-                        : atLine(1 + static_cast<std::uint64_t>(std::ranges::count(m_bytes.substr(0, m_at), '\n')));
+        return isBinary ? onByte(m_at)
+                        : onLine(1 + static_cast<std::uint64_t>(std::ranges::count(m_bytes.substr(0, m_at), '\n')));
     }
     /// @return the next word, empty at the end
     std::string_view word()
@@ -172,7 +172,7 @@ class LegacyScan
     Result<PreScan> run();
 
   private:
-    Status wrong(StatusCode code, std::string_view found, std::string_view expected) const
+    Status wrong(StatusCode code, const core::Message& found, const core::Message& expected) const
     {
         return fault(code, m_context.file, m_body.place(), found, expected);
     }
@@ -186,7 +186,8 @@ class LegacyScan
     Status skipText(std::uint64_t count);
     Status takeIndex(std::optional<std::int64_t> index, std::string_view keyword);
     /// Reads a count >= 0; at most kMostElements, and at most one item per remaining byte of the file.
-    Result<std::uint64_t> count(std::string_view of);
+    /// @param what  "number of points", for messages
+    Result<std::uint64_t> count(const core::Message& what);
     /// Skips the line end, after which the numbers of a binary file begin.
     Status endLine();
     /// Reads the keyword of an array, OFFSETS or CONNECTIVITY, and an integer type.
@@ -230,18 +231,18 @@ Status LegacyScan::reportProgress()
     return {};
 }
 
-Result<std::uint64_t> LegacyScan::count(std::string_view of)
+Result<std::uint64_t> LegacyScan::count(const core::Message& what)
 {
     const std::string_view word = m_body.word();
     const std::optional<std::int64_t> value = wordToInteger(word);
     if (!value || *value < 0) {
-        return wrong(StatusCode::BadFormat, inQuotes(word), "a number of " + std::string(of));
+        return wrong(StatusCode::BadFormat, {PALPATE_TEXT("%1: found %2"), what, inQuotes(word)},
+                     {PALPATE_TEXT("a whole number from 0")});
     }
     const auto found = static_cast<std::uint64_t>(*value);
-    if (found > std::min<std::uint64_t>(m_body.rest().size(), kMostElements)) {
-        return wrong(StatusCode::OutOfRange, grouped(found) + " " + std::string(of) + " declared",
-                     "at most " + grouped(std::min<std::uint64_t>(m_body.rest().size(), kMostElements)) +
-                         ", one for each byte that is left");
+    if (const auto most = std::min<std::uint64_t>(m_body.rest().size(), kMostElements); found > most) {
+        return wrong(StatusCode::OutOfRange, {PALPATE_TEXT("%1: declared %2"), what, Count(found)},
+                     {PALPATE_TEXT("at most %1, one for each byte that follows"), Count(most)});
     }
     return found;
 }
@@ -253,7 +254,8 @@ Status LegacyScan::endLine()
     }
     const std::string_view rest = m_body.line();
     return trimmed(rest).empty() ? Status()
-                                 : wrong(StatusCode::BadFormat, inQuotes(trimmed(rest)), "the end of the line");
+                                 : wrong(StatusCode::BadFormat, {PALPATE_TEXT("found %1"), inQuotes(trimmed(rest))},
+                                         {PALPATE_TEXT("the end of the line")});
 }
 
 Status LegacyScan::readHeader()
@@ -265,30 +267,33 @@ Status LegacyScan::readHeader()
     number = takeWord(number);
     const std::optional<std::int64_t> version = wordToInteger(number.substr(0, number.find('.')));
     if (!version) {
-        return wrong(StatusCode::BadFormat, inQuotes(trimmed(first)), inQuotes(std::string(kMark) + " 3.0"));
+        return wrong(StatusCode::BadFormat, {PALPATE_TEXT("found %1"), inQuotes(trimmed(first))},
+                     {PALPATE_TEXT("the line %1"), inQuotes(std::string(kMark) + " 3.0")});
     }
     if (*version < 1 || *version > 5) {
-        return wrong(StatusCode::Unsupported, "version " + std::to_string(*version), "1 to 5");
+        return wrong(StatusCode::Unsupported, {PALPATE_TEXT("version %1"), *version}, {PALPATE_TEXT("%1 to %2"), 1, 5});
     }
     m_hasOffsets = *version == 5;
     noteSpaceTag(title, m_scan);
     m_body.isBinary = sameWord(encoding, "binary");
     if (!m_body.isBinary && !sameWord(encoding, "ascii")) {
-        return wrong(StatusCode::BadFormat, inQuotes(encoding), "\"ASCII\" or \"BINARY\"");
+        return wrong(StatusCode::BadFormat, {PALPATE_TEXT("found %1"), inQuotes(encoding)},
+                     {PALPATE_TEXT("the keyword %1 or %2"), "\"ASCII\"", "\"BINARY\""});
     }
     return {};
 }
 
 Status LegacyScan::readPoints()
 {
-    const Result<std::uint64_t> points = count("points");
+    const Result<std::uint64_t> points = count({PALPATE_TEXT("number of points")});
     if (!points.isOk()) {
         return points.status();
     }
     const std::string_view word = m_body.word();
     const NumberType* type = typeOf(word);
     if (type == nullptr) {
-        return wrong(StatusCode::BadFormat, "points of type " + inQuotes(word), "a type of numbers");
+        return wrong(StatusCode::BadFormat, {PALPATE_TEXT("points of type %1"), inQuotes(word)},
+                     {PALPATE_TEXT("a number type")});
     }
     if (Status status = endLine(); !status.isOk()) {
         return status;
@@ -299,12 +304,13 @@ Status LegacyScan::readPoints()
         const std::optional<double> value = m_body.number(*type);
         if (!value) {
             return wrong(StatusCode::BadFormat,
-                         "no number for point " + std::to_string(i / 3) + " of " + grouped(points.value()),
-                         "three for each");
+                         {PALPATE_TEXT("a coordinate of point %1 of %2 is missing or not a number"), i / 3,
+                          Count(points.value())},
+                         {PALPATE_TEXT("three numbers for each point")});
         }
-        if (const std::string bad = coordinateFault(*value, m_context.unit_mm); !bad.empty()) {
-            return wrong(StatusCode::NonFinite, "point " + std::to_string(i / 3) + ": " + bad,
-                         "finite coordinates within 10 km");
+        if (const core::Message bad = coordinateFault(*value, m_context.unit_mm); !bad.isEmpty()) {
+            return wrong(StatusCode::NonFinite, {PALPATE_TEXT("point %1: %2"), i / 3, bad},
+                         {PALPATE_TEXT("finite coordinates within 10 km")});
         }
         if (isFloat) {
             append(static_cast<float>(*value));
@@ -322,13 +328,15 @@ Status LegacyScan::readPoints()
 Status LegacyScan::takeIndex(std::optional<std::int64_t> index, std::string_view keyword)
 {
     if (!index) {
-        return wrong(StatusCode::BadFormat, "no whole number in " + std::string(keyword), "as many as are declared");
+        return wrong(StatusCode::BadFormat,
+                     {PALPATE_TEXT("%1: a point index is missing or not a whole number"), keyword},
+                     {PALPATE_TEXT("as many whole numbers as are declared")});
     }
     if (!m_points || *index < 0 || *index >= static_cast<std::int64_t>(*m_points)) {
-        return wrong(StatusCode::OutOfRange, std::string(keyword) + " use point " + std::to_string(*index),
-                     !m_points       ? "POINTS before"
-                     : *m_points > 0 ? "0 to " + std::to_string(*m_points - 1)
-                                     : "no index: there are no points");
+        return wrong(StatusCode::OutOfRange, {PALPATE_TEXT("%1 use point %2"), keyword, *index},
+                     !m_points       ? core::Message(PALPATE_TEXT("%1 before this section"), "POINTS")
+                     : *m_points > 0 ? core::Message(PALPATE_TEXT("%1 to %2"), 0, *m_points - 1)
+                                     : core::Message(PALPATE_TEXT("no index, because there are no points")));
     }
     appendCorner(*index);
     return reportProgress();
@@ -344,10 +352,12 @@ Status LegacyScan::readCellLists(std::uint64_t cells, std::uint64_t numbers, std
     for (std::uint64_t i = 0; i < cells; ++i) {
         const std::optional<std::int64_t> corners = m_body.integer(kInt);
         if (!corners || *corners < 0 || static_cast<std::uint64_t>(*corners) + 1 > left) {
-            return wrong(StatusCode::OutOfRange,
-                         "cell " + std::to_string(i) + " of " + std::string(keyword) + " has " +
-                             (corners ? std::to_string(*corners) : "no number of") + " corners",
-                         "at most " + grouped(left == 0 ? 0 : left - 1) + ", the numbers that are left");
+            return wrong(
+                StatusCode::OutOfRange,
+                corners
+                    ? core::Message(PALPATE_TEXT("%1: number of corners of cell %2: %3"), keyword, i, Count(*corners))
+                    : core::Message(PALPATE_TEXT("%1: the number of corners of cell %2 is missing"), keyword, i),
+                {PALPATE_TEXT("%1 to %2, as many as the declared values allow"), 0, Count(left == 0 ? 0 : left - 1)});
         }
         left -= static_cast<std::uint64_t>(*corners) + 1;
         appendCorner(*corners);
@@ -357,10 +367,10 @@ Status LegacyScan::readCellLists(std::uint64_t cells, std::uint64_t numbers, std
             }
         }
     }
-    return left == 0
-               ? Status()
-               : wrong(StatusCode::OutOfRange, grouped(numbers) + " numbers of " + std::string(keyword) + " declared",
-                       grouped(numbers - left) + ", what its cells use");
+    return left == 0 ? Status()
+                     : wrong(StatusCode::OutOfRange,
+                             {PALPATE_TEXT("%1: number of values: declared %2"), keyword, Count(numbers)},
+                             {PALPATE_TEXT("%1, as many as the cells use"), Count(numbers - left)});
 }
 
 Result<const NumberType*> LegacyScan::arrayType(std::string_view word)
@@ -369,8 +379,8 @@ Result<const NumberType*> LegacyScan::arrayType(std::string_view word)
     const std::string_view name = m_body.word();
     const NumberType* type = typeOf(name);
     if (!sameWord(found, word) || type == nullptr || type->isFloating) {
-        return wrong(StatusCode::BadFormat, inQuotes(found) + " " + inQuotes(name),
-                     inQuotes(word) + " and a type of whole numbers");
+        return wrong(StatusCode::BadFormat, {PALPATE_TEXT("found %1 and %2"), inQuotes(found), inQuotes(name)},
+                     {PALPATE_TEXT("the keyword %1 and an integer type"), inQuotes(word)});
     }
     if (Status status = endLine(); !status.isOk()) {
         return status;
@@ -387,17 +397,20 @@ Status LegacyScan::readCellOffsets(std::uint64_t offsets, std::uint64_t corners,
     for (std::uint64_t i = 0; type.isOk() && i < offsets; ++i) {
         const std::optional<std::int64_t> offset = m_body.integer(*type.value());
         if (!offset || *offset < before || (i == 0 && *offset != 0) || *offset > static_cast<std::int64_t>(corners)) {
-            return wrong(StatusCode::OutOfRange,
-                         "offset " + std::to_string(i) + " of " + std::string(keyword) + " is " +
-                             (offset ? std::to_string(*offset) : "no whole number"),
-                         i == 0 ? "0" : std::to_string(before) + " to " + std::to_string(corners));
+            return wrong(
+                StatusCode::OutOfRange,
+                offset ? core::Message(PALPATE_TEXT("%1: offset %2 is %3"), keyword, i, *offset)
+                       : core::Message(PALPATE_TEXT("%1: offset %2 is missing or not a whole number"), keyword, i),
+                i == 0 ? core::Message(PALPATE_TEXT("exactly %1"), 0)
+                       : core::Message(PALPATE_TEXT("%1 to %2"), before, corners));
         }
         before = *offset;
         starts.push_back(before);
     }
     if (type.isOk() && before != static_cast<std::int64_t>(corners)) {
-        return wrong(StatusCode::OutOfRange, grouped(corners) + " corners of " + std::string(keyword) + " declared",
-                     std::to_string(before) + ", the last offset");
+        return wrong(StatusCode::OutOfRange,
+                     {PALPATE_TEXT("%1: number of corners: declared %2"), keyword, Count(corners)},
+                     {PALPATE_TEXT("%1, the last offset"), Count(before)});
     }
     if (type.isOk()) {
         type = arrayType("CONNECTIVITY");
@@ -415,11 +428,11 @@ Status LegacyScan::readCellOffsets(std::uint64_t offsets, std::uint64_t corners,
 
 Status LegacyScan::readCells(std::string_view keyword)
 {
-    const Result<std::uint64_t> first = count("cells");
+    const Result<std::uint64_t> first = count({PALPATE_TEXT("number of cells")});
     if (!first.isOk()) {
         return first.status();
     }
-    const Result<std::uint64_t> second = count("numbers");
+    const Result<std::uint64_t> second = count({PALPATE_TEXT("number of values")});
     if (!second.isOk()) {
         return second.status();
     }
@@ -452,8 +465,8 @@ Status LegacyScan::skipText(std::uint64_t count)
             length = length << 8 | (static_cast<unsigned char>(rest[k]) & (k == 0 ? 0x3fU : 0xffU));
         }
         if (width == 0 || length > rest.size() || !m_body.skip(width + length, kByte)) {
-            return wrong(StatusCode::OutOfRange, "a text of " + grouped(length) + " bytes",
-                         "at most " + grouped(rest.size()) + ", the bytes that are left");
+            return wrong(StatusCode::OutOfRange, {PALPATE_TEXT("length of a text: %1 bytes"), Count(length)},
+                         {PALPATE_TEXT("at most %1, the number of bytes that follow"), Count(rest.size())});
         }
     }
     return {};
@@ -478,17 +491,17 @@ void LegacyScan::skipMetadata(std::uint64_t components)
 Status LegacyScan::skipField()
 {
     (void)m_body.word(); // name of the field
-    const Result<std::uint64_t> arrays = count("arrays");
+    const Result<std::uint64_t> arrays = count({PALPATE_TEXT("number of arrays")});
     if (!arrays.isOk()) {
         return arrays.status();
     }
     for (std::uint64_t i = 0; i < arrays.value(); ++i) {
         const std::string_view name = m_body.word();
-        const Result<std::uint64_t> components = count("components");
+        const Result<std::uint64_t> components = count({PALPATE_TEXT("number of components")});
         if (!components.isOk()) {
             return components.status();
         }
-        const Result<std::uint64_t> tuples = count("tuples");
+        const Result<std::uint64_t> tuples = count({PALPATE_TEXT("number of tuples")});
         if (!tuples.isOk()) {
             return tuples.status();
         }
@@ -504,9 +517,10 @@ Status LegacyScan::skipField()
             }
         } else if (type == nullptr || !m_body.skip(values, *type)) {
             return wrong(StatusCode::BadFormat,
-                         "the array " + inQuotes(name) + " of " + grouped(values) + " values of type " +
-                             inQuotes(typeName),
-                         "as many numbers as it declares");
+                         {PALPATE_TEXT("array %1: %2"), inQuotes(name),
+                          core::Message(PALPATE_TEXT("number of values: declared %1, of type %2"), Count(values),
+                                        inQuotes(typeName))},
+                         {PALPATE_TEXT("a known type and as many numbers as are declared")});
         }
         std::string_view after = m_body.rest();
         if (sameWord(takeWord(after), "METADATA")) {
@@ -529,14 +543,16 @@ Status LegacyScan::readSection(std::string_view keyword)
         return {};
     }
     if (std::ranges::any_of(m_seen, is)) {
-        return wrong(StatusCode::Unsupported, inQuotes(keyword) + " a second time", "each section once");
+        return wrong(StatusCode::Unsupported, {PALPATE_TEXT("a second section %1"), inQuotes(keyword)},
+                     {PALPATE_TEXT("each section once")});
     }
     m_seen.emplace_back(keyword);
     if (is("DATASET")) {
         const std::string_view kind = m_body.word();
-        return sameWord(kind, "POLYDATA") ? Status()
-                                          : wrong(StatusCode::Unsupported, "a VTK file of a " + inQuotes(kind),
-                                                  "POLYDATA, which is a surface");
+        return sameWord(kind, "POLYDATA")
+                   ? Status()
+                   : wrong(StatusCode::Unsupported, {PALPATE_TEXT("a VTK file of type %1"), inQuotes(kind)},
+                           {PALPATE_TEXT("the type %1"), "\"POLYDATA\""});
     }
     if (is("POINTS")) {
         return readPoints();
@@ -544,8 +560,9 @@ Status LegacyScan::readSection(std::string_view keyword)
     if (is("VERTICES") || is("LINES") || is("POLYGONS") || is("TRIANGLE_STRIPS")) {
         return readCells(keyword);
     }
-    return wrong(StatusCode::BadFormat, inQuotes(keyword),
-                 "DATASET, FIELD, POINTS, VERTICES, LINES, POLYGONS, TRIANGLE_STRIPS, POINT_DATA or CELL_DATA");
+    return wrong(StatusCode::BadFormat, {PALPATE_TEXT("found %1"), inQuotes(keyword)},
+                 {PALPATE_TEXT("one of the keywords %1"),
+                  "DATASET, FIELD, POINTS, VERTICES, LINES, POLYGONS, TRIANGLE_STRIPS, POINT_DATA, CELL_DATA"});
 }
 
 Result<PreScan> LegacyScan::run()
@@ -559,10 +576,11 @@ Result<PreScan> LegacyScan::run()
         status = readSection(word);
     }
     if (m_body.rest().find("COLOR_SCALARS") != std::string_view::npos) {
-        m_scan.notes.emplace_back("colours not read: COLOR_SCALARS");
+        m_scan.notes.push_back({PALPATE_TEXT("colours not read: those of %1"), "COLOR_SCALARS"});
     }
     if (status.isOk() && m_scan.cells == 0) {
-        status = wrong(StatusCode::Empty, "0 polygons and strips", "at least one");
+        status = wrong(StatusCode::Empty, {PALPATE_TEXT("0 polygons and strips")},
+                       {PALPATE_TEXT("at least one polygon or strip")});
     }
     if (!status.isOk()) {
         return status;

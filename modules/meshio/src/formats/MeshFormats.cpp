@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace palpate::meshio {
 
@@ -40,22 +39,38 @@ bool isWebPage(std::string_view bytes)
 }
 
 /// Identifies files of other kinds for the error message.
-std::string_view otherFormat(std::string_view head)
+core::Message otherFormat(std::string_view head)
 {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kMagic{{
-        {"glTF", "a glTF file"},
-        {"PK\x03\x04", "a ZIP archive"},
-        {"\x1f\x8b", "a gzip file"},
-        {"\x89PNG", "a PNG image"},
-        {"%PDF", "a PDF document"},
-        {"SQLite format 3", "an SQLite database (a recording?)"},
+    struct Magic
+    {
+        std::string_view begin;
+        core::MessageText<> name;
+    };
+    static constexpr std::array<Magic, 6> kMagic{{
+        {"glTF", PALPATE_TEXT("a glTF file")},
+        {"PK\x03\x04", PALPATE_TEXT("a ZIP archive")},
+        {"\x1f\x8b", PALPATE_TEXT("a gzip file")},
+        {"\x89PNG", PALPATE_TEXT("a PNG image")},
+        {"%PDF", PALPATE_TEXT("a PDF document")},
+        {"SQLite format 3", PALPATE_TEXT("an SQLite database (a recording?)")},
     }};
-    for (const auto& [magic, name] : kMagic) {
-        if (head.starts_with(magic)) {
-            return name;
+    for (const auto& [begin, name] : kMagic) {
+        if (head.starts_with(begin)) {
+            return {name};
         }
     }
-    return head.size() > 132 && head.substr(128, 4) == "DICM" ? "a DICOM file" : "";
+    const bool isDicom = head.size() > 132 && head.substr(128, 4) == "DICM";
+    return isDicom ? core::Message(PALPATE_TEXT("a DICOM file")) : core::Message();
+}
+
+/// @return "STL, VTP, PLY"
+std::string listOfFormats()
+{
+    std::string names;
+    for (const MeshFormat* format : formatTable()) {
+        names.append(names.empty() ? "" : ", ").append(format->name);
+    }
+    return names;
 }
 
 } // namespace
@@ -86,14 +101,15 @@ std::string_view startOfText(std::string_view bytes)
 
 Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem::path& path)
 {
-    const auto refused = [&](StatusCode code, std::string_view found) {
-        return fault(code, path.filename().string(), "byte 0", found, "an " + meshFormatNames("or") + " mesh");
+    const auto refused = [&](StatusCode code, const core::Message& found) {
+        return fault(code, path.filename().string(), onByte(0), found,
+                     {PALPATE_TEXT("a mesh in one of the formats %1"), listOfFormats()});
     };
     if (bytes.empty()) {
-        return refused(StatusCode::Empty, "the file is empty");
+        return refused(StatusCode::Empty, {PALPATE_TEXT("the file is empty")});
     }
     if (isWebPage(bytes)) {
-        return refused(StatusCode::BadFormat, "a web page (HTML), perhaps a failed download");
+        return refused(StatusCode::BadFormat, {PALPATE_TEXT("a web page (HTML), perhaps a failed download")});
     }
     for (const MeshFormat* format : formatTable()) {
         if (format->looksLike(bytes)) {
@@ -102,12 +118,12 @@ Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem
     }
     if (startOf(bytes).starts_with("version https://git-lfs")) {
         return refused(StatusCode::BadFormat,
-                       "a Git LFS pointer, not the file itself (fetch it with \"git lfs pull\")");
+                       {PALPATE_TEXT("a Git LFS pointer, not the file itself (fetch it with `git lfs pull`)")});
     }
-    if (const std::string_view other = otherFormat(startOf(bytes)); !other.empty()) {
-        return fault(StatusCode::Unsupported, path.filename().string(), "",
-                     "is " + std::string(other) + ", which Palpate does not read",
-                     "an " + meshFormatNames("or") + " mesh: save it as one of these");
+    if (const core::Message other = otherFormat(startOf(bytes)); !other.isEmpty()) {
+        return fault(StatusCode::Unsupported, path.filename().string(), {},
+                     {PALPATE_TEXT("is %1, which Palpate does not read"), other},
+                     {PALPATE_TEXT("a mesh saved in one of the formats %1"), listOfFormats()});
     }
     // Damaged files: the check of the format reports the error.
     for (const MeshFormat* format : formatTable()) {
@@ -115,7 +131,7 @@ Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem
             return format;
         }
     }
-    return refused(StatusCode::BadFormat, "the content is no known mesh format");
+    return refused(StatusCode::BadFormat, {PALPATE_TEXT("the content is no known mesh format")});
 }
 
 } // namespace internal

@@ -61,9 +61,9 @@ class ObjScan
     [[nodiscard]] const std::string& plain() const noexcept { return m_plain; }
 
   private:
-    Status wrong(StatusCode code, std::string_view found, std::string_view expected) const
+    Status wrong(StatusCode code, const core::Message& found, const core::Message& expected) const
     {
-        return fault(code, m_context.file, atLine(m_line), found, expected);
+        return fault(code, m_context.file, onLine(m_line), found, expected);
     }
     Status readVertex(std::string_view rest);
     Status readFace(std::string_view rest);
@@ -118,12 +118,12 @@ Status ObjScan::readVertex(std::string_view rest)
         const std::optional<double> value = wordToNumber(word);
         if (!value) {
             return wrong(StatusCode::BadFormat,
-                         word.empty() ? "the vertex has fewer than three coordinates"
-                                      : inQuotes(word) + " is not a number",
-                         "three numbers after \"v\"");
+                         word.empty() ? core::Message(PALPATE_TEXT("the vertex has fewer than three coordinates"))
+                                      : core::Message(PALPATE_TEXT("%1 is not a number"), inQuotes(word)),
+                         {PALPATE_TEXT("three numbers after %1"), "\"v\""});
         }
-        if (const std::string bad = coordinateFault(*value, m_context.unit_mm); !bad.empty()) {
-            return wrong(StatusCode::NonFinite, bad + " (" + inQuotes(word) + ")", "finite coordinates within 10 km");
+        if (const core::Message bad = coordinateFault(*value, m_context.unit_mm); !bad.isEmpty()) {
+            return wrong(StatusCode::NonFinite, bad, {PALPATE_TEXT("finite coordinates within 10 km")});
         }
         m_plain += ' ';
         if (word.size() > kLongestNumber || word.front() == '+') { // some versions of VTK do not accept a plus sign
@@ -151,14 +151,14 @@ Status ObjScan::readFace(std::string_view rest)
         const std::string_view first = word.substr(0, word.find('/'));
         const std::optional<std::int64_t> given = wordToInteger(first);
         if (!given) {
-            return wrong(StatusCode::BadFormat, inQuotes(word) + " is not a vertex index", "whole numbers after \"f\"");
+            return wrong(StatusCode::BadFormat, {PALPATE_TEXT("%1 is not a vertex index"), inQuotes(word)},
+                         {PALPATE_TEXT("whole numbers after %1"), "\"f\""});
         }
         const std::int64_t index = *given < 0 ? m_points + 1 + *given : *given;
         if (*given == 0 || index < 1) {
             return wrong(StatusCode::OutOfRange,
-                         "vertex index " + std::to_string(*given) + " (" +
-                             grouped(static_cast<std::uint64_t>(m_points)) + " vertices so far)",
-                         "indices from 1, or negative ones that count back from there");
+                         {PALPATE_TEXT("vertex index %1 (number of vertices so far: %2)"), *given, Count(m_points)},
+                         {PALPATE_TEXT("indices from 1, or negative indices that count back from the last vertex")});
         }
         if (index > m_highest) {
             m_highest = index;
@@ -169,8 +169,11 @@ Status ObjScan::readFace(std::string_view rest)
     }
     m_plain += '\n';
     if (corners < 3 || corners > PolygonCutter::kMostCorners) {
-        return wrong(StatusCode::BadFormat, "a face with " + counted(corners, "corner"),
-                     corners < 3 ? "at least 3" : "at most " + grouped(PolygonCutter::kMostCorners));
+        return wrong(StatusCode::BadFormat,
+                     corners == 1 ? core::Message(PALPATE_TEXT("a face with one corner"))
+                                  : core::Message(PALPATE_TEXT("a face with %1 corners"), Count(corners)),
+                     corners < 3 ? core::Message(PALPATE_TEXT("at least %1"), 3)
+                                 : core::Message(PALPATE_TEXT("at most %1"), Count(PolygonCutter::kMostCorners)));
     }
     m_object = m_object ? m_object : m_objects.idOf("");
     m_group = m_group ? m_group : m_groups.idOf("");
@@ -189,7 +192,7 @@ Status ObjScan::run()
         }
         std::string_view rest = wholeLine();
         if (rest.find('\0') != std::string_view::npos) {
-            return wrong(StatusCode::BadFormat, "a zero byte", "text");
+            return wrong(StatusCode::BadFormat, {PALPATE_TEXT("found a zero byte")}, {PALPATE_TEXT("text")});
         }
         const std::string_view word = takeWord(rest);
         Status status;
@@ -217,12 +220,12 @@ Status ObjScan::run()
     }
     if (m_objectOfFace.empty()) {
         m_line = m_lines.number();
-        return wrong(StatusCode::Empty, "0 faces", "at least one");
+        return wrong(StatusCode::Empty, {PALPATE_TEXT("0 faces")}, {PALPATE_TEXT("at least one face")});
     }
     if (m_highest > m_points) {
         m_line = m_highestLine;
-        return wrong(StatusCode::OutOfRange, "vertex index " + std::to_string(m_highest),
-                     "at most " + std::to_string(m_points) + ", the number of vertices");
+        return wrong(StatusCode::OutOfRange, {PALPATE_TEXT("vertex index %1"), m_highest},
+                     {PALPATE_TEXT("at most %1, the number of vertices"), m_points});
     }
     return {};
 }
@@ -241,13 +244,18 @@ PreScan ObjScan::finish()
         m_scan.partNames.front() = m_objects.names()[m_objectOfFace.front()];
     }
     if (m_ignored > 0) {
-        m_scan.notes.push_back(counted(m_ignored, "line, point or curve element") + " ignored");
+        m_scan.notes.push_back(
+            {PALPATE_TEXT("number of line, point and curve elements that are ignored: %1"), Count(m_ignored)});
     }
     if (!m_materials.names().empty()) {
-        m_scan.notes.push_back("colours not read: those of its " + counted(m_materials.names().size(), "material"));
+        const std::size_t materials = m_materials.names().size();
+        m_scan.notes.push_back(
+            materials == 1
+                ? core::Message(PALPATE_TEXT("colours not read: those of its material"))
+                : core::Message(PALPATE_TEXT("colours not read: those of its %1 materials"), Count(materials)));
     }
     if (m_hasVertexColours) {
-        m_scan.notes.emplace_back("colours not read: those of its vertices");
+        m_scan.notes.push_back({PALPATE_TEXT("colours not read: those of its vertices")});
     }
     return std::move(m_scan);
 }
@@ -279,7 +287,7 @@ Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
     }
     std::optional<ObjScan> scan(std::in_place, text, context);
     Status status = scan->run();
-    std::string loss;
+    core::Message loss;
     if (!status.isOk() && context.isPartial && status.code() != StatusCode::Cancelled && !text.ends_with('\n')) {
         const std::string_view whole = text.substr(0, text.rfind('\n') + 1); // without the truncated last line
         scan.emplace(whole, context);
@@ -287,7 +295,8 @@ Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
             return status;
         }
         status = {};
-        loss = atByte(whole.size()) + ": the file ends in a line: that line and what came after it lost";
+        loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(whole.size()),
+                             core::Message(PALPATE_TEXT("the file ends in a line; that line is lost")));
     }
     if (!status.isOk()) {
         return status;

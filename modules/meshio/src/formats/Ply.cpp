@@ -49,18 +49,22 @@ class PlyBody
     {
         return m_encoding == PlyEncoding::Ascii ? trimmed(m_rest).empty() : m_rest.empty();
     }
-    [[nodiscard]] std::string place() const
+    [[nodiscard]] core::Message place() const
     {
-        return m_encoding == PlyEncoding::Ascii ? atLine(m_line) : atByte(offset());
+        return m_encoding == PlyEncoding::Ascii ? onLine(m_line) : onByte(offset());
     }
     [[nodiscard]] std::size_t offset() const { return m_bytes.size() - m_rest.size(); }
-    /// Token at which `next` failed.
-    [[nodiscard]] std::string found() const
+    /// Describes the failure of `next`.
+    /// @param element  name, index and number of the element being read
+    [[nodiscard]] core::Message found(const PlyElement& element, std::uint64_t i) const
     {
         std::string_view rest = m_rest;
         const std::string_view word = takeWord(rest);
-        return m_encoding == PlyEncoding::Ascii && !word.empty() ? inQuotes(word) + " is not a number"
-                                                                 : "the file ends";
+        const std::string name = inQuotes(element.name);
+        return m_encoding == PlyEncoding::Ascii && !word.empty()
+                   ? core::Message(PALPATE_TEXT("%1 is not a number, in element %2 %3 of %4"), inQuotes(word), name, i,
+                                   Count(element.count))
+                   : core::Message(PALPATE_TEXT("the file ends in element %1 %2 of %3"), name, i, Count(element.count));
     }
 
   private:
@@ -137,7 +141,7 @@ class PlyScan
     [[nodiscard]] const std::string& plain() const noexcept { return m_plain; }
 
   private:
-    Status wrong(StatusCode code, std::string_view found, std::string_view expected) const
+    Status wrong(StatusCode code, const core::Message& found, const core::Message& expected) const
     {
         return fault(code, m_context.file, m_body.place(), found, expected);
     }
@@ -174,9 +178,9 @@ bool isCoordinate(const PlyProperty& p)
 Status PlyScan::keepVertex(std::uint64_t i, const std::array<double, 3>& p, PreScan& scan)
 {
     for (const double x : p) {
-        if (const std::string bad = coordinateFault(x, m_context.unit_mm); !bad.empty()) {
-            return wrong(StatusCode::NonFinite, "vertex " + std::to_string(i) + ": " + bad,
-                         "finite coordinates within 10 km");
+        if (const core::Message bad = coordinateFault(x, m_context.unit_mm); !bad.isEmpty()) {
+            return wrong(StatusCode::NonFinite, {PALPATE_TEXT("vertex %1: %2"), i, bad},
+                         {PALPATE_TEXT("finite coordinates within 10 km")});
         }
         append(static_cast<float>(x));
     }
@@ -189,17 +193,17 @@ Status PlyScan::keepVertex(std::uint64_t i, const std::array<double, 3>& p, PreS
 Status PlyScan::keepFace(std::uint64_t i, std::uint64_t vertices)
 {
     if (m_list.size() < 3 || m_list.size() > kMostFaceCorners) {
-        return wrong(StatusCode::BadFormat, "face " + std::to_string(i) + " has " + counted(m_list.size(), "corner"),
-                     "3 to 255");
+        return wrong(StatusCode::BadFormat, {PALPATE_TEXT("number of corners of face %1: %2"), i, m_list.size()},
+                     {PALPATE_TEXT("%1 to %2"), 3, kMostFaceCorners});
     }
     append(static_cast<std::uint8_t>(m_list.size()));
     for (const double corner : m_list) {
         if (!(corner >= 0.0 && corner < static_cast<double>(vertices)) || corner != std::floor(corner)) {
-            std::string text;
-            return wrong(StatusCode::OutOfRange,
-                         "face " + std::to_string(i) + " uses vertex " +
-                             (std::abs(corner) < 1e15 ? std::to_string(static_cast<std::int64_t>(corner)) : "NaN"),
-                         "0 to " + std::to_string(vertices - 1));
+            const core::MessageArgument vertex = std::abs(corner) < 1e15
+                                                     ? core::MessageArgument(static_cast<std::int64_t>(corner))
+                                                     : core::MessageArgument(corner);
+            return wrong(StatusCode::OutOfRange, {PALPATE_TEXT("face %1 uses vertex %2"), i, vertex},
+                         {PALPATE_TEXT("%1 to %2"), 0, static_cast<std::int64_t>(vertices) - 1});
         }
         append(static_cast<std::int32_t>(corner));
     }
@@ -216,10 +220,8 @@ Status PlyScan::readElement(const PlyElement& element, PreScan& scan)
             const std::optional<double> value = m_body.next(property.isList ? property.countType : property.type);
             const auto cut = [&] {
                 m_wholeFaces = isFace && m_body.isAtEnd() ? i : 0;
-                return wrong(StatusCode::BadFormat,
-                             m_body.found() + " in " + element.name + " " + std::to_string(i) + " of " +
-                                 grouped(element.count),
-                             "its " + inQuotes(property.name));
+                return wrong(StatusCode::BadFormat, m_body.found(element, i),
+                             {PALPATE_TEXT("the property %1"), inQuotes(property.name)});
             };
             if (!value) {
                 return cut();
@@ -232,8 +234,8 @@ Status PlyScan::readElement(const PlyElement& element, PreScan& scan)
             }
             if (!(*value >= 0.0) || *value > static_cast<double>(m_bytes.size())) {
                 return wrong(StatusCode::OutOfRange,
-                             "a list of an impossible length in " + element.name + " " + std::to_string(i),
-                             "a length from 0");
+                             {PALPATE_TEXT("element %1 %2: length of a list: %3"), inQuotes(element.name), i, *value},
+                             {PALPATE_TEXT("%1 to %2"), 0, m_bytes.size()});
             }
             const bool isKept = isFace && isFaceList(property);
             m_list.clear();
@@ -275,8 +277,9 @@ Status PlyScan::run(PreScan& scan)
         } else if (element.name == "face" && face == nullptr && vertex != nullptr) {
             face = &element;
         } else if (element.name == "vertex" || element.name == "face" || element.name == "tristrips") {
-            return fault(StatusCode::Unsupported, m_context.file, atLine(element.line),
-                         "the element " + inQuotes(element.name) + " here", "\"vertex\", then \"face\", once each");
+            return fault(StatusCode::Unsupported, m_context.file, onLine(element.line),
+                         {PALPATE_TEXT("found the element %1"), inQuotes(element.name)},
+                         {PALPATE_TEXT("%1, then %2, once each"), "\"vertex\"", "\"face\""});
         }
     }
     const auto has = [](const PlyElement& element, std::string_view name) {
@@ -284,19 +287,23 @@ Status PlyScan::run(PreScan& scan)
                              [&](const PlyProperty& p) { return p.name == name && !p.isList; }) == 1;
     };
     if (vertex == nullptr || !has(*vertex, "x") || !has(*vertex, "y") || !has(*vertex, "z")) {
-        return fault(StatusCode::BadFormat, m_context.file, "header", "no vertices with x, y and z", "one of each");
+        return fault(StatusCode::BadFormat, m_context.file, {PALPATE_TEXT("header")},
+                     {PALPATE_TEXT("no vertices with x, y and z")}, {PALPATE_TEXT("one of each")});
     }
     if (face == nullptr || std::count_if(face->properties.begin(), face->properties.end(), isFaceList) != 1) {
-        return fault(StatusCode::BadFormat, m_context.file, "header", "no faces with a list of vertex indices",
-                     "a list \"vertex_indices\"");
+        return fault(StatusCode::BadFormat, m_context.file, {PALPATE_TEXT("header")},
+                     {PALPATE_TEXT("no faces with a list of vertex indices")},
+                     {PALPATE_TEXT("the property %1"), "\"list vertex_indices\""});
     }
     if (face->count == 0) {
-        return fault(StatusCode::Empty, m_context.file, atLine(face->line), "0 faces", "at least one");
+        return fault(StatusCode::Empty, m_context.file, onLine(face->line), {PALPATE_TEXT("0 faces")},
+                     {PALPATE_TEXT("at least one face")});
     }
     constexpr std::uint64_t kMostVertices = std::numeric_limits<std::int32_t>::max();
     if (vertex->count > kMostVertices || face->count > kMostVertices) {
-        return fault(StatusCode::Unsupported, m_context.file, atLine(vertex->line), "too many elements",
-                     "at most " + grouped(kMostVertices));
+        return fault(StatusCode::Unsupported, m_context.file, onLine(vertex->line),
+                     {PALPATE_TEXT("number of vertices: %1, of faces: %2"), Count(vertex->count), Count(face->count)},
+                     {PALPATE_TEXT("at most %1 of each"), Count(kMostVertices)});
     }
     scan.points = vertex->count;
     scan.cells = face->count;
@@ -314,8 +321,9 @@ Status PlyScan::run(PreScan& scan)
             return status;
         }
     }
-    if (scan.loss.empty() && !m_body.isAtEnd()) {
-        return wrong(StatusCode::BadFormat, "more data after the last element", "the end of the file");
+    if (scan.loss.isEmpty() && !m_body.isAtEnd()) {
+        return wrong(StatusCode::BadFormat, {PALPATE_TEXT("more data after the last element")},
+                     {PALPATE_TEXT("the end of the file")});
     }
     return {};
 }
@@ -341,9 +349,9 @@ Result<PreScan> guardPly(FileImage& image, const ScanContext& context)
         std::vector<PlyElement>& elements = header.value().elements;
         const auto face = std::find_if(elements.begin(), elements.end(),
                                        [](const PlyElement& element) { return element.name == "face"; });
-        scan.loss = atByte(image.bytes().size()) +
-                    ": the file ends there: " + grouped(face->count - body->wholeFaces()) + " of " +
-                    counted(face->count, "face") + " lost";
+        scan.loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(image.bytes().size()),
+                                  core::Message(PALPATE_TEXT("the file ends there: %1 of %2 faces lost"),
+                                                Count(face->count - body->wholeFaces()), Count(face->count)));
         face->count = body->wholeFaces();
         elements.erase(face + 1, elements.end());
         body.emplace(image.bytes(), header.value(), context);

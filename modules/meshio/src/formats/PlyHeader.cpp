@@ -108,8 +108,8 @@ Result<PlyHeader> readPlyHeader(std::string_view bytes, const ScanContext& conte
     bool hasFormat = false;
     bool isDone = false;
     LineReader lines(bytes);
-    const auto wrong = [&](StatusCode code, std::string_view found, std::string_view expected) {
-        return fault(code, context.file, atLine(lines.number()), found, expected);
+    const auto wrong = [&](StatusCode code, const core::Message& found, const core::Message& expected) {
+        return fault(code, context.file, onLine(lines.number()), found, expected);
     };
     (void)lines.next(); // "ply"
     while (!isDone && lines.next()) {
@@ -124,8 +124,8 @@ Result<PlyHeader> readPlyHeader(std::string_view bytes, const ScanContext& conte
             } else if (encoding == "binary_big_endian") {
                 header.encoding = PlyEncoding::BigEndian;
             } else {
-                return wrong(StatusCode::Unsupported, "the format " + inQuotes(encoding),
-                             "ascii, binary_little_endian or binary_big_endian");
+                return wrong(StatusCode::Unsupported, {PALPATE_TEXT("the format %1"), inQuotes(encoding)},
+                             {PALPATE_TEXT("%1, %2 or %3"), "ascii", "binary_little_endian", "binary_big_endian"});
             }
             hasFormat = true;
         } else if (word == "comment" || word == "obj_info") {
@@ -137,30 +137,34 @@ Result<PlyHeader> readPlyHeader(std::string_view bytes, const ScanContext& conte
             const std::string_view text = takeWord(rest);
             const std::optional<std::int64_t> count = wordToInteger(text);
             if (element.name.empty() || !count || *count < 0) {
-                return wrong(StatusCode::BadFormat, "the element count " + inQuotes(text), "a whole number from 0");
+                return wrong(StatusCode::BadFormat, {PALPATE_TEXT("the element count %1"), inQuotes(text)},
+                             {PALPATE_TEXT("a whole number from 0")});
             }
             element.count = static_cast<std::uint64_t>(*count);
             header.elements.push_back(std::move(element));
         } else if (word == "property") {
             const std::optional<PlyProperty> property = readProperty(rest);
             if (!property || header.elements.empty() || header.elements.back().properties.size() >= kMostProperties) {
-                return wrong(StatusCode::BadFormat, "the property " + inQuotes(trimmed(rest)),
-                             "an element's type and name");
+                return wrong(StatusCode::BadFormat, {PALPATE_TEXT("the property %1"), inQuotes(trimmed(rest))},
+                             {PALPATE_TEXT("a type and a name, below an element")});
             }
             header.elements.back().properties.push_back(*property);
         } else if (word == "end_header") {
             isDone = true;
         } else if (!word.empty()) {
-            return wrong(StatusCode::BadFormat, inQuotes(word) + " in the header", "a PLY header line");
+            return wrong(StatusCode::BadFormat, {PALPATE_TEXT("found %1 in the header"), inQuotes(word)},
+                         {PALPATE_TEXT("a line of a PLY header")});
         }
     }
     if (!isDone || !hasFormat) {
-        return wrong(StatusCode::BadFormat, isDone ? "no \"format\" line" : "the file ends in the header",
-                     isDone ? "one in the header" : "\"end_header\"");
+        return isDone ? wrong(StatusCode::BadFormat, {PALPATE_TEXT("the header has no line %1"), "\"format\""},
+                              {PALPATE_TEXT("one such line")})
+                      : wrong(StatusCode::BadFormat, {PALPATE_TEXT("the file ends in the header")},
+                              {PALPATE_TEXT("the keyword %1"), "\"end_header\""});
     }
     for (const PlyElement& element : header.elements) {
         if (std::any_of(element.properties.begin(), element.properties.end(), isColour)) {
-            scan.notes.push_back("colours not read: those of its elements " + inQuotes(element.name));
+            scan.notes.push_back({PALPATE_TEXT("colours not read: those of its elements %1"), inQuotes(element.name)});
         }
     }
     header.bodyBegin = lines.end();
@@ -169,10 +173,10 @@ Result<PlyHeader> readPlyHeader(std::string_view bytes, const ScanContext& conte
     for (const PlyElement& element : header.elements) {
         const std::uint64_t most = (left + 1) / leastBytes(element, header.encoding);
         if (element.count > most) {
-            return fault(StatusCode::OutOfRange, context.file, atLine(element.line),
-                         grouped(element.count) + " " + inQuotes(element.name) + " elements declared",
-                         "at most " + grouped(most) + ", which is what the " + counted(left, "byte") +
-                             " that follow can hold");
+            return fault(
+                StatusCode::OutOfRange, context.file, onLine(element.line),
+                {PALPATE_TEXT("number of elements %1: declared %2"), inQuotes(element.name), Count(element.count)},
+                {PALPATE_TEXT("at most %1, as many as the %2 bytes that follow can hold"), Count(most), Count(left)});
         }
     }
     return header;

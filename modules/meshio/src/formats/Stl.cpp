@@ -69,14 +69,22 @@ Status checkFacets(std::string_view bytes, std::uint64_t declared, const ScanCon
         }
     }
     if (firstBad < declared) {
-        return fault(StatusCode::NonFinite, context.file, atByte(kFirstFacet + firstBad * kFacet),
-                     grouped(notNumbers + tooFar) + " of " + counted(declared, "triangle") +
-                         " have coordinates that are " +
-                         (tooFar == 0       ? "not numbers"
-                          : notNumbers == 0 ? "farther than 10 km from the origin"
-                                            : "not numbers, or farther than 10 km from the origin") +
-                         " (first: triangle " + std::to_string(firstBad) + ")",
-                     "finite coordinates within 10 km");
+        const Count bad(notNumbers + tooFar);
+        const Count all(declared);
+        const core::Message found =
+            tooFar == 0
+                ? core::Message(PALPATE_TEXT("coordinates are not numbers in %1 of %2 triangles (first: triangle %3)"),
+                                bad, all, firstBad)
+            : notNumbers == 0
+                ? core::Message(PALPATE_TEXT("coordinates are farther than 10 km from the origin in %1 of %2 triangles "
+                                             "(first: triangle %3)"),
+                                bad, all, firstBad)
+                : core::Message(
+                      PALPATE_TEXT("coordinates are not numbers, or farther than 10 km from the origin, in %1 "
+                                   "of %2 triangles (first: triangle %3)"),
+                      bad, all, firstBad);
+        return fault(StatusCode::NonFinite, context.file, onByte(kFirstFacet + firstBad * kFacet), found,
+                     {PALPATE_TEXT("finite coordinates within 10 km")});
     }
     return {};
 }
@@ -85,16 +93,18 @@ Result<PreScan> guardBinary(FileImage& image, const ScanContext& context)
 {
     std::string_view bytes = image.bytes();
     if (bytes.size() < kFirstFacet) {
-        return fault(StatusCode::BadFormat, context.file, atByte(bytes.size()), "the file ends in the STL header",
-                     "at least 134 bytes");
+        return fault(StatusCode::BadFormat, context.file, onByte(bytes.size()),
+                     {PALPATE_TEXT("the file ends in the STL header")},
+                     {PALPATE_TEXT("at least %1 bytes"), kFirstFacet + kFacet});
     }
     std::uint32_t declared = 0;
     std::memcpy(&declared, bytes.data() + kHeader, sizeof(declared));
     const std::uint64_t held = (bytes.size() - kFirstFacet) / kFacet;
     PreScan scan;
     if (context.isPartial && held > 0 && held < declared) {
-        scan.loss = atByte(bytes.size()) + ": the file ends there: " + grouped(declared - held) + " of " +
-                    counted(declared, "triangle") + " lost";
+        scan.loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(bytes.size()),
+                                  core::Message(PALPATE_TEXT("the file ends there: %1 of %2 triangles lost"),
+                                                Count(declared - held), Count(declared)));
         declared = static_cast<std::uint32_t>(held);
         if (Status status = keepWhole(image, kFirstFacet + held * kFacet, "", context); !status.isOk()) {
             return status;
@@ -103,13 +113,14 @@ Result<PreScan> guardBinary(FileImage& image, const ScanContext& context)
         bytes = image.bytes();
     }
     if (kFirstFacet + std::uint64_t{declared} * kFacet != bytes.size()) {
-        return fault(StatusCode::BadFormat, context.file, atByte(kHeader),
-                     "the binary STL declares " + counted(declared, "triangle") + " but its " +
-                         counted(bytes.size(), "byte") + " hold " + grouped(held),
-                     grouped(kFirstFacet + std::uint64_t{declared} * kFacet) + " bytes");
+        return fault(StatusCode::BadFormat, context.file, onByte(kHeader),
+                     {PALPATE_TEXT("number of triangles of the binary STL: declared %1, but the %2 bytes hold %3"),
+                      Count(declared), Count(bytes.size()), Count(held)},
+                     {PALPATE_TEXT("%1 bytes"), Count(kFirstFacet + std::uint64_t{declared} * kFacet)});
     }
     if (declared == 0) {
-        return fault(StatusCode::Empty, context.file, atByte(kHeader), "0 triangles", "at least one");
+        return fault(StatusCode::Empty, context.file, onByte(kHeader), {PALPATE_TEXT("0 triangles")},
+                     {PALPATE_TEXT("at least one triangle")});
     }
 
     scan.format = "STL binary";
@@ -152,9 +163,9 @@ class AsciiStl
         EndFacet
     };
 
-    Status wrong(std::string_view found, std::string_view expected) const
+    Status wrong(const core::Message& found, const core::Message& expected) const
     {
-        return fault(StatusCode::BadFormat, m_context.file, atLine(m_reader.number()), found, expected);
+        return fault(StatusCode::BadFormat, m_context.file, onLine(m_reader.number()), found, expected);
     }
     /// Parameters: the first word of a line and the rest.
     Status takeLine(std::string_view word, std::string_view rest);
@@ -179,7 +190,7 @@ class AsciiStl
 Status AsciiStl::takeSolid(std::string_view word, std::string_view rest)
 {
     if (!sameWord(word, "solid")) {
-        return wrong(inQuotes(word), "\"solid\"");
+        return wrong({PALPATE_TEXT("found %1"), inQuotes(word)}, {PALPATE_TEXT("the keyword %1"), "\"solid\""});
     }
     noteSpaceTag(rest, m_scan);
     noteScaleTag(rest, m_scan);
@@ -203,7 +214,8 @@ Status AsciiStl::takeFacet(std::string_view word)
     } else if (sameWord(word, "facet")) {
         m_expect = Expect::Loop;
     } else {
-        return wrong(inQuotes(word), "\"facet\" or \"endsolid\"");
+        return wrong({PALPATE_TEXT("found %1"), inQuotes(word)},
+                     {PALPATE_TEXT("the keyword %1 or %2"), "\"facet\"", "\"endsolid\""});
     }
     return {};
 }
@@ -211,7 +223,8 @@ Status AsciiStl::takeFacet(std::string_view word)
 Status AsciiStl::takeLoop(std::string_view word, std::string_view rest)
 {
     if (!sameWord(word, "outer") || !sameWord(trimmed(rest), "loop")) {
-        return wrong(inQuotes(trimmed(m_reader.line())), "\"outer loop\"");
+        return wrong({PALPATE_TEXT("found %1"), inQuotes(trimmed(m_reader.line()))},
+                     {PALPATE_TEXT("the keyword %1"), "\"outer loop\""});
     }
     m_expect = Expect::Vertex;
     m_corners = 0;
@@ -221,23 +234,25 @@ Status AsciiStl::takeLoop(std::string_view word, std::string_view rest)
 Status AsciiStl::takeVertex(std::string_view word, std::string_view rest)
 {
     if (!sameWord(word, "vertex")) {
-        return wrong(inQuotes(word) + " after " + counted(m_corners, "corner"), "\"vertex\", three times a facet");
+        return wrong({PALPATE_TEXT("found %1 as corner %2 of a facet"), inQuotes(word), m_corners + 1},
+                     {PALPATE_TEXT("the keyword %1, three times in each facet"), "\"vertex\""});
     }
     for (int axis = 0; axis < 3; ++axis) {
         const std::string_view text = takeWord(rest);
         const std::optional<double> value = wordToNumber(text);
         if (!value) {
-            return wrong(text.empty() ? "the vertex has fewer than three coordinates"
-                                      : inQuotes(text) + " is not a number",
-                         "three numbers");
+            return wrong(text.empty() ? core::Message(PALPATE_TEXT("the vertex has fewer than three coordinates"))
+                                      : core::Message(PALPATE_TEXT("%1 is not a number"), inQuotes(text)),
+                         {PALPATE_TEXT("three numbers")});
         }
-        if (const std::string bad = coordinateFault(*value, m_context.unit_mm); !bad.empty()) {
-            return fault(StatusCode::NonFinite, m_context.file, atLine(m_reader.number()),
-                         bad + " (" + inQuotes(text) + ")", "finite coordinates within 10 km");
+        if (const core::Message bad = coordinateFault(*value, m_context.unit_mm); !bad.isEmpty()) {
+            return fault(StatusCode::NonFinite, m_context.file, onLine(m_reader.number()), bad,
+                         {PALPATE_TEXT("finite coordinates within 10 km")});
         }
     }
     if (!trimmed(rest).empty()) {
-        return wrong(inQuotes(trimmed(rest)) + " after the third coordinate", "the end of the line");
+        return wrong({PALPATE_TEXT("found %1 after the third coordinate"), inQuotes(trimmed(rest))},
+                     {PALPATE_TEXT("the end of the line")});
     }
     if (++m_corners == 3) {
         m_expect = Expect::EndLoop;
@@ -249,7 +264,8 @@ Status AsciiStl::takeVertex(std::string_view word, std::string_view rest)
 Status AsciiStl::takeEndLoop(std::string_view word)
 {
     if (!sameWord(word, "endloop")) {
-        return wrong(inQuotes(word) + " after three corners", "\"endloop\"");
+        return wrong({PALPATE_TEXT("found %1 after three corners"), inQuotes(word)},
+                     {PALPATE_TEXT("the keyword %1"), "\"endloop\""});
     }
     m_expect = Expect::EndFacet;
     return {};
@@ -258,7 +274,7 @@ Status AsciiStl::takeEndLoop(std::string_view word)
 Status AsciiStl::takeEndFacet(std::string_view word)
 {
     if (!sameWord(word, "endfacet")) {
-        return wrong(inQuotes(word), "\"endfacet\"");
+        return wrong({PALPATE_TEXT("found %1"), inQuotes(word)}, {PALPATE_TEXT("the keyword %1"), "\"endfacet\""});
     }
     m_expect = Expect::Facet;
     if (m_scan.partOfCell.size() % kProgressStep == 0 && m_context.progress &&
@@ -297,7 +313,8 @@ Result<PreScan> AsciiStl::scan()
     }
     while (m_reader.next()) {
         if (const std::size_t nul = m_reader.line().find('\0'); nul != std::string_view::npos) {
-            return fault(StatusCode::BadFormat, m_context.file, atByte(m_reader.begin() + nul), "a zero byte", "text");
+            return fault(StatusCode::BadFormat, m_context.file, onByte(m_reader.begin() + nul),
+                         {PALPATE_TEXT("found a zero byte")}, {PALPATE_TEXT("text")});
         }
         std::string_view rest = m_reader.line();
         const std::string_view word = takeWord(rest);
@@ -308,7 +325,8 @@ Result<PreScan> AsciiStl::scan()
         }
         const bool isName = sameWord(word, "solid") || sameWord(word, "endsolid");
         if (!isName && m_reader.line().size() > kLongest) {
-            return wrong("a line of " + counted(m_reader.line().size(), "character"), "at most 254");
+            return wrong({PALPATE_TEXT("a line of %1 characters"), Count(m_reader.line().size())},
+                         {PALPATE_TEXT("at most %1 characters"), kLongest});
         }
         if (Status status = takeLine(word, rest); !status.isOk()) {
             return status;
@@ -330,12 +348,17 @@ Result<PreScan> AsciiStl::finish()
 {
     const std::size_t triangles = m_scan.partOfCell.size();
     if (m_expect != Expect::Solid) {
-        return wrong("the file ends after " + counted(triangles, "whole triangle"),
-                     m_expect == Expect::Facet ? "\"facet\" or \"endsolid\""
-                                               : "the rest of a facet, then \"endsolid\"");
+        const core::Message found =
+            triangles == 1 ? core::Message(PALPATE_TEXT("the file ends after one complete triangle"))
+                           : core::Message(PALPATE_TEXT("the file ends after %1 complete triangles"), Count(triangles));
+        return wrong(found,
+                     m_expect == Expect::Facet
+                         ? core::Message(PALPATE_TEXT("the keyword %1 or %2"), "\"facet\"", "\"endsolid\"")
+                         : core::Message(PALPATE_TEXT("the rest of a facet, then the keyword %1"), "\"endsolid\""));
     }
     if (triangles == 0) {
-        return fault(StatusCode::Empty, m_context.file, atLine(m_reader.number()), "0 triangles", "at least one");
+        return fault(StatusCode::Empty, m_context.file, onLine(m_reader.number()), {PALPATE_TEXT("0 triangles")},
+                     {PALPATE_TEXT("at least one triangle")});
     }
     m_scan.cells = triangles;
     m_scan.points = m_scan.cells * 3;
@@ -369,8 +392,11 @@ Result<PreScan> guardAscii(FileImage& image, const ScanContext& context)
     if (!part.isOk()) { // the file is damaged elsewhere
         return whole;
     }
-    part.value().loss =
-        atLine(lastLine) + ": what came after " + counted(part.value().cells, "whole triangle") + " lost";
+    const std::uint64_t kept = part.value().cells;
+    part.value().loss = core::Message(
+        PALPATE_TEXT("%1: %2"), onLine(lastLine),
+        kept == 1 ? core::Message(PALPATE_TEXT("everything after the first triangle is lost"))
+                  : core::Message(PALPATE_TEXT("everything after the first %1 triangles is lost"), Count(kept)));
     return part;
 }
 

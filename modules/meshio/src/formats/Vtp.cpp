@@ -39,10 +39,11 @@ class VtpScan
     Status run();
 
   private:
-    Status wrong(const VtpDataArray& array, StatusCode code, std::string_view found, std::string_view expected) const
+    Status wrong(const VtpDataArray& array, StatusCode code, const core::Message& found,
+                 const core::Message& expected) const
     {
-        return fault(code, m_context.file, atLine(array.line),
-                     "array " + inQuotes(array.name) + ": " + std::string(found), expected);
+        return fault(code, m_context.file, onLine(array.line),
+                     {PALPATE_TEXT("array %1: %2"), inQuotes(array.name), found}, expected);
     }
     [[nodiscard]] std::string_view textOf(const VtpDataArray& array) const
     {
@@ -60,7 +61,7 @@ class VtpScan
     /// Number of strings in the array; each ends with a zero byte.
     Result<std::uint64_t> countStrings(const VtpDataArray& array) const;
     Status checkFieldData() const;
-    Status takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples, const char* each,
+    Status takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples, bool isOfPoints,
                       std::vector<std::string>& usable);
 
     const VtpHeader& m_header;
@@ -72,29 +73,30 @@ class VtpScan
 /// "nan" and "inf" for further letters, which fails at the end of the array's text.
 /// @param word  a number; @param isAtEnd  nothing follows, not even a blank
 /// @return the expected form; empty if VTK reads the word correctly
-std::string unreadable(std::string_view word, const std::string& type, bool isAtEnd)
+core::Message unreadable(std::string_view word, const std::string& type, bool isAtEnd)
 {
     if (isVtpIntegerType(type)) {
         const std::int64_t value = wordToInteger(word).value_or(0);
         const bool isWide = type == "Int32" && (value < std::numeric_limits<std::int32_t>::min() ||
                                                 value > std::numeric_limits<std::int32_t>::max());
-        return isWide ? "a number that an Int32 can hold" : "";
+        return isWide ? core::Message(PALPATE_TEXT("a number in the range of %1"), type) : core::Message();
     }
     const double value = wordToNumber(word).value_or(0.0);
     const bool isWord = word.find_first_of("nN") != std::string_view::npos; // both nan and inf contain an n
     if (isWord) {
-        return isAtEnd ? "a blank or a new line behind it" : "";
+        return isAtEnd ? core::Message(PALPATE_TEXT("a blank or a line end after it")) : core::Message();
     }
     const double most =
         type == "Float32" ? double{std::numeric_limits<float>::max()} : std::numeric_limits<double>::max();
-    return std::abs(value) > most ? "a number that a " + type + " can hold" : "";
+    return std::abs(value) > most ? core::Message(PALPATE_TEXT("a number in the range of %1"), type) : core::Message();
 }
 
 Result<std::uint64_t> VtpScan::countValues(const VtpDataArray& array) const
 {
     const std::size_t size = vtpTypeSize(array.type);
     if (size == 0) {
-        return wrong(array, StatusCode::BadFormat, "its type is " + inQuotes(array.type), "a type of numbers");
+        return wrong(array, StatusCode::BadFormat, {PALPATE_TEXT("its type is %1"), inQuotes(array.type)},
+                     {PALPATE_TEXT("a number type")});
     }
     if (array.format != VtpFormat::Ascii) {
         const Result<VtpBlocks> blocks = VtpBlocks::find(array, m_header, m_context);
@@ -102,8 +104,9 @@ Result<std::uint64_t> VtpScan::countValues(const VtpDataArray& array) const
             return blocks.status();
         }
         if (blocks.value().size() % size != 0) {
-            return wrong(array, StatusCode::BadFormat, counted(blocks.value().size(), "byte"),
-                         "a multiple of " + std::to_string(size));
+            return wrong(array, StatusCode::BadFormat,
+                         {PALPATE_TEXT("size of its data: %1 bytes"), Count(blocks.value().size())},
+                         {PALPATE_TEXT("a multiple of %1 bytes"), size});
         }
         return blocks.value().size() / size;
     }
@@ -112,13 +115,13 @@ Result<std::uint64_t> VtpScan::countValues(const VtpDataArray& array) const
     const bool isInteger = isVtpIntegerType(array.type);
     for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
         if (isInteger ? !wordToInteger(word) : !wordToNumber(word)) {
-            return wrong(array, StatusCode::BadFormat, "value " + std::to_string(count) + " is " + inQuotes(word),
-                         "a number of type " + array.type);
+            return wrong(array, StatusCode::BadFormat, {PALPATE_TEXT("value %1 is %2"), count, inQuotes(word)},
+                         {PALPATE_TEXT("a number of type %1"), array.type});
         }
-        const std::string faulty = unreadable(word, array.type, rest.empty());
-        if (!faulty.empty()) {
-            return wrong(array, StatusCode::BadFormat, "value " + std::to_string(count) + " is " + inQuotes(word),
-                         faulty);
+        const core::Message readable = unreadable(word, array.type, rest.empty());
+        if (!readable.isEmpty()) {
+            return wrong(array, StatusCode::BadFormat, {PALPATE_TEXT("value %1 is %2"), count, inQuotes(word)},
+                         readable);
         }
         ++count;
     }
@@ -132,7 +135,8 @@ Status VtpScan::checkCount(const VtpDataArray& array, std::uint64_t expected) co
         return count.status();
     }
     if (count.value() != expected) {
-        return wrong(array, StatusCode::OutOfRange, counted(count.value(), "value"), grouped(expected));
+        return wrong(array, StatusCode::OutOfRange, {PALPATE_TEXT("number of values: %1"), Count(count.value())},
+                     {PALPATE_TEXT("exactly %1"), Count(expected)});
     }
     return {};
 }
@@ -140,12 +144,15 @@ Status VtpScan::checkCount(const VtpDataArray& array, std::uint64_t expected) co
 Status VtpScan::checkPoints(const VtpPiece& piece) const
 {
     if (!piece.coordinates) {
-        return fault(StatusCode::BadFormat, m_context.file, atLine(piece.line),
-                     grouped(piece.points) + " points declared but none given", "an array of points");
+        return fault(
+            StatusCode::BadFormat, m_context.file, onLine(piece.line),
+            {PALPATE_TEXT("number of points: declared %1, but there is no array of points"), Count(piece.points)},
+            {PALPATE_TEXT("an array of points")});
     }
     const VtpDataArray& array = *piece.coordinates;
     if (array.components != 3) {
-        return wrong(array, StatusCode::BadFormat, counted(array.components, "component") + " for each point", "3");
+        return wrong(array, StatusCode::BadFormat, {PALPATE_TEXT("number of components: %1"), array.components},
+                     {PALPATE_TEXT("exactly %1"), 3});
     }
     if (Status status = checkCount(array, piece.points * 3); !status.isOk()) {
         return status;
@@ -154,10 +161,9 @@ Status VtpScan::checkPoints(const VtpPiece& piece) const
         std::string_view rest = textOf(array);
         for (std::uint64_t i = 0; i < piece.points * 3; ++i) {
             const std::string_view word = takeWord(rest);
-            if (const std::string bad = coordinateFault(*wordToNumber(word), m_context.unit_mm); !bad.empty()) {
-                return wrong(array, StatusCode::NonFinite,
-                             "point " + std::to_string(i / 3) + ": " + bad + " (" + inQuotes(word) + ")",
-                             "finite coordinates within 10 km");
+            if (const core::Message bad = coordinateFault(*wordToNumber(word), m_context.unit_mm); !bad.isEmpty()) {
+                return wrong(array, StatusCode::NonFinite, {PALPATE_TEXT("point %1: %2"), i / 3, bad},
+                             {PALPATE_TEXT("finite coordinates within 10 km")});
             }
         }
     }
@@ -172,7 +178,8 @@ Result<std::vector<unsigned char>> VtpScan::unpacked(const VtpDataArray& array) 
     }
     auto bytes = blocks.value().unpack();
     if (!bytes) {
-        return wrong(array, StatusCode::BadFormat, "its compressed data are damaged", "data that unpack");
+        return wrong(array, StatusCode::BadFormat, {PALPATE_TEXT("its compressed data are damaged")},
+                     {PALPATE_TEXT("data that can be decompressed")});
     }
     return std::move(*bytes);
 }
@@ -200,15 +207,16 @@ Status VtpScan::checkCells(const VtpCells& cells, const char* name, const VtpPie
         if (cells.count == 0 && !cells.connectivity && !cells.offsets) {
             return {};
         }
-        return fault(StatusCode::BadFormat, m_context.file, atLine(piece.line),
-                     grouped(cells.count) + " " + name + " declared, but not both their arrays given",
-                     "arrays \"connectivity\" and \"offsets\"");
+        return fault(StatusCode::BadFormat, m_context.file, onLine(piece.line),
+                     {PALPATE_TEXT("%1: declared %2 cells, but an array is missing"), name, Count(cells.count)},
+                     {PALPATE_TEXT("the arrays %1 and %2"), "\"connectivity\"", "\"offsets\""});
     }
     for (const VtpDataArray* array : {&*cells.connectivity, &*cells.offsets}) {
         if (!isVtpIntegerType(array->type) || array->components != 1) {
-            return wrong(*array, StatusCode::BadFormat,
-                         "its type is " + inQuotes(array->type) + " with " + counted(array->components, "component"),
-                         "whole numbers, one component");
+            return wrong(
+                *array, StatusCode::BadFormat,
+                {PALPATE_TEXT("its type is %1, its number of components %2"), inQuotes(array->type), array->components},
+                {PALPATE_TEXT("whole numbers with one component")});
         }
     }
     const Result<std::uint64_t> corners = countValues(*cells.connectivity);
@@ -216,8 +224,9 @@ Status VtpScan::checkCells(const VtpCells& cells, const char* name, const VtpPie
         return corners.status();
     }
     if (corners.value() > kMostElements) {
-        return wrong(*cells.connectivity, StatusCode::Unsupported, counted(corners.value(), "index"),
-                     "at most " + grouped(kMostElements));
+        return wrong(*cells.connectivity, StatusCode::Unsupported,
+                     {PALPATE_TEXT("number of values: %1"), Count(corners.value())},
+                     {PALPATE_TEXT("at most %1"), Count(kMostElements)});
     }
     if (Status status = checkCount(*cells.offsets, cells.count); !status.isOk()) {
         return status;
@@ -230,15 +239,15 @@ Status VtpScan::checkCells(const VtpCells& cells, const char* name, const VtpPie
     for (std::size_t i = 0; i < offsets.value().size(); ++i) {
         const std::int64_t offset = offsets.value()[i];
         if (offset < before || offset > static_cast<std::int64_t>(corners.value())) {
-            return wrong(*cells.offsets, StatusCode::OutOfRange,
-                         "value " + std::to_string(i) + " is " + std::to_string(offset),
-                         std::to_string(before) + " to " + std::to_string(corners.value()));
+            return wrong(*cells.offsets, StatusCode::OutOfRange, {PALPATE_TEXT("value %1 is %2"), i, offset},
+                         {PALPATE_TEXT("%1 to %2"), before, corners.value()});
         }
         before = offset;
     }
     if (before != static_cast<std::int64_t>(corners.value())) {
-        return wrong(*cells.connectivity, StatusCode::OutOfRange, counted(corners.value(), "value"),
-                     std::to_string(before) + ", the last offset");
+        return wrong(*cells.connectivity, StatusCode::OutOfRange,
+                     {PALPATE_TEXT("number of values: %1"), Count(corners.value())},
+                     {PALPATE_TEXT("%1, the last offset"), Count(before)});
     }
     if (cells.connectivity->format == VtpFormat::Ascii) {
         const Result<std::vector<std::int64_t>> indices = integers(*cells.connectivity);
@@ -246,9 +255,9 @@ Status VtpScan::checkCells(const VtpCells& cells, const char* name, const VtpPie
             const std::int64_t index = indices.value()[i];
             if (index < 0 || index >= static_cast<std::int64_t>(piece.points)) {
                 return wrong(*cells.connectivity, StatusCode::OutOfRange,
-                             "value " + std::to_string(i) + " is point " + std::to_string(index),
-                             piece.points == 0 ? "no index: there are no points"
-                                               : "0 to " + std::to_string(piece.points - 1));
+                             {PALPATE_TEXT("value %1 is point %2"), i, index},
+                             piece.points == 0 ? core::Message(PALPATE_TEXT("no index, because there are no points"))
+                                               : core::Message(PALPATE_TEXT("%1 to %2"), 0, piece.points - 1));
             }
         }
     }
@@ -264,8 +273,8 @@ Result<std::uint64_t> VtpScan::countStrings(const VtpDataArray& array) const
             const std::optional<std::int64_t> code = wordToInteger(word);
             if (!code || *code < -128 || *code > 255) {
                 return wrong(array, StatusCode::BadFormat,
-                             "character " + std::to_string(characters.size()) + " is " + inQuotes(word),
-                             "a number from 0 to 255");
+                             {PALPATE_TEXT("character %1 is %2"), characters.size(), inQuotes(word)},
+                             {PALPATE_TEXT("a number from %1 to %2"), 0, 255});
             }
             characters.push_back(static_cast<char>(*code));
         }
@@ -277,7 +286,8 @@ Result<std::uint64_t> VtpScan::countStrings(const VtpDataArray& array) const
         characters.assign(bytes.value().begin(), bytes.value().end());
     }
     if (!characters.empty() && characters.back() != '\0') {
-        return wrong(array, StatusCode::BadFormat, "its last string has no end", "a zero after each string");
+        return wrong(array, StatusCode::BadFormat, {PALPATE_TEXT("its last string has no end")},
+                     {PALPATE_TEXT("a zero after each string")});
     }
     return static_cast<std::uint64_t>(std::ranges::count(characters, '\0'));
 }
@@ -297,8 +307,11 @@ Status VtpScan::checkFieldData() const
         // VTK copies every string without a bounds check.
         if (isTooMany || (isText && tuples * array.components != most)) {
             return wrong(array, StatusCode::OutOfRange,
-                         counted(tuples, "tuple") + " of " + counted(array.components, "component") + " declared",
-                         (isText ? "" : "at most ") + grouped(most) + ", which is what is there");
+                         {PALPATE_TEXT("number of tuples: declared %1, of components in each: %2"), Count(tuples),
+                          Count(array.components)},
+                         isText
+                             ? core::Message(PALPATE_TEXT("exactly %1 values, as many as it contains"), Count(most))
+                             : core::Message(PALPATE_TEXT("at most %1 values, as many as it contains"), Count(most)));
         }
     }
     return {};
@@ -306,7 +319,7 @@ Status VtpScan::checkFieldData() const
 
 /// Lists the arrays of a piece with one number per point or polygon. An array with the name of a known map
 /// must be intact; any other damaged array is reported and ignored.
-Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples, const char* each,
+Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_t tuples, bool isOfPoints,
                            std::vector<std::string>& usable)
 {
     std::vector<std::string> here;
@@ -317,24 +330,33 @@ Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_
         const bool isKnown = std::any_of(core::kKnownMaps.begin(), core::kKnownMaps.end(),
                                          [&](const core::KnownMap& map) { return map.array == array.name; });
         if (isKnown && array.components != 1) {
-            return wrong(array, StatusCode::BadFormat, counted(array.components, "component") + " for each " + each,
-                         "1");
+            return wrong(array, StatusCode::BadFormat,
+                         {PALPATE_TEXT("number of components: %1"), Count(array.components)},
+                         {PALPATE_TEXT("exactly %1"), 1});
         }
         if (array.components > kMostElements) {
             continue;
         }
         if (array.type == "UInt8" && (array.components == 3 || array.components == 4)) { // VTK's colours
-            std::string note = "colours not read: the array " + inQuotes(array.name) + " of its " + each + "s";
-            if (std::ranges::count(m_scan.notes, note) == 0) { // report once for all pieces
-                m_scan.notes.push_back(std::move(note));
+            const std::string name = inQuotes(array.name);
+            const core::Message note =
+                isOfPoints ? core::Message(PALPATE_TEXT("colours not read: the array %1 of its points"), name)
+                           : core::Message(PALPATE_TEXT("colours not read: the array %1 of its polygons"), name);
+            const bool isReported = std::ranges::any_of(
+                m_scan.notes, [&](const core::Message& other) { return other.english() == note.english(); });
+            if (!isReported) { // report once for all pieces
+                m_scan.notes.push_back(note);
             }
         }
         const bool isText = array.type == "String";
         const Result<std::uint64_t> held = isText ? countStrings(array) : countValues(array);
         if (isKnown && (!held.isOk() || held.value() != tuples)) {
-            return !held.isOk() ? held.status()
-                                : wrong(array, StatusCode::OutOfRange, counted(held.value(), "value"),
-                                        grouped(tuples) + ", one for each " + each);
+            return !held.isOk()
+                       ? held.status()
+                       : wrong(array, StatusCode::OutOfRange,
+                               {PALPATE_TEXT("number of values: %1"), Count(held.value())},
+                               isOfPoints ? core::Message(PALPATE_TEXT("%1, one for each point"), Count(tuples))
+                                          : core::Message(PALPATE_TEXT("%1, one for each polygon"), Count(tuples)));
         }
         // VTK dereferences a null pointer if cell data fail to decompress and point data are absent.
         const bool isWhole =
@@ -344,7 +366,7 @@ Status VtpScan::takeArrays(const std::vector<VtpDataArray>& arrays, std::uint64_
             return unpacked(array).status();
         }
         if (!isWhole) {
-            m_scan.notes.push_back("the array " + inQuotes(array.name) + " is damaged; it is not used");
+            m_scan.notes.push_back({PALPATE_TEXT("the array %1 is damaged and not used"), inQuotes(array.name)});
         } else if (!isText && array.components == 1 && !array.name.empty()) {
             here.push_back(array.name);
         }
@@ -363,15 +385,16 @@ Status VtpScan::checkPiece(const VtpPiece& piece)
     for (const std::uint64_t count :
          {piece.points, piece.verts.count, piece.lines.count, piece.strips.count, piece.polys.count}) {
         if (count > kMostElements) {
-            return fault(StatusCode::OutOfRange, m_context.file, atLine(piece.line),
-                         grouped(count) + " elements declared", "at most " + grouped(kMostElements));
+            return fault(StatusCode::OutOfRange, m_context.file, onLine(piece.line),
+                         {PALPATE_TEXT("number of elements: declared %1"), Count(count)},
+                         {PALPATE_TEXT("at most %1"), Count(kMostElements)});
         }
     }
     if (Status status = checkPoints(piece); !status.isOk()) {
         return status;
     }
     const std::array<std::pair<const VtpCells*, const char*>, 4> kinds{
-        {{&piece.verts, "verts"}, {&piece.lines, "lines"}, {&piece.strips, "strips"}, {&piece.polys, "polygons"}}};
+        {{&piece.verts, "Verts"}, {&piece.lines, "Lines"}, {&piece.strips, "Strips"}, {&piece.polys, "Polys"}}};
     std::uint64_t cells = 0;
     for (const auto& [kind, name] : kinds) {
         if (Status status = checkCells(*kind, name, piece); !status.isOk()) {
@@ -382,8 +405,10 @@ Status VtpScan::checkPiece(const VtpPiece& piece)
     for (const VtpDataArray& array : piece.cellData) {
         if (array.name == "StructureId") {
             if (!isVtpIntegerType(array.type) || array.components != 1) {
-                return wrong(array, StatusCode::BadFormat, "its type is " + inQuotes(array.type),
-                             "whole numbers, one a cell");
+                return wrong(array, StatusCode::BadFormat,
+                             {PALPATE_TEXT("its type is %1, its number of components %2"), inQuotes(array.type),
+                              array.components},
+                             {PALPATE_TEXT("whole numbers with one component")});
             }
             if (Status status = checkCount(array, cells); !status.isOk()) {
                 return status;
@@ -394,10 +419,10 @@ Status VtpScan::checkPiece(const VtpPiece& piece)
             }
         }
     }
-    if (Status status = takeArrays(piece.pointData, piece.points, "point", m_scan.pointArrays); !status.isOk()) {
+    if (Status status = takeArrays(piece.pointData, piece.points, true, m_scan.pointArrays); !status.isOk()) {
         return status;
     }
-    if (Status status = takeArrays(piece.cellData, cells, "polygon", m_scan.cellArrays); !status.isOk()) {
+    if (Status status = takeArrays(piece.cellData, cells, false, m_scan.cellArrays); !status.isOk()) {
         return status;
     }
     m_scan.points += piece.points;
@@ -421,11 +446,14 @@ Status VtpScan::run()
         }
     }
     if (m_scan.cells == 0) {
-        return fault(StatusCode::Empty, m_context.file, "", "0 polygons and strips", "at least one");
+        return fault(StatusCode::Empty, m_context.file, {}, {PALPATE_TEXT("0 polygons and strips")},
+                     {PALPATE_TEXT("at least one polygon or strip")});
     }
     if (m_scan.points > kMostElements || m_scan.cells > kMostElements) {
-        return fault(StatusCode::Unsupported, m_context.file, "", counted(m_scan.points, "point"),
-                     "at most " + grouped(kMostElements));
+        return fault(StatusCode::Unsupported, m_context.file, {},
+                     {PALPATE_TEXT("number of points: %1, of polygons and strips: %2"), Count(m_scan.points),
+                      Count(m_scan.cells)},
+                     {PALPATE_TEXT("at most %1 of each"), Count(kMostElements)});
     }
     return {};
 }

@@ -112,10 +112,10 @@ class VtpBlockFinder
     Result<VtpBlocks> run();
 
   private:
-    Status wrong(std::string_view found, std::string_view expected) const
+    Status wrong(const core::Message& found, const core::Message& expected) const
     {
-        return fault(StatusCode::OutOfRange, m_context.file, atLine(m_array.line),
-                     "array " + inQuotes(m_array.name) + ": " + std::string(found), expected);
+        return fault(StatusCode::OutOfRange, m_context.file, onLine(m_array.line),
+                     {PALPATE_TEXT("array %1: %2"), inQuotes(m_array.name), found}, expected);
     }
     Status findPlain(std::uint64_t size);
     Status findPacked(std::uint64_t count);
@@ -139,7 +139,9 @@ Status VtpBlockFinder::readHead(std::uint64_t bytes)
 {
     m_decoded = m_isBase64 ? fromBase64(m_text, bytes) : std::string();
     m_head = m_isBase64 ? m_decoded : m_text;
-    return m_head.size() < bytes ? wrong("the file ends in the header of its data", counted(bytes, "byte")) : Status();
+    return m_head.size() < bytes ? wrong({PALPATE_TEXT("the file ends in the header of its data")},
+                                         {PALPATE_TEXT("%1 bytes"), Count(bytes)})
+                                 : Status();
 }
 
 /// Uncompressed data: one block after a size field.
@@ -148,15 +150,15 @@ Status VtpBlockFinder::findPlain(std::uint64_t size)
     std::string_view data = m_text;
     if (m_isBase64) {
         if (size > m_text.size()) {
-            return wrong(grouped(size) + " bytes declared",
-                         "at most " + grouped(m_text.size()) + ", the characters that are left");
+            return wrong({PALPATE_TEXT("size of its data: declared %1 bytes"), Count(size)},
+                         {PALPATE_TEXT("at most %1, the number of characters that follow"), Count(m_text.size())});
         }
         m_blocks.m_decoded = std::make_shared<const std::string>(fromBase64(m_text, m_width + size));
         data = *m_blocks.m_decoded;
     }
     if (size > data.size() - m_width) {
-        return wrong(grouped(size) + " bytes declared",
-                     "at most " + grouped(data.size() - m_width) + ", the bytes that are left");
+        return wrong({PALPATE_TEXT("size of its data: declared %1 bytes"), Count(size)},
+                     {PALPATE_TEXT("at most %1, the number of bytes that follow"), Count(data.size() - m_width)});
     }
     m_blocks.m_data = data;
     m_blocks.m_blocks.push_back({m_width, size, size});
@@ -177,14 +179,15 @@ Status VtpBlockFinder::takeBlocks(std::uint64_t count, std::uint64_t first, std:
         const std::uint64_t packed = headerWord(m_head, 3 + i, m_header);
         const std::uint64_t unpacked = i + 1 == count && lastSize != 0 ? lastSize : blockSize;
         if (packed > dataBytes || end + packed > dataBytes) {
-            return wrong("block " + std::to_string(i) + " of " + grouped(packed) + " bytes reaches beyond the file",
-                         "at most " + grouped(dataBytes - std::min(end, dataBytes)));
+            return wrong(
+                {PALPATE_TEXT("block %1 reaches beyond the end of the file; its size is %2 bytes"), i, Count(packed)},
+                {PALPATE_TEXT("at most %1 bytes"), Count(dataBytes - std::min(end, dataBytes))});
         }
         const std::uint64_t most = (packed + 64) * mostRatio(m_header.compressor);
         if (unpacked > most || unpacked > kMost - m_blocks.m_size) {
-            return wrong("block " + std::to_string(i) + " of " + grouped(packed) + " bytes is said to unpack to " +
-                             grouped(unpacked),
-                         "at most " + grouped(most));
+            return wrong({PALPATE_TEXT("block %1: declared sizes are %2 bytes compressed and %3 bytes decompressed"), i,
+                          Count(packed), Count(unpacked)},
+                         {PALPATE_TEXT("at most %1 bytes decompressed"), Count(most)});
         }
         m_blocks.m_blocks.push_back({end, packed, unpacked});
         end += packed;
@@ -198,14 +201,16 @@ Status VtpBlockFinder::takeBlocks(std::uint64_t count, std::uint64_t first, std:
 Status VtpBlockFinder::findPacked(std::uint64_t count)
 {
     if (count > m_text.size() / m_width) {
-        return wrong(grouped(count) + " blocks declared",
-                     "at most " + grouped(m_text.size() / m_width) + ", the words that are left");
+        return wrong(
+            {PALPATE_TEXT("number of blocks: declared %1"), Count(count)},
+            {PALPATE_TEXT("at most %1, the number of header words that follow"), Count(m_text.size() / m_width)});
     }
     const std::uint64_t blockSize = headerWord(m_head, 1, m_header);
     const std::uint64_t lastSize = headerWord(m_head, 2, m_header);
     if (count > 0 && (blockSize == 0 || lastSize > blockSize)) { // VTK uses this as a divisor
-        return wrong("blocks of " + counted(blockSize, "byte") + ", the last of " + grouped(lastSize),
-                     "blocks of at least one byte, none larger than the others");
+        return wrong(
+            {PALPATE_TEXT("block size %1 bytes, size of the last block %2 bytes"), Count(blockSize), Count(lastSize)},
+            {PALPATE_TEXT("a block size of at least one byte and a last block that is not larger")});
     }
     const std::uint64_t headBytes = (3 + count) * m_width;
     if (Status status = readHead(headBytes); !status.isOk()) {
@@ -221,7 +226,8 @@ Status VtpBlockFinder::findPacked(std::uint64_t count)
             fromBase64(m_text.substr(std::min<std::uint64_t>(base64Length(headBytes), m_text.size())), end));
         m_blocks.m_data = *m_blocks.m_decoded;
         if (m_blocks.m_data.size() < end) {
-            return wrong(grouped(m_blocks.m_data.size()) + " bytes of data", grouped(end));
+            return wrong({PALPATE_TEXT("size of its data: %1 bytes"), Count(m_blocks.m_data.size())},
+                         {PALPATE_TEXT("%1 bytes"), Count(end)});
         }
     }
     return {};
@@ -231,8 +237,9 @@ Result<VtpBlocks> VtpBlockFinder::run()
 {
     if (m_array.format == VtpFormat::Appended) {
         if (m_array.offset >= m_header.appended.size()) {
-            return wrong("its data begin at offset " + grouped(m_array.offset),
-                         "less than " + grouped(m_header.appended.size()) + ", the length of the appended data");
+            return wrong(
+                {PALPATE_TEXT("its data begin at offset %1"), Count(m_array.offset)},
+                {PALPATE_TEXT("less than %1, the length of the appended data"), Count(m_header.appended.size())});
         }
         m_text = m_header.appended.substr(m_array.offset);
     }

@@ -32,11 +32,11 @@ class HeaderReader
     Status run(VtpHeader& header);
 
   private:
-    Status wrong(StatusCode code, std::string_view found, std::string_view expected) const
+    Status wrong(StatusCode code, const core::Message& found, const core::Message& expected) const
     {
-        return fault(code, m_context.file, atLine(static_cast<std::uint64_t>(m_xml.lineNumber())), found, expected);
+        return fault(code, m_context.file, onLine(static_cast<std::uint64_t>(m_xml.lineNumber())), found, expected);
     }
-    Status fail(StatusCode code, std::string_view found, std::string_view expected)
+    Status fail(StatusCode code, const core::Message& found, const core::Message& expected)
     {
         if (m_status.isOk()) {
             m_status = wrong(code, found, expected);
@@ -71,7 +71,8 @@ std::optional<std::uint64_t> HeaderReader::count(const char* name)
     }
     const std::optional<std::int64_t> value = wordToInteger(trimmed(text));
     if (!value || *value < 0) {
-        (void)fail(StatusCode::OutOfRange, std::string(name) + "=" + inQuotes(text), "a whole number from 0");
+        (void)fail(StatusCode::OutOfRange, {PALPATE_TEXT("found %1=%2"), name, inQuotes(text)},
+                   {PALPATE_TEXT("a whole number from 0")});
         return 0;
     }
     return static_cast<std::uint64_t>(*value);
@@ -80,14 +81,16 @@ std::optional<std::uint64_t> HeaderReader::count(const char* name)
 void HeaderReader::startFile(VtpHeader& header)
 {
     if (const std::string type = attribute("type"); type != "PolyData") {
-        (void)fail(StatusCode::Unsupported, "a VTK file of type " + inQuotes(type), "type \"PolyData\"");
+        (void)fail(StatusCode::Unsupported, {PALPATE_TEXT("a VTK file of type %1"), inQuotes(type)},
+                   {PALPATE_TEXT("the type %1"), "\"PolyData\""});
     }
     const std::string order = attribute("byte_order");
     header.isBigEndian = order == "BigEndian";
     const std::string width = attribute("header_type");
     header.hasWideHeaders = width == "UInt64";
     if (!width.empty() && width != "UInt32" && width != "UInt64") {
-        (void)fail(StatusCode::BadFormat, "header_type=" + inQuotes(width), "UInt32 or UInt64");
+        (void)fail(StatusCode::BadFormat, {PALPATE_TEXT("found %1=%2"), "header_type", inQuotes(width)},
+                   {PALPATE_TEXT("%1 or %2"), "\"UInt32\"", "\"UInt64\""});
     }
     const std::string compressor = attribute("compressor");
     if (compressor == "vtkZLibDataCompressor") {
@@ -97,7 +100,8 @@ void HeaderReader::startFile(VtpHeader& header)
     } else if (compressor == "vtkLZMADataCompressor") {
         header.compressor = VtpCompressor::Lzma;
     } else if (!compressor.empty()) {
-        (void)fail(StatusCode::Unsupported, "the compressor " + inQuotes(compressor), "zlib, LZ4 or LZMA");
+        (void)fail(StatusCode::Unsupported, {PALPATE_TEXT("the compressor %1"), inQuotes(compressor)},
+                   {PALPATE_TEXT("%1, %2 or %3"), "zlib", "LZ4", "LZMA"});
     }
 }
 
@@ -147,8 +151,9 @@ void HeaderReader::startArray(VtpHeader& header, const std::string& parent)
     const std::string name = attribute("Name");
     VtpDataArray* array = place(header, parent, name);
     if (array == nullptr) {
-        (void)fail(StatusCode::BadFormat, "an array " + inQuotes(name) + " under " + inQuotes(parent),
-                   "one array of points, one connectivity and one offsets");
+        (void)fail(
+            StatusCode::BadFormat, {PALPATE_TEXT("found an array %1 under %2"), inQuotes(name), inQuotes(parent)},
+            {PALPATE_TEXT("one array of points, one array %1 and one array %2"), "\"connectivity\"", "\"offsets\""});
         return;
     }
     array->name = name.empty() ? parent : name;
@@ -163,7 +168,8 @@ void HeaderReader::startArray(VtpHeader& header, const std::string& parent)
     } else if (format == "binary") {
         array->format = VtpFormat::Binary;
     } else if (!format.empty() && format != "ascii") {
-        (void)fail(StatusCode::BadFormat, "format=" + inQuotes(format), "ascii, binary or appended");
+        (void)fail(StatusCode::BadFormat, {PALPATE_TEXT("found %1=%2"), "format", inQuotes(format)},
+                   {PALPATE_TEXT("%1, %2 or %3"), "\"ascii\"", "\"binary\"", "\"appended\""});
     }
     m_array = array;
 }
@@ -176,10 +182,12 @@ void HeaderReader::startElement(VtpHeader& header)
     const std::string parent = m_path.size() > 1 ? m_path[m_path.size() - 2] : std::string();
     const bool isArray = name == "DataArray" || name == "Array";
     if (!isArray && std::ranges::find(kOfArrays, parent) != kOfArrays.end()) { // VTK would treat this as an array
-        (void)fail(StatusCode::BadFormat, "an element " + inQuotes(name) + " under " + inQuotes(parent),
-                   "\"DataArray\" or \"Array\"");
+        (void)fail(StatusCode::BadFormat,
+                   {PALPATE_TEXT("found an element %1 under %2"), inQuotes(name), inQuotes(parent)},
+                   {PALPATE_TEXT("%1 or %2"), "\"DataArray\"", "\"Array\""});
     } else if (m_path.size() == 1 && name != "VTKFile") {
-        (void)fail(StatusCode::BadFormat, "an XML document " + inQuotes(name), "\"VTKFile\"");
+        (void)fail(StatusCode::BadFormat, {PALPATE_TEXT("an XML document of type %1"), inQuotes(name)},
+                   {PALPATE_TEXT("the type %1"), "\"VTKFile\""});
     } else if (name == "VTKFile") {
         startFile(header);
     } else if (name == "Piece") {
@@ -189,7 +197,8 @@ void HeaderReader::startElement(VtpHeader& header)
     } else if (name == "AppendedData") {
         const std::string encoding = attribute("encoding");
         if (!encoding.empty() && encoding != "raw" && encoding != "base64") {
-            (void)fail(StatusCode::BadFormat, "encoding=" + inQuotes(encoding), "\"raw\" or \"base64\"");
+            (void)fail(StatusCode::BadFormat, {PALPATE_TEXT("found %1=%2"), "encoding", inQuotes(encoding)},
+                       {PALPATE_TEXT("%1 or %2"), "\"raw\"", "\"base64\""});
         }
         header.isAppendedBase64 = encoding != "raw"; // VTK's default
     }
@@ -201,13 +210,15 @@ Status HeaderReader::run(VtpHeader& header)
         switch (m_xml.readNext()) {
         case QXmlStreamReader::DTD:
         case QXmlStreamReader::EntityReference:
-            return wrong(StatusCode::BadFormat, "a document type or an entity", "none in a VTP file");
+            return wrong(StatusCode::BadFormat, {PALPATE_TEXT("found a document type or an entity")},
+                         {PALPATE_TEXT("a VTP file without them")});
         case QXmlStreamReader::StartElement:
             m_array = nullptr; // VTK's reader takes an array's text up to the first tag: information keys do not belong
                                // to the text
             m_path.push_back(m_xml.name().toString().toStdString());
             if (m_path.size() > kDeepest) {
-                return wrong(StatusCode::BadFormat, "elements nested more than 32 deep", "at most 6");
+                return wrong(StatusCode::BadFormat, {PALPATE_TEXT("elements nested in more than %1 levels"), kDeepest},
+                             {PALPATE_TEXT("at most %1 levels"), kDeepest});
             }
             startElement(header);
             if (m_path.back() == "AppendedData") {
@@ -230,8 +241,9 @@ Status HeaderReader::run(VtpHeader& header)
             m_array = nullptr;
             break;
         case QXmlStreamReader::Invalid:
-            return wrong(StatusCode::BadFormat, "the XML is broken: " + inQuotes(m_xml.errorString().toStdString()),
-                         "well-formed XML to the end");
+            return wrong(StatusCode::BadFormat,
+                         {PALPATE_TEXT("invalid XML: %1"), inQuotes(m_xml.errorString().toStdString())},
+                         {PALPATE_TEXT("well-formed XML to the end of the file")});
         case QXmlStreamReader::EndDocument:
             return m_status;
         default:
@@ -255,22 +267,25 @@ Result<VtpHeader> readVtpHeader(std::string_view bytes, const ScanContext& conte
             ++mark;
         }
         if (mark >= bytes.size() || bytes[mark] != '_') {
-            return fault(StatusCode::BadFormat, context.file, atByte(tag),
-                         "appended data that does not begin with \"_\"", "\"_\" and the data");
+            return fault(StatusCode::BadFormat, context.file, onByte(tag),
+                         {PALPATE_TEXT("the appended data do not begin with %1"), "\"_\""},
+                         {PALPATE_TEXT("%1 and the data"), "\"_\""});
         }
         xml = bytes.substr(0, close + 1);
         header.appendedBegin = mark + 1;
         header.appended = bytes.substr(mark + 1);
     }
     if (xml.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-        return fault(StatusCode::Unsupported, context.file, "", "more than 2 GiB of XML", "appended data");
+        return fault(StatusCode::Unsupported, context.file, {}, {PALPATE_TEXT("more than 2 GiB of XML")},
+                     {PALPATE_TEXT("arrays as appended data")});
     }
     HeaderReader reader(QByteArray::fromRawData(xml.data(), static_cast<qsizetype>(xml.size())), context);
     if (Status status = reader.run(header); !status.isOk()) {
         return status;
     }
     if (header.pieces.empty()) {
-        return fault(StatusCode::Empty, context.file, "", "no \"Piece\" of PolyData", "at least one");
+        return fault(StatusCode::Empty, context.file, {}, {PALPATE_TEXT("no element %1"), "\"Piece\""},
+                     {PALPATE_TEXT("at least one such element")});
     }
     return header;
 }

@@ -18,12 +18,12 @@ core::Result<FileImage> FileImage::allocate(std::size_t size, std::string_view f
     FileImage image;
     image.m_descriptor = ::memfd_create("palpate-mesh", MFD_CLOEXEC);
     if (image.m_descriptor < 0 || ::ftruncate(image.m_descriptor, static_cast<off_t>(size)) != 0) {
-        return systemFault(file, "no memory to read it");
+        return systemFault(file, PALPATE_TEXT("not enough memory to read it: %1"));
     }
     if (size > 0) {
         void* data = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, image.m_descriptor, 0);
         if (data == MAP_FAILED) {
-            return systemFault(file, "no memory to read it");
+            return systemFault(file, PALPATE_TEXT("not enough memory to read it: %1"));
         }
         image.m_data = static_cast<char*>(data);
         image.m_size = size;
@@ -51,11 +51,12 @@ core::Result<FileImage> FileImage::load(const OpenFile& source, std::string_view
             continue;
         }
         if (got < 0) {
-            return systemFault(file, "cannot be read");
+            return systemFault(file, PALPATE_TEXT("cannot be read: %1"));
         }
         if (got == 0) {
-            return fault(StatusCode::Unreadable, file, atByte(done), "the file became shorter while it was read",
-                         counted(to.size(), "byte"));
+            return fault(StatusCode::Unreadable, file, onByte(done),
+                         {PALPATE_TEXT("the file became shorter while it was read")},
+                         {PALPATE_TEXT("%1 bytes"), Count(to.size())});
         }
         done += static_cast<std::size_t>(got);
     }

@@ -4,7 +4,6 @@
 #include "text/Fault.h"
 
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <string>
 #include <sys/stat.h>
@@ -13,22 +12,24 @@ namespace palpate::meshio::internal {
 
 using core::StatusCode;
 
-core::Status systemFault(std::string_view file, std::string_view what)
+core::Status systemFault(std::string_view file, core::MessageText<core::Message> found)
 {
     const int error = errno;
-    return fault(error == ENOENT ? StatusCode::NotFound : StatusCode::Unreadable, file, "",
-                 std::string(what) + ": " + std::strerror(error), "a readable file");
+    return fault(error == ENOENT ? StatusCode::NotFound : StatusCode::Unreadable, file, {},
+                 core::Message(found, core::systemError(error)), {PALPATE_TEXT("a readable file")});
 }
 
 core::Result<OpenFile> openFile(Descriptor descriptor, std::string_view file)
 {
     struct stat info = {};
     if (descriptor.value() < 0 || ::fstat(descriptor.value(), &info) != 0) {
-        return systemFault(file, "cannot be opened");
+        return systemFault(file, PALPATE_TEXT("cannot be opened: %1"));
     }
     if (!S_ISREG(info.st_mode)) {
-        return fault(StatusCode::Unreadable, file, "", S_ISDIR(info.st_mode) ? "is a folder" : "is not a regular file",
-                     "a mesh file");
+        return fault(StatusCode::Unreadable, file, {},
+                     S_ISDIR(info.st_mode) ? core::Message(PALPATE_TEXT("is a folder"))
+                                           : core::Message(PALPATE_TEXT("is not a regular file")),
+                     {PALPATE_TEXT("a mesh file")});
     }
     return OpenFile{std::move(descriptor), static_cast<std::size_t>(info.st_size)};
 }

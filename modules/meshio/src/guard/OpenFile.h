@@ -54,7 +54,8 @@ struct OpenFile
 /// Same for an open descriptor. @param file  name for error messages
 [[nodiscard]] core::Result<OpenFile> openFile(Descriptor descriptor, std::string_view file);
 
-/// @return an error with the given text and the reason from errno
-[[nodiscard]] core::Status systemFault(std::string_view file, std::string_view what);
+/// @return an error with the reason from errno
+/// @param found  text with the place %1 for the reason
+[[nodiscard]] core::Status systemFault(std::string_view file, core::MessageText<core::Message> found);
 
 } // namespace palpate::meshio::internal

@@ -17,7 +17,7 @@ void noteSpace(std::string_view value, PreScan& scan)
     } else if (value == "RAS") {
         scan.frame = FileFrame::Ras;
     } else {
-        scan.notes.push_back("the frame SPACE=" + inQuotes(value) + " is not known (LPS and RAS are): it is not used");
+        scan.notes.push_back({PALPATE_TEXT("the frame SPACE=%1 is not used: expected LPS or RAS"), inQuotes(value)});
     }
 }
 
@@ -50,17 +50,18 @@ void noteScaleTag(std::string_view text, PreScan& scan)
     if (scale && *scale >= kLeast && *scale <= kMost) {
         scan.scale = scale;
     } else {
-        scan.notes.push_back("SCALE=" + inQuotes(word) + " in the header is not used: expected 1e-06 to 1e+06");
+        scan.notes.push_back(
+            {PALPATE_TEXT("SCALE=%1 in the header is not used: expected %2 to %3"), inQuotes(word), kLeast, kMost});
     }
 }
 
-std::string coordinateFault(double value, double unit_mm)
+core::Message coordinateFault(double value, double unit_mm)
 {
     if (!std::isfinite(value)) {
-        return "a coordinate is not a finite number";
+        return {PALPATE_TEXT("a coordinate is not a finite number (%1)"), value};
     }
     if (std::abs(value) * unit_mm > kMostMm) {
-        return "a coordinate is farther than 10 km from the origin";
+        return {PALPATE_TEXT("a coordinate is farther than 10 km from the origin (%1)"), value};
     }
     return {};
 }

@@ -5,6 +5,7 @@
 
 #include "palpate/meshio/MeshFile.h"
 
+#include <palpate/core/Message.h>
 #include <palpate/core/Types.h>
 #include <palpate/geometry/Staircase.h>
 
@@ -35,8 +36,8 @@ struct PreScan
     std::vector<std::uint32_t> partOfCell;
     /// Scalar point and polygon arrays expected from the reader (VTP).
     std::vector<std::string> pointArrays, cellArrays;
-    std::vector<std::string> notes; ///< ignored or assumed content, one sentence per entry
-    std::string loss;               ///< truncated part, "place: missing content"
+    std::vector<core::Message> notes; ///< ignored or assumed content, one sentence per entry
+    core::Message loss;               ///< truncated part, "place: missing content"
     /// Voxels of a label map, in the axes and units of the file.
     std::optional<geometry::Staircase> voxels;
 };
@@ -66,7 +67,7 @@ void noteScaleTag(std::string_view text, PreScan& scan);
 /// Same as `noteSpaceTag` for the value of the tag.
 void noteSpace(std::string_view value, PreScan& scan);
 
-/// @return empty text for a valid coordinate, or else the error
-[[nodiscard]] std::string coordinateFault(double value, double unit_mm);
+/// @return empty for a valid coordinate, or else the error
+[[nodiscard]] core::Message coordinateFault(double value, double unit_mm);
 
 } // namespace palpate::meshio::internal

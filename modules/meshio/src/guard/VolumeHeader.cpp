@@ -34,6 +34,11 @@ using core::StatusCode;
 
 constexpr std::size_t kMostHeader = 65536; ///< of text [bytes]
 
+core::Message inHeader(std::string_view field)
+{
+    return {PALPATE_TEXT("header: %1"), field};
+}
+
 std::optional<Eigen::Matrix3d> threeByThree(std::string text)
 {
     std::replace_if(
@@ -91,23 +96,26 @@ bool takeField(TextHeader& header, bool isMeta, std::string_view key, const std:
 Status checkDataFiles(const std::filesystem::path& path, const TextHeader& header)
 {
     const std::string file = path.filename().string();
-    const auto refuse = [&file](StatusCode code, std::string_view found, std::string_view expected) {
-        return fault(code, file, "header: the file of its voxels", found, expected);
+    const auto refuse = [&file](StatusCode code, const core::Message& found, const core::Message& expected) {
+        return fault(code, file, {PALPATE_TEXT("header: the file of its voxels")}, found, expected);
     };
     if (header.isList && header.dataFiles.empty()) {
-        return refuse(StatusCode::BadFormat, "an empty LIST", "a name on each line below it");
+        return refuse(StatusCode::BadFormat, {PALPATE_TEXT("an empty LIST")},
+                      {PALPATE_TEXT("a file name on each line below it")});
     }
     if (header.isList && header.isPacked) {
-        return refuse(StatusCode::Unsupported, "a LIST of compressed files", "one file, or files that are not");
+        return refuse(StatusCode::Unsupported, {PALPATE_TEXT("a LIST of compressed files")},
+                      {PALPATE_TEXT("a single file, or uncompressed files")});
     }
     for (const std::string& name : header.dataFiles) {
         std::error_code error;
         if (name.find('%') != std::string::npos) { // a printf pattern
-            return refuse(StatusCode::Unsupported, inQuotes(name),
-                          "the name of one file, or LIST and one on each line");
+            return refuse(StatusCode::Unsupported, {PALPATE_TEXT("%1"), inQuotes(name)},
+                          {PALPATE_TEXT("the name of one file, or LIST and one file name on each line")});
         }
         if (!std::filesystem::is_regular_file(path.parent_path() / name, error)) {
-            return refuse(StatusCode::NotFound, "no file " + inQuotes(name), "one beside the header");
+            return refuse(StatusCode::NotFound, {PALPATE_TEXT("no file %1"), inQuotes(name)},
+                          {PALPATE_TEXT("this file in the folder of the header")});
         }
     }
     return {};
@@ -130,10 +138,12 @@ Status checkNrrd(const std::filesystem::path& path)
         }
         const std::string field = line.substr(0, colon);
         if (!fields.emplace(field, trimmed(std::string_view(line).substr(colon + 2))).second) {
-            return fault(StatusCode::BadFormat, file, "header", inQuotes(field) + " twice", "each field once");
+            return fault(StatusCode::BadFormat, file, {PALPATE_TEXT("header")},
+                         {PALPATE_TEXT("%1 twice"), inQuotes(field)}, {PALPATE_TEXT("each field once")});
         }
         if (field == "sizes" && fields.count("dimension") == 0) {
-            return fault(StatusCode::BadFormat, file, "header: sizes", "no dimension before them", "a dimension");
+            return fault(StatusCode::BadFormat, file, inHeader("sizes"),
+                         {PALPATE_TEXT("no field `dimension` before `sizes`")}, {PALPATE_TEXT("`dimension` first")});
         }
     }
     const auto wordsOf = [&fields](const char* field) {
@@ -141,22 +151,25 @@ Status checkNrrd(const std::filesystem::path& path)
         return std::vector<std::string>(std::istream_iterator<std::string>(words), {});
     };
     if (fields["dimension"] != "3") {
-        return fault(StatusCode::Unsupported, file, "header: dimension", inQuotes(fields["dimension"]), "3");
+        return fault(StatusCode::Unsupported, file, inHeader("dimension"),
+                     {PALPATE_TEXT("%1"), inQuotes(fields["dimension"])}, {PALPATE_TEXT("%1"), 3});
     }
     const std::vector<std::string> sizes = wordsOf("sizes");
     constexpr std::size_t kMostDigits = 9;
     if (sizes.size() != 3 || !std::all_of(sizes.begin(), sizes.end(), [](const std::string& size) {
             return size.size() <= kMostDigits && size.find_first_not_of("0123456789") == std::string::npos;
         })) {
-        return fault(StatusCode::BadFormat, file, "header: sizes", inQuotes(fields["sizes"]), "three counts of voxels");
+        return fault(StatusCode::BadFormat, file, inHeader("sizes"), {PALPATE_TEXT("%1"), inQuotes(fields["sizes"])},
+                     {PALPATE_TEXT("three numbers of voxels")});
     }
     if (fields.count("data file") != 0 && fields.count("datafile") != 0) {
-        return fault(StatusCode::BadFormat, file, "header", "\"data file\" and \"datafile\"", "one of them");
+        return fault(StatusCode::BadFormat, file, {PALPATE_TEXT("header")},
+                     {PALPATE_TEXT("both \"data file\" and \"datafile\"")}, {PALPATE_TEXT("one of the two")});
     }
     for (const char* field : {"data file", "datafile"}) {
         if (wordsOf(field).size() > 1) {
-            return fault(StatusCode::Unsupported, file, std::string("header: ") + field, inQuotes(fields[field]),
-                         "the name of one file");
+            return fault(StatusCode::Unsupported, file, inHeader(field), {PALPATE_TEXT("%1"), inQuotes(fields[field])},
+                         {PALPATE_TEXT("the name of one file")});
         }
     }
     return {};
@@ -229,33 +242,38 @@ Status checkTextHeader(const std::filesystem::path& path, const std::optional<Te
 {
     const std::string file = path.filename().string();
     if (!header) {
-        return fault(StatusCode::BadFormat, file, "header", "directions of its axes that can't be read",
-                     "three vectors that are not in a plane");
+        return fault(StatusCode::BadFormat, file, {PALPATE_TEXT("header")},
+                     {PALPATE_TEXT("unreadable directions of its axes")},
+                     {PALPATE_TEXT("three vectors that are not in one plane")});
     }
     if (!header->isEnded) { // VTK's NRRD reader can loop forever without an empty line
-        return fault(StatusCode::BadFormat, file, "header", "it does not end",
-                     "a header that says where the voxels are");
+        return fault(StatusCode::BadFormat, file, {PALPATE_TEXT("header")}, {PALPATE_TEXT("it has no end")},
+                     {PALPATE_TEXT("a header that ends before the voxels, or with the name of their file")});
     }
     if (!header->isPlain) {
-        return fault(StatusCode::BadFormat, file, "header", "a byte of 0 in its text", "a header of text alone");
+        return fault(StatusCode::BadFormat, file, {PALPATE_TEXT("header")}, {PALPATE_TEXT("a byte of 0 in its text")},
+                     {PALPATE_TEXT("a header that consists of text only")});
     }
     if (header->dimensions < 1 || header->dimensions > 4) { // VTK's MetaImage reader accepts any number
-        return fault(StatusCode::BadFormat, file, "header: NDims",
-                     header->dimensions == 0 ? "what is not one number"
-                                             : counted(static_cast<std::uint64_t>(header->dimensions), "dimension"),
-                     "1 to 4");
+        return fault(StatusCode::BadFormat, file, inHeader("NDims"),
+                     header->dimensions == 0 ? core::Message(PALPATE_TEXT("not a digit"))
+                                             : core::Message(PALPATE_TEXT("%1"), header->dimensions),
+                     {PALPATE_TEXT("%1 to %2"), 1, 4});
     }
     constexpr std::size_t kLongest = 254; // size of MetaIO's buffer
     if (isMetaImage(path) && header->longest > kLongest) {
-        return fault(StatusCode::BadFormat, file, "header", "a line of " + counted(header->longest, "character"),
-                     "at most 254");
+        return fault(StatusCode::BadFormat, file, {PALPATE_TEXT("header")},
+                     {PALPATE_TEXT("a line of %1 characters"), Count(header->longest)},
+                     {PALPATE_TEXT("at most %1"), kLongest});
     }
     if (Status status = isMetaImage(path) ? Status() : checkNrrd(path); !status.isOk()) {
         return status;
     }
     if (header->isText) { // VTK 9.1 returns uninitialised memory (NRRD) or never ends (MetaImage)
-        return fault(StatusCode::Unsupported, file, "header", "voxels in another encoding",
-                     isMetaImage(path) ? "`BinaryData = True`" : "`raw` or `gzip`");
+        return fault(StatusCode::Unsupported, file, {PALPATE_TEXT("header")},
+                     {PALPATE_TEXT("voxels in another encoding")},
+                     isMetaImage(path) ? core::Message(PALPATE_TEXT("%1"), "`BinaryData = True`")
+                                       : core::Message(PALPATE_TEXT("%1 or %2"), "`raw`", "`gzip`"));
     }
     return checkDataFiles(path, *header);
 }
@@ -282,23 +300,27 @@ Status checkNifti(const std::filesystem::path& path)
     const bool isSwapped = head[0] == 0;
     const std::int64_t size = numberAt(0, 4, isSwapped);
     if (read < kFirst || (size != kFirst && size != kSecond) || read < size) {
-        return fault(StatusCode::BadFormat, file, "header", "no header of NIfTI", "348 or 540 bytes of it");
+        return fault(StatusCode::BadFormat, file, {PALPATE_TEXT("header")}, {PALPATE_TEXT("no NIfTI header")},
+                     {PALPATE_TEXT("a header of %1 or %2 bytes"), kFirst, kSecond});
     }
     const auto kind = static_cast<std::int16_t>(numberAt(size == kFirst ? 70 : 12, 2, isSwapped));
     if (std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) {
-        return fault(StatusCode::BadFormat, file, "header", "voxels of kind " + std::to_string(kind),
-                     "one of NIfTI's kinds, as 16 for float");
+        return fault(StatusCode::BadFormat, file, {PALPATE_TEXT("header")},
+                     {PALPATE_TEXT("voxels of type %1"), static_cast<int>(kind)},
+                     {PALPATE_TEXT("a type of the NIfTI format, e.g. 16 for float")});
     }
     const std::int64_t axes = numberAt(size == kFirst ? 40 : 16, size == kFirst ? 2 : 8, isSwapped);
     if (axes < 1 || axes > 7) {
-        return fault(StatusCode::BadFormat, file, "header", std::to_string(axes) + " axes", "1 to 7");
+        return fault(StatusCode::BadFormat, file, {PALPATE_TEXT("header")}, {PALPATE_TEXT("%1 axes"), axes},
+                     {PALPATE_TEXT("%1 to %2"), 1, 7});
     }
     // NIfTI-2 stores 64-bit counts; VTK's reader keeps 32 bits.
     for (std::int64_t axis = 1; axis <= axes && size == kSecond; ++axis) {
         const std::int64_t count = numberAt(static_cast<std::size_t>(16 + 8 * axis), 8, isSwapped);
         if (count < 1 || count > std::numeric_limits<std::int32_t>::max()) {
-            return fault(StatusCode::BadFormat, file, "header",
-                         std::to_string(count) + " voxels along axis " + std::to_string(axis), "1 to 2147483647");
+            return fault(StatusCode::BadFormat, file, {PALPATE_TEXT("header")},
+                         {PALPATE_TEXT("%1 voxels along axis %2"), count, axis},
+                         {PALPATE_TEXT("%1 to %2"), 1, std::numeric_limits<std::int32_t>::max()});
         }
     }
     return {};
@@ -312,16 +334,18 @@ Result<std::uint64_t> checkVti(const std::filesystem::path& source, std::uint64_
     constexpr std::size_t kTail = 256;
     if (!trimmed(std::string_view(bytes).substr(bytes.size() - std::min(bytes.size(), kTail)))
              .ends_with("</VTKFile>")) {
-        return fault(StatusCode::BadFormat, file, "", "it does not end with its last tag", "`</VTKFile>` at the end");
+        return fault(StatusCode::BadFormat, file, {}, {PALPATE_TEXT("it does not end with its last tag")},
+                     {PALPATE_TEXT("`</VTKFile>` at the end")});
     }
     QXmlStreamReader xml(xmlOf(bytes));
     std::vector<QString> path; // of the current element
     std::uint64_t numbers = 0, components = 0;
     while (!xml.atEnd() && (path.empty() || path.back() != QLatin1String("AppendedData"))) { // the rest need not be XML
         const QXmlStreamReader::TokenType token = xml.readNext();
-        const std::string line = atLine(static_cast<std::uint64_t>(xml.lineNumber()));
+        const core::Message line = onLine(static_cast<std::uint64_t>(xml.lineNumber()));
         if (token == QXmlStreamReader::DTD || token == QXmlStreamReader::EntityReference) {
-            return fault(StatusCode::BadFormat, file, line, "a document type or an entity", "none in a VTI file");
+            return fault(StatusCode::BadFormat, file, line, {PALPATE_TEXT("a document type or an entity")},
+                         {PALPATE_TEXT("a VTI file without these")});
         }
         if (token == QXmlStreamReader::EndElement) {
             path.pop_back();
@@ -331,8 +355,9 @@ Result<std::uint64_t> checkVti(const std::filesystem::path& source, std::uint64_
         }
         const auto each = countOf(xml, "NumberOfComponents"), tuples = countOf(xml, "NumberOfTuples");
         if (!each || !tuples || *each > most || *tuples > most || *each * *tuples > most - numbers) {
-            return fault(StatusCode::OutOfRange, file, line, "an array with more numbers than its file can hold",
-                         "a NumberOfComponents and a NumberOfTuples that are there");
+            return fault(StatusCode::OutOfRange, file, line,
+                         {PALPATE_TEXT("an array with more numbers than its file can hold")},
+                         {PALPATE_TEXT("values of NumberOfComponents and NumberOfTuples that match the data")});
         }
         numbers += *each * *tuples;
         const bool isArray = !path.empty() && xml.attributes().hasAttribute(QLatin1String("type"));
@@ -340,8 +365,9 @@ Result<std::uint64_t> checkVti(const std::filesystem::path& source, std::uint64_
         path.push_back(xml.name().toString());
     }
     if (xml.hasError()) {
-        return fault(StatusCode::BadFormat, file, atLine(static_cast<std::uint64_t>(xml.lineNumber())),
-                     "the XML is broken: " + inQuotes(xml.errorString().toStdString()), "well-formed XML to the end");
+        return fault(StatusCode::BadFormat, file, onLine(static_cast<std::uint64_t>(xml.lineNumber())),
+                     {PALPATE_TEXT("the XML is broken: %1"), inQuotes(xml.errorString().toStdString())},
+                     {PALPATE_TEXT("well-formed XML to the end")});
     }
     return components;
 }

@@ -5,8 +5,6 @@
 #include "read/MeshWire.h"
 #include "text/Fault.h"
 
-#include <palpate/core/Numbers.h>
-
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -63,55 +61,59 @@ Budget budgetFor(const ImportLimits& limits, std::size_t fileSize, bool isLabelM
             limits.cpu_s + more_s, limits.wall_s + more_s};
 }
 
-/// @return `value` in seconds, with three digits
-std::string inSeconds(double value)
+/// @return "SIGSEGV"
+std::string nameOf(int signal)
 {
-    return core::shortNumber(value, 3) + " s";
+    const char* const name = ::sigabbrev_np(signal);
+    return "SIG" + (name != nullptr ? std::string(name) : std::to_string(signal));
 }
 
 /// Describes why a reader ended without a result.
-/// @param noun  "mesh", "label map" or "volume"
-Status death(int outcome, const std::string& file, const Budget& budget, const std::string& noun)
+Status death(int outcome, const std::string& file, const Budget& budget)
 {
-    const auto refused = [&file](StatusCode code, std::string found, std::string_view expected) {
-        return fault(code, file, "", found, expected);
+    const auto refused = [&file](StatusCode code, const core::Message& found, const core::Message& expected) {
+        return fault(code, file, {}, found, expected);
     };
+    const core::Message readable(PALPATE_TEXT("a file that can be read"));
+    const core::Message proportion(PALPATE_TEXT("content in proportion to the size of the file"));
     if (outcome == -1) {
-        return refused(StatusCode::Internal, "the process to read it in could not be started",
-                       "room for one more process with some files and memory (ulimit -a lists the limits)");
+        return refused(StatusCode::Internal, {PALPATE_TEXT("the process to read it could not be started")},
+                       {PALPATE_TEXT("room for one more process with some open files and memory (`ulimit -a` lists the "
+                                     "limits)")});
     }
     if (WIFSIGNALED(outcome)) {
         switch (const int signal = WTERMSIG(outcome); signal) {
         case SIGXCPU:
-            return refused(StatusCode::OutOfRange,
-                           "reading it took more than " + inSeconds(budget.cpu_s) + " of processor time",
-                           "a " + noun + " that can be read sooner");
+            return refused(
+                StatusCode::OutOfRange,
+                {PALPATE_TEXT("reading it took more than %1 s of processor time"), core::Rounded{budget.cpu_s, 3}},
+                {PALPATE_TEXT("a file that can be read in this time")});
         case SIGXFSZ:
             return refused(StatusCode::OutOfRange,
-                           "its " + noun + " is larger than " + grouped(budget.memory_bytes >> 20) + " MiB",
-                           "a " + noun + " that fits its file's size");
+                           {PALPATE_TEXT("its content is larger than %1 MiB"), Count(budget.memory_bytes >> 20)},
+                           proportion);
         case SIGKILL:
             return refused(StatusCode::OutOfRange,
-                           "the system ended the process that read it, perhaps for want of memory",
-                           "a " + noun + " that fits");
+                           {PALPATE_TEXT("the system ended the process that read it, perhaps because memory ran out")},
+                           {PALPATE_TEXT("a smaller file, or more free memory")});
         default:
             return refused(StatusCode::BadFormat,
-                           std::string("the process that read it crashed (") + ::strsignal(signal) + ")",
-                           "a file that can be read");
+                           {PALPATE_TEXT("the process that read it crashed (%1)"), nameOf(signal)}, readable);
         }
     }
     switch (WEXITSTATUS(outcome)) {
     case kNotConfined:
         return refused(StatusCode::OutOfRange,
-                       "the process that was to read it could not limit its own memory and time",
-                       "limits on this program that leave room for its own (ulimit -a lists them)");
+                       {PALPATE_TEXT("the process to read it could not limit its memory and time")},
+                       {PALPATE_TEXT("limits of this program above its own limits (`ulimit -a` lists them)")});
     case kNotHandedBack:
-        return refused(StatusCode::OutOfRange, "the process that read it had no room to hand the " + noun + " back",
-                       "enough memory and no lower limit on the size of files (ulimit -v, ulimit -f)");
+        return refused(
+            StatusCode::OutOfRange, {PALPATE_TEXT("the process that read it could not write the result")},
+            {PALPATE_TEXT("enough memory and no lower limit on the size of files (`ulimit -v`, `ulimit -f`)")});
     default:
         return refused(StatusCode::BadFormat,
-                       "the process that read it gave up (exit code " + std::to_string(WEXITSTATUS(outcome)) + ")",
-                       "a file that can be read");
+                       {PALPATE_TEXT("the process that read it ended with exit code %1"), WEXITSTATUS(outcome)},
+                       readable);
     }
 }
 
@@ -222,16 +224,15 @@ namespace {
 
 /// Reads a file in a child process and waits until the result is in a memory file.
 /// @param task  without limits; @param size  of the file or files, from which the limits follow [bytes]
-/// @param noun  "mesh" or "volume", for messages
 Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_t size,
-                             const std::filesystem::path& path, const std::function<bool(double)>& told,
-                             const std::string& noun)
+                             const std::filesystem::path& path, const std::function<bool(double)>& told)
 {
     const std::string name = path.filename().string();
     const auto unstarted = [&name](int error) {
-        return fault(StatusCode::Internal, name, "",
-                     std::string("the process to read it in cannot be started: ") + std::strerror(error),
-                     "room for one more process with some open files (ulimit -a lists the limits)");
+        return fault(StatusCode::Internal, name, {},
+                     {PALPATE_TEXT("the process to read it could not be started: %1"), core::systemError(error)},
+                     {PALPATE_TEXT("room for one more process with some open files and memory (`ulimit -a` lists the "
+                                   "limits)")});
     };
     std::array<int, 2> pipe = {-1, -1};
     if (::pipe2(pipe.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
@@ -264,12 +265,13 @@ Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_
     case End::Done:
         break;
     case End::Died:
-        return death(exitStatus(control.value()), name, budget, noun);
+        return death(exitStatus(control.value()), name, budget);
     case End::Cancelled:
         return Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), name);
     case End::TooLate:
-        return fault(StatusCode::OutOfRange, name, "", "reading it took more than " + inSeconds(budget.wall_s),
-                     "a " + noun + " that can be read sooner");
+        return fault(StatusCode::OutOfRange, name, {},
+                     {PALPATE_TEXT("reading it took more than %1 s"), core::Rounded{budget.wall_s, 3}},
+                     {PALPATE_TEXT("a file that can be read in this time")});
     }
     return result;
 }
@@ -294,10 +296,9 @@ Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& 
     task.frame = options.frame;
     task.readsScale = options.readsScale;
     // A label map may have files beside it; the server's working directory is the one in which the program was started.
-    const bool isLabelMap = hasLabelMapExtension(path);
     const std::filesystem::path whole = std::filesystem::absolute(path);
-    const Result<Descriptor> result = outcomeOf(task, file, isLabelMap ? volumeBytes(path) : file.size, whole,
-                                                options.progress, isLabelMap ? "label map" : "mesh");
+    const Result<Descriptor> result =
+        outcomeOf(task, file, hasLabelMapExtension(path) ? volumeBytes(path) : file.size, whole, options.progress);
     // The reader releases its memory in the meantime.
     return result.isOk() ? unlessCancelled(readOutcome(result.value().value(), path), path, options.progress)
                          : result.status();
@@ -311,7 +312,7 @@ Result<VoxelGrid> readVolumeInChild(const OpenFile& file, const std::filesystem:
     task.frame = frame;
     // The server's working directory is the one in which the program was started.
     const std::filesystem::path whole = std::filesystem::absolute(path);
-    const Result<Descriptor> result = outcomeOf(task, file, volumeBytes(path), whole, progress, "volume");
+    const Result<Descriptor> result = outcomeOf(task, file, volumeBytes(path), whole, progress);
     return result.isOk() ? unlessCancelled(takeVolume(result.value().value(), path), path, progress) : result.status();
 }
 

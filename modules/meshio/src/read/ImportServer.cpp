@@ -17,7 +17,6 @@
 #include <new>
 #include <poll.h>
 #include <string>
-#include <string_view>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -61,10 +60,11 @@ std::function<bool(double)> progressTo(int pipe)
     };
 }
 
-core::Status tooLarge(const ImportTask& task, const std::string& name, std::string_view fits)
+core::Status tooLarge(const ImportTask& task, const std::string& name)
 {
-    return fault(StatusCode::OutOfRange, name, "",
-                 "reading it takes more than " + grouped(task.memory_bytes >> 20) + " MiB of memory", fits);
+    return fault(StatusCode::OutOfRange, name, {},
+                 {PALPATE_TEXT("reading it takes more than %1 MiB of memory"), Count(task.memory_bytes >> 20)},
+                 {PALPATE_TEXT("content in proportion to the size of the file")});
 }
 
 Result<MeshFile> readMeshFor(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
@@ -84,7 +84,7 @@ Result<MeshFile> readMeshFor(const ImportTask& task, const std::filesystem::path
         Result<FileImage> image = FileImage::load(file.value(), name);
         return image.isOk() ? decodeMesh(std::move(image).value(), path, options) : image.status();
     } catch (const std::bad_alloc&) {
-        return tooLarge(task, name, "a mesh that fits its file's size");
+        return tooLarge(task, name);
     }
 }
 
@@ -93,7 +93,7 @@ Result<VoxelGrid> readVolumeFor(const ImportTask& task, const std::filesystem::p
     try {
         return readVolumeHere(path, task.frame, progressTo(ends.progress));
     } catch (const std::bad_alloc&) {
-        return tooLarge(task, path.filename().string(), "a volume that fits its file's size");
+        return tooLarge(task, path.filename().string());
     }
 }
 

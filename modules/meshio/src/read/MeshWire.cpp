@@ -3,20 +3,16 @@
 
 #include "guard/PreScan.h"
 #include "read/Wire.h"
-#include "text/Fault.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <string_view>
 
 namespace palpate::meshio::internal {
 
 namespace {
 
 using core::Result;
-using core::Status;
-using core::StatusCode;
 using core::Vec3;
 using geometry::Triangle;
 
@@ -44,7 +40,7 @@ WireHead headOf(const Result<MeshFile>& outcome)
         }
     }
     head.put(std::uint64_t{file.notes.size()});
-    for (const std::string& note : file.notes) {
+    for (const core::Message& note : file.notes) {
         head.put(note);
     }
     head.put(std::uint64_t{file.structures.size()});
@@ -117,29 +113,29 @@ bool takeVoxels(WireHeadReader& head, MeshFile& file)
 }
 
 /// Reads the meshes of the structures, which are stored consecutively. @param at  offset of the first
-/// @return the error; null if valid
-const char* moveMeshes(int descriptor, std::uint64_t at, const std::vector<MeshCounts>& counts, MeshFile& file)
+/// @return the error; empty if valid
+core::Message moveMeshes(int descriptor, std::uint64_t at, const std::vector<MeshCounts>& counts, MeshFile& file)
 {
     for (std::size_t i = 0; i < counts.size(); ++i) {
         geometry::TriangleMesh& mesh = file.structures[i].mesh;
         if (!moveItems(descriptor, at, counts[i].vertices, mesh.vertices,
                        [](const Vec3& p) { return p.cwiseAbs().maxCoeff() <= kMostMm && p.allFinite(); })) {
-            return "an impossible coordinate";
+            return {PALPATE_TEXT("a coordinate is not finite or is farther than 10 km from the origin")};
         }
         const std::uint64_t vertices = counts[i].vertices;
         if (!moveItems(descriptor, at, counts[i].triangles, mesh.triangles, [vertices](const Triangle& t) {
                 return t[0] < vertices && t[1] < vertices && t[2] < vertices;
             })) {
-            return "an index out of range";
+            return {PALPATE_TEXT("a vertex index is out of range")};
         }
         for (geometry::MeshArray& array : mesh.arrays) {
             if (!moveItems(descriptor, at, array.isPerTriangle ? counts[i].triangles : counts[i].vertices, array.values,
                            [](float) { return true; })) {
-                return "half an array";
+                return {PALPATE_TEXT("an array is incomplete")};
             }
         }
     }
-    return nullptr;
+    return {};
 }
 
 } // namespace
@@ -147,11 +143,8 @@ const char* moveMeshes(int descriptor, std::uint64_t at, const std::vector<MeshC
 Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path)
 {
     const std::string name = path.filename().string();
-    static constexpr std::string_view kExpected = "a checked mesh";
-    const auto nonsense = [&name](const char* what) {
-        return fault(StatusCode::Internal, name, "", std::string("the import process handed back ") + what, kExpected);
-    };
-    const WireOutcome outcome = readHead(descriptor, name, kExpected);
+    const auto invalid = [&name](const core::Message& what) { return wireFault(name, what); };
+    const WireOutcome outcome = readHead(descriptor, name);
     if (!outcome.status.isOk()) {
         return outcome.status;
     }
@@ -160,21 +153,21 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path)
     MeshFile file;
     file.path = path;
     file.format = head.text();
-    file.loss = head.text();
+    file.loss = head.message();
     const auto frame = head.take<std::uint8_t>();
     if (frame > static_cast<std::uint8_t>(FileFrame::Ras)) {
-        return nonsense("an unknown frame");
+        return invalid({PALPATE_TEXT("its frame is unknown")});
     }
     file.frame = static_cast<FileFrame>(frame);
     file.unit_mm = head.take<double>();
     if (!(file.unit_mm > 0.0) || !std::isfinite(file.unit_mm)) {
-        return nonsense("an impossible unit");
+        return invalid({PALPATE_TEXT("its unit is not positive and finite")});
     }
     if (!takeVoxels(head, file)) {
-        return nonsense("impossible voxels");
+        return invalid({PALPATE_TEXT("its voxels have no size or no axes")});
     }
     for (auto notes = head.take<std::uint64_t>(); notes > 0 && head.isGood(); --notes) {
-        file.notes.push_back(head.text());
+        file.notes.push_back(head.message());
     }
     std::vector<MeshCounts> counts;
     std::uint64_t end = outcome.begin;
@@ -185,7 +178,7 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path)
         const auto colour = head.take<std::array<double, 3>>();
         if (hasColour) {
             if (!std::all_of(colour.begin(), colour.end(), [](double c) { return c >= 0.0 && c <= 1.0; })) {
-                return nonsense("an impossible colour");
+                return invalid({PALPATE_TEXT("a colour is out of range")});
             }
             structure.colour = colour;
         }
@@ -201,15 +194,15 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path)
         }
         if (structure.mesh.arrays.size() > 2 * kMostArrays || c.vertices > size || c.triangles > size ||
             c.triangles == 0 || c.vertices * ofVertex + c.triangles * ofTriangle > size - end) {
-            return nonsense("an impossible count");
+            return invalid({PALPATE_TEXT("a count is out of range")});
         }
         end += c.vertices * ofVertex + c.triangles * ofTriangle;
     }
     if (!head.isAtEnd() || file.structures.empty() || end != size) {
-        return nonsense("counts that do not fit its size");
+        return invalid({PALPATE_TEXT("its counts do not match its size")});
     }
-    if (const char* wrong = moveMeshes(descriptor, outcome.begin, counts, file)) {
-        return nonsense(wrong);
+    if (const core::Message wrong = moveMeshes(descriptor, outcome.begin, counts, file); !wrong.isEmpty()) {
+        return invalid(wrong);
     }
     return file;
 }

@@ -6,7 +6,6 @@
 #include "read/TriangleSoup.h"
 #include "read/VtkRead.h"
 #include "text/Fault.h"
-#include "text/JsonFields.h"
 #include "text/NumericLocale.h"
 
 #include <cmath>
@@ -52,9 +51,11 @@ Result<TriangleSoup> readTriangles(const MeshFormat& format, FileImage& image, S
     if (scan.scale && *scan.scale != 1.0) {
         const bool isUsed = options.readsScale && options.unit_mm == 1.0;
         context.unit_mm = isUsed ? 1.0 / *scan.scale : options.unit_mm;
-        scan.notes.push_back("SCALE=" + brief(*scan.scale) + " in the header: " +
-                             (isUsed ? "a unit of the file is taken as " + brief(context.unit_mm) + " mm"
-                                     : "not used, as the unit was given"));
+        scan.notes.push_back(
+            isUsed ? core::Message(PALPATE_TEXT("SCALE=%1 in the header: a unit of the file is taken as %2 mm"),
+                                   *scan.scale, context.unit_mm)
+                   : core::Message(PALPATE_TEXT("SCALE=%1 in the header: not used, because the unit was given"),
+                                   *scan.scale));
     }
     context.progress = shareOf(options, kScanned, kRead);
     Result<vtkSmartPointer<vtkPolyData>> data = readWithVtk(format, image, scan, context);
@@ -114,8 +115,8 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     file.structures = std::move(structures).value();
     file.voxels = voxelsOf(scan, context);
     file.notes = std::move(scan.notes);
-    if (!scan.loss.empty()) {
-        file.loss = context.file + ": " + scan.loss;
+    if (!scan.loss.isEmpty()) {
+        file.loss = core::Message(PALPATE_TEXT("%1: %2"), context.file, scan.loss);
     }
     return file;
 }
@@ -132,8 +133,9 @@ core::Result<MeshFile> readMesh(const std::filesystem::path& path, const ReadOpt
 {
     const std::string name = path.filename().string();
     if (!(options.unit_mm > 0.0) || !std::isfinite(options.unit_mm)) {
-        return internal::fault(core::StatusCode::BadCommandLine, name, "unit", "a factor that is not positive",
-                               "mm per unit");
+        return internal::fault(core::StatusCode::BadCommandLine, name, {PALPATE_TEXT("unit")},
+                               {PALPATE_TEXT("found %1"), options.unit_mm},
+                               {PALPATE_TEXT("a positive number of millimetres per unit of the file")});
     }
     try {
         if (!internal::hasImportServer()) {
@@ -142,8 +144,8 @@ core::Result<MeshFile> readMesh(const std::filesystem::path& path, const ReadOpt
         const core::Result<internal::OpenFile> file = internal::openFile(path);
         return file.isOk() ? internal::readInChild(file.value(), path, options) : file.status();
     } catch (const std::bad_alloc&) {
-        return internal::fault(core::StatusCode::OutOfRange, name, "", "not enough memory to read it",
-                               "a mesh that fits");
+        return internal::fault(core::StatusCode::OutOfRange, name, {}, {PALPATE_TEXT("not enough memory to read it")},
+                               {PALPATE_TEXT("a smaller file, or more free memory")});
     }
 }
 

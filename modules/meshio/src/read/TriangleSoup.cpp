@@ -91,15 +91,15 @@ class StructureIds
 Status checkCorners(const vtkIdType* corners, vtkIdType count, vtkIdType most, vtkIdType points, std::uint64_t cell,
                     const ScanContext& context)
 {
-    const std::string place = "polygon " + std::to_string(cell);
+    const core::Message place(PALPATE_TEXT("polygon %1"), cell);
     if (count < 3 || count > most) {
-        return fault(StatusCode::BadFormat, context.file, place, counted(static_cast<std::uint64_t>(count), "corner"),
-                     "3 to " + grouped(static_cast<std::uint64_t>(most)));
+        return fault(StatusCode::BadFormat, context.file, place, {PALPATE_TEXT("number of corners: %1"), Count(count)},
+                     {PALPATE_TEXT("%1 to %2"), 3, Count(most)});
     }
     for (vtkIdType k = 0; k < count; ++k) {
         if (corners[k] < 0 || corners[k] >= points) {
-            return fault(StatusCode::OutOfRange, context.file, place, "it uses point " + std::to_string(corners[k]),
-                         "0 to " + std::to_string(points - 1));
+            return fault(StatusCode::OutOfRange, context.file, place, {PALPATE_TEXT("it uses point %1"), corners[k]},
+                         {PALPATE_TEXT("%1 to %2"), 0, points - 1});
         }
     }
     return {};
@@ -175,7 +175,8 @@ void takeArrays(vtkPolyData& data, const PreScan& scan, const std::vector<std::u
 }
 
 /// Omits arrays beyond the maximum per mesh.
-void bound(std::vector<std::string>& names, const char* each, PreScan& scan)
+/// @param areOfPoints  of the points, otherwise of the polygons
+void bound(std::vector<std::string>& names, bool areOfPoints, PreScan& scan)
 {
     // Arrays with a known meaning come first.
     std::stable_partition(names.begin(), names.end(), [](const std::string& name) {
@@ -183,8 +184,14 @@ void bound(std::vector<std::string>& names, const char* each, PreScan& scan)
                            [&](const core::KnownMap& map) { return map.array == name; });
     });
     if (names.size() > kMostArrays) {
-        scan.notes.push_back(counted(names.size() - kMostArrays, "array") + " of the " + each + " left out: at most " +
-                             std::to_string(kMostArrays) + " are used");
+        const std::size_t more = names.size() - kMostArrays;
+        scan.notes.push_back(
+            areOfPoints
+                ? core::Message(PALPATE_TEXT("at most %1 arrays of the points are used; number of arrays left out: %2"),
+                                kMostArrays, more)
+                : core::Message(
+                      PALPATE_TEXT("at most %1 arrays of the polygons are used; number of arrays left out: %2"),
+                      kMostArrays, more));
         names.resize(kMostArrays);
     }
 }
@@ -207,8 +214,8 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
     const vtkIdType firstCell = data.GetNumberOfVerts() + data.GetNumberOfLines();
     PolygonCutter cutter;
     std::vector<std::uint32_t> polygon;
-    bound(scan.pointArrays, "points", scan);
-    bound(scan.cellArrays, "polygons", scan);
+    bound(scan.pointArrays, true, scan);
+    bound(scan.cellArrays, false, scan);
     std::vector<std::uint32_t> cellOf; // for each triangle
     std::uint64_t cell = 0;            // over polygons, then strips
     for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips()}) {
@@ -249,7 +256,9 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
         }
     }
     if (cutter.crossing() > 0) {
-        scan.notes.push_back(counted(cutter.crossing(), "polygon") + " without a simple outline");
+        scan.notes.push_back(cutter.crossing() == 1 ? core::Message(PALPATE_TEXT("one polygon has no simple outline"))
+                                                    : core::Message(PALPATE_TEXT("%1 polygons have no simple outline"),
+                                                                    Count(cutter.crossing())));
     }
     takeArrays(data, scan, cellOf, soup.mesh.arrays);
     if (soup.partNames.empty()) {

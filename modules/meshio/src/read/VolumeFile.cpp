@@ -34,6 +34,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace palpate::meshio::internal {
@@ -98,9 +99,10 @@ void place(Volume& volume, const std::optional<TextHeader>& header, const std::s
 
 Status oneNumber(int components, const std::string& file)
 {
-    return components == 1 ? Status()
-                           : fault(StatusCode::BadFormat, file, "", std::to_string(components) + " components a voxel",
-                                   "one number for each voxel");
+    return components == 1
+               ? Status()
+               : fault(StatusCode::BadFormat, file, {}, {PALPATE_TEXT("%1 components per voxel"), components},
+                       {PALPATE_TEXT("one number for each voxel")});
 }
 
 /// The declared data must exist before VTK allocates the memory.
@@ -112,7 +114,8 @@ Status checkHeld(const int* extent, double bytesOfOne, bool isPacked, const std:
     for (int axis = 0; axis < 3; ++axis) {
         const double along = static_cast<double>(extent[2 * axis + 1]) - extent[2 * axis] + 1.0;
         if (!(along >= 1.0)) {
-            return fault(StatusCode::OutOfRange, file, "", "an axis without a voxel", "at least one along each axis");
+            return fault(StatusCode::OutOfRange, file, {}, {PALPATE_TEXT("an axis without a voxel")},
+                         {PALPATE_TEXT("at least one along each axis")});
         }
         voxels *= along;
     }
@@ -122,9 +125,9 @@ Status checkHeld(const int* extent, double bytesOfOne, bool isPacked, const std:
     const std::uint64_t all = volumeBytes(path);
     const auto bytes = static_cast<double>(all - std::min(all, head));
     if (voxels > static_cast<double>(kMostVoxels) || voxels * bytesOfOne > bytes * (isPacked ? kMostPacked : 1.0)) {
-        return fault(StatusCode::OutOfRange, file, "",
-                     counted(static_cast<std::uint64_t>(std::min(voxels, 1e18)), "voxel") + " declared",
-                     "as many as its " + counted(static_cast<std::uint64_t>(bytes), "byte") + " can hold");
+        return fault(StatusCode::OutOfRange, file, {},
+                     {PALPATE_TEXT("%1 voxels declared"), Count(static_cast<std::uint64_t>(std::min(voxels, 1e18)))},
+                     {PALPATE_TEXT("as many as its %1 bytes can hold"), Count(static_cast<std::uint64_t>(bytes))});
     }
     return {};
 }
@@ -147,10 +150,10 @@ Status checkUnpacks(const std::filesystem::path& path, const TextHeader& header,
     const auto unpacked = static_cast<std::uint64_t>(
         qUncompress(reinterpret_cast<const uchar*>(packed.data()), static_cast<qsizetype>(packed.size())).size());
     if (unpacked != bytes) {
-        return fault(StatusCode::BadFormat, path.filename().string(), "",
-                     unpacked == 0 ? "its compressed voxels are cut off or broken"
-                                   : counted(unpacked, "byte") + " when unpacked",
-                     counted(bytes, "byte") + " of voxels");
+        return fault(StatusCode::BadFormat, path.filename().string(), {},
+                     unpacked == 0 ? core::Message(PALPATE_TEXT("its compressed voxels are cut off or broken"))
+                                   : core::Message(PALPATE_TEXT("%1 bytes when unpacked"), Count(unpacked)),
+                     {PALPATE_TEXT("%1 bytes of voxels"), Count(bytes)});
     }
     return {};
 }
@@ -218,8 +221,8 @@ Status readWithVtk(const std::filesystem::path& path, const std::optional<TextHe
         vtkNew<vtkMetaImageReader> reader;
         runImage(*reader);
     } else {
-        return fault(StatusCode::Unsupported, file, "", "a name of another kind",
-                     "a volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz");
+        return fault(StatusCode::Unsupported, file, {}, {PALPATE_TEXT("an unknown file extension")},
+                     {PALPATE_TEXT("a volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz")});
     }
     return status;
 }
@@ -238,22 +241,22 @@ Result<VoxelGrid> gridOf(const Volume& volume, const std::string& file)
     }
     if (values == nullptr || values->GetNumberOfComponents() != 1 || voxels < 1 || voxels > kMostVoxels ||
         static_cast<std::uint64_t>(values->GetNumberOfTuples()) != voxels) {
-        return fault(StatusCode::BadFormat, file, "",
-                     values == nullptr ? "no numbers"
+        return fault(StatusCode::BadFormat, file, {},
+                     values == nullptr ? core::Message(PALPATE_TEXT("no numbers"))
                      : values->GetNumberOfComponents() != 1
-                         ? counted(static_cast<std::uint64_t>(values->GetNumberOfComponents()), "component") +
-                               " a voxel"
-                         : counted(static_cast<std::uint64_t>(values->GetNumberOfTuples()), "number") + " for " +
-                               counted(voxels, "voxel"),
-                     "one number for each voxel");
+                         ? core::Message(PALPATE_TEXT("%1 components per voxel"), values->GetNumberOfComponents())
+                         : core::Message(PALPATE_TEXT("%1 numbers for %2 voxels"), Count(values->GetNumberOfTuples()),
+                                         Count(voxels)),
+                     {PALPATE_TEXT("one number for each voxel")});
     }
     const Vec3 origin(volume.image->GetOrigin()), spacing(volume.image->GetSpacing());
     const Eigen::Matrix3d linear = spacing.cwiseInverse().asDiagonal() * volume.toVoxel.linear();
     grid.toVoxel.linear() = linear;
     grid.toVoxel.translation() = spacing.cwiseInverse().cwiseProduct(volume.toVoxel.translation() - origin);
     if (!grid.toVoxel.matrix().allFinite() || !(std::abs(linear.determinant()) > 0.0)) {
-        return fault(StatusCode::BadFormat, file, "", "axes or distances of its voxels that say no place",
-                     "three directions that are not in a plane, and distances that are not 0");
+        return fault(StatusCode::BadFormat, file, {},
+                     {PALPATE_TEXT("axes or spacings of its voxels that do not define positions")},
+                     {PALPATE_TEXT("three directions that are not in one plane, and spacings other than 0")});
     }
     grid.values.resize(voxels);
     switch (values->GetDataType()) {
@@ -261,7 +264,8 @@ Result<VoxelGrid> gridOf(const Volume& volume, const std::string& file)
                                         static_cast<const VTK_TT*>(values->GetVoidPointer(0)) + voxels,
                                         grid.values.begin(), [](VTK_TT v) { return static_cast<float>(v); }));
     default:
-        return fault(StatusCode::BadFormat, file, "", "voxels of a kind that is no number", "numbers");
+        return fault(StatusCode::BadFormat, file, {}, {PALPATE_TEXT("voxels of a non-numeric type")},
+                     {PALPATE_TEXT("one number for each voxel")});
     }
     return grid;
 }
@@ -301,6 +305,10 @@ Result<VoxelGrid> readVolumeHere(const std::filesystem::path& path, core::FileFr
         !status.isOk()) {
         return status;
     }
+    const auto unreadable = [&file](std::string_view reason) {
+        return fault(StatusCode::BadFormat, file, {}, {PALPATE_TEXT("VTK could not read it: %1"), reason},
+                     {PALPATE_TEXT("a readable volume")});
+    };
     Volume volume;
     try {
         if (Status status = readWithVtk(path, header, progress, volume); !status.isOk()) {
@@ -309,12 +317,10 @@ Result<VoxelGrid> readVolumeHere(const std::filesystem::path& path, core::FileFr
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
-        return fault(StatusCode::BadFormat, file, "", std::string("VTK could not read it: ") + error.what(),
-                     "a readable volume");
+        return unreadable(error.what());
     }
     if (!messages.firstError().empty() || volume.image == nullptr) {
-        return fault(StatusCode::BadFormat, file, "", "VTK could not read it: " + messages.firstError(),
-                     "a readable volume");
+        return unreadable(messages.firstError());
     }
     place(volume, header, file, frame);
     return gridOf(volume, file);
@@ -327,11 +333,13 @@ Result<VoxelGrid> readVolume(const std::filesystem::path& path, core::FileFrame 
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) {
-        return fault(StatusCode::NotFound, file, "", "no such file", "a volume");
+        return fault(StatusCode::NotFound, file, {}, {PALPATE_TEXT("no such file")}, {PALPATE_TEXT("a volume")});
     }
     if (!std::filesystem::is_regular_file(status)) {
-        return fault(StatusCode::Unreadable, file, "",
-                     std::filesystem::is_directory(status) ? "is a folder" : "is not a regular file", "a volume");
+        return fault(StatusCode::Unreadable, file, {},
+                     std::filesystem::is_directory(status) ? core::Message(PALPATE_TEXT("is a folder"))
+                                                           : core::Message(PALPATE_TEXT("is not a regular file")),
+                     {PALPATE_TEXT("a volume")});
     }
     try {
         if (!hasImportServer()) {
@@ -340,7 +348,8 @@ Result<VoxelGrid> readVolume(const std::filesystem::path& path, core::FileFrame 
         const Result<OpenFile> open = openFile(path);
         return open.isOk() ? readVolumeInChild(open.value(), path, frame, progress) : open.status();
     } catch (const std::bad_alloc&) {
-        return fault(StatusCode::OutOfRange, file, "", "not enough memory to read it", "a volume that fits");
+        return fault(StatusCode::OutOfRange, file, {}, {PALPATE_TEXT("not enough memory to read it")},
+                     {PALPATE_TEXT("a smaller volume, or more free memory")});
     }
 }
 

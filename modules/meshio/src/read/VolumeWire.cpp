@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/VolumeFile.h"
 #include "read/Wire.h"
-#include "text/Fault.h"
 
 #include <cmath>
 #include <string>
-#include <string_view>
 
 namespace palpate::meshio::internal {
 
 using core::Result;
-using core::StatusCode;
 
 // The values follow the head.
 
@@ -32,11 +29,8 @@ bool writeVolume(int descriptor, Result<VoxelGrid> outcome)
 Result<VoxelGrid> takeVolume(int descriptor, const std::filesystem::path& path)
 {
     const std::string name = path.filename().string();
-    static constexpr std::string_view kExpected = "a checked volume";
-    const auto nonsense = [&name](const char* what) {
-        return fault(StatusCode::Internal, name, "", std::string("the import process handed back ") + what, kExpected);
-    };
-    const WireOutcome outcome = readHead(descriptor, name, kExpected);
+    const auto invalid = [&name](const core::Message& what) { return wireFault(name, what); };
+    const WireOutcome outcome = readHead(descriptor, name);
     if (!outcome.status.isOk()) {
         return outcome.status;
     }
@@ -53,14 +47,14 @@ Result<VoxelGrid> takeVolume(int descriptor, const std::filesystem::path& path)
     }
     if (!head.isAtEnd() || voxels == 0 || voxels > kMostVoxels ||
         outcome.size - outcome.begin != voxels * sizeof(float)) {
-        return nonsense("counts that do not fit its size");
+        return invalid({PALPATE_TEXT("its counts do not match its size")});
     }
     if (!grid.toVoxel.matrix().allFinite()) {
-        return nonsense("axes that are not numbers");
+        return invalid({PALPATE_TEXT("its axes are not finite numbers")});
     }
     std::uint64_t at = outcome.begin;
     if (!moveItems(descriptor, at, voxels, grid.values, [](float) { return true; })) {
-        return nonsense("half of its voxels");
+        return invalid({PALPATE_TEXT("its voxels are incomplete")});
     }
     return grid;
 }

@@ -14,6 +14,7 @@
 #include <exception>
 #include <mutex>
 #include <new>
+#include <string_view>
 
 namespace palpate::meshio::internal {
 
@@ -34,6 +35,10 @@ Result<vtkSmartPointer<vtkPolyData>> readWithVtk(const MeshFormat& format, const
     const std::scoped_lock lock(oneAtATime);
     const NumericLocale locale;
     const VtkMessages messages;
+    const auto unreadable = [&](std::string_view reason) {
+        return fault(StatusCode::BadFormat, context.file, {}, {PALPATE_TEXT("VTK could not read it: %1"), reason},
+                     {PALPATE_TEXT("a valid %1 file"), scan.format});
+    };
     vtkNew<ProgressObserver> observer;
     observer->report = context.progress;
     vtkSmartPointer<vtkPolyData> mesh;
@@ -45,22 +50,20 @@ Result<vtkSmartPointer<vtkPolyData>> readWithVtk(const MeshFormat& format, const
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
-        return fault(StatusCode::BadFormat, context.file, "", std::string("VTK could not read it: ") + error.what(),
-                     "a readable " + scan.format + " file");
+        return unreadable(error.what());
     }
     if (observer->isCancelled) {
         return Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), context.file);
     }
     if (!messages.firstError().empty() || mesh == nullptr) {
-        return fault(StatusCode::BadFormat, context.file, "", "VTK could not read it: " + messages.firstError(),
-                     "a readable " + scan.format + " file");
+        return unreadable(messages.firstError());
     }
     const auto points = static_cast<std::uint64_t>(mesh->GetNumberOfPoints());
     const auto cells = static_cast<std::uint64_t>(mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips());
     if (points != scan.points || cells != scan.cells) {
-        return fault(StatusCode::BadFormat, context.file, "",
-                     "VTK read " + counted(points, "point") + " and " + counted(cells, "polygon"),
-                     grouped(scan.points) + " and " + grouped(scan.cells));
+        return fault(StatusCode::BadFormat, context.file, {},
+                     {PALPATE_TEXT("number of points read by VTK: %1, of polygons: %2"), Count(points), Count(cells)},
+                     {PALPATE_TEXT("%1 and %2"), Count(scan.points), Count(scan.cells)});
     }
     return mesh;
 }

@@ -3,9 +3,13 @@
 
 #include "text/Fault.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <string>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace palpate::meshio::internal {
 
@@ -15,20 +19,24 @@ using core::Status;
 using core::StatusCode;
 
 constexpr std::size_t kMostHead = std::size_t{1} << 28;
-constexpr std::size_t kMostMessage = 4000;
+constexpr std::size_t kMostMessage = 4000; ///< English text of a message [bytes]
+constexpr std::size_t kMostArguments = 9;  ///< %1 to %9
+constexpr int kDeepestMessage = 8;         ///< messages within messages
 
 /// Converts an error of the child process to one line with the file name.
-Status statusOf(std::uint8_t code, std::string message, const std::string& file)
+Status statusOf(std::uint8_t code, core::Message message, const std::string& file)
 {
-    message.resize(std::min(message.size(), kMostMessage));
+    const Status status(code <= static_cast<std::uint8_t>(StatusCode::Internal) ? static_cast<StatusCode>(code)
+                                                                                : StatusCode::Internal,
+                        std::move(message));
+    return status.message().starts_with(file + ": ") ? status : status.at(file);
+}
+
+std::string onOneLine(std::string text)
+{
     std::replace_if(
-        message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-    if (!message.starts_with(file + ": ")) {
-        message.insert(0, file + ": ");
-    }
-    return {code <= static_cast<std::uint8_t>(StatusCode::Internal) ? static_cast<StatusCode>(code)
-                                                                    : StatusCode::Internal,
-            std::move(message)};
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    return text;
 }
 
 } // namespace
@@ -37,7 +45,21 @@ void WireHead::put(const Status& status)
 {
     put(static_cast<std::uint8_t>(status.code()));
     if (!status.isOk()) {
-        put(status.message());
+        put(status.text());
+    }
+}
+
+void WireHead::put(const core::Message& message)
+{
+    put(message.text());
+    put(static_cast<std::uint8_t>(message.arguments().size()));
+    for (const core::MessageArgument& argument : message.arguments()) {
+        put(static_cast<std::uint8_t>(argument.kind));
+        if (argument.message != nullptr) {
+            put(*argument.message);
+        } else {
+            put(argument.english);
+        }
     }
 }
 
@@ -57,6 +79,36 @@ std::string WireHeadReader::text()
     std::string out(m_rest.substr(0, size));
     m_rest.remove_prefix(size);
     return out;
+}
+
+core::Message WireHeadReader::message()
+{
+    return message(kDeepestMessage);
+}
+
+core::Message WireHeadReader::message(int depth)
+{
+    using Kind = core::MessageArgument::Kind;
+    std::string pattern = onOneLine(text());
+    std::vector<core::MessageArgument> arguments;
+    const auto count = take<std::uint8_t>();
+    m_isGood = m_isGood && depth > 0 && count <= kMostArguments && pattern.size() <= kMostMessage;
+    for (std::size_t i = 0; i < count && m_isGood; ++i) {
+        const auto kind = take<std::uint8_t>();
+        if (kind == static_cast<std::uint8_t>(Kind::Message)) {
+            arguments.emplace_back(message(depth - 1));
+            continue;
+        }
+        core::MessageArgument& argument = arguments.emplace_back(onOneLine(text()));
+        argument.kind = kind == static_cast<std::uint8_t>(Kind::Number) ? Kind::Number : Kind::Name;
+        m_isGood = m_isGood && argument.english.size() <= kMostMessage;
+    }
+    if (!m_isGood) {
+        return {};
+    }
+    core::Message message = core::Message::fromParts(std::move(pattern), std::move(arguments));
+    m_isGood = message.english().size() <= kMostMessage; // bounds the text that a repeated place can make of it
+    return m_isGood ? message : core::Message();
 }
 
 bool writeAll(int descriptor, const void* data, std::size_t size)
@@ -88,33 +140,39 @@ bool readAll(int descriptor, void* data, std::size_t size, std::uint64_t at)
     return true;
 }
 
-WireOutcome readHead(int descriptor, const std::string& file, std::string_view expected)
+Status wireFault(const std::string& file, const core::Message& what)
+{
+    return fault(StatusCode::Internal, file, {},
+                 {PALPATE_TEXT("the result of the import process is damaged: %1"), what},
+                 {PALPATE_TEXT("a result that passed all checks")});
+}
+
+WireOutcome readHead(int descriptor, const std::string& file)
 {
     WireOutcome outcome;
-    const auto nonsense = [&](const char* what) {
-        outcome.status =
-            fault(StatusCode::Internal, file, "", std::string("the import process handed back ") + what, expected);
+    const auto invalid = [&](const core::Message& what) {
+        outcome.status = wireFault(file, what);
         return outcome;
     };
     struct stat info = {};
     std::uint64_t headSize = 0;
     if (::fstat(descriptor, &info) != 0 || !readAll(descriptor, &headSize, sizeof(headSize), 0)) {
-        return nonsense("nothing");
+        return invalid({PALPATE_TEXT("it is empty")});
     }
     outcome.size = static_cast<std::uint64_t>(info.st_size);
     if (headSize > std::min<std::uint64_t>(outcome.size - sizeof(headSize), kMostHead)) {
-        return nonsense("a head without an end");
+        return invalid({PALPATE_TEXT("its header has no end")});
     }
     outcome.head.resize(headSize);
     if (!readAll(descriptor, outcome.head.data(), headSize, sizeof(headSize))) {
-        return nonsense("half a head");
+        return invalid({PALPATE_TEXT("its header is incomplete")});
     }
     outcome.begin = sizeof(headSize) + headSize;
     WireHeadReader head(outcome.head);
     if (const auto code = head.take<std::uint8_t>(); code != 0) {
-        std::string message = head.text();
-        if (!head.isAtEnd()) {
-            return nonsense("an error without its text");
+        core::Message message = head.message();
+        if (!head.isAtEnd() || message.isEmpty()) {
+            return invalid({PALPATE_TEXT("it has an error without a message")});
         }
         outcome.status = statusOf(code, std::move(message), file);
         return outcome;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
 #include <palpate/core/Status.h>
 
 #include <algorithm>
@@ -30,6 +31,7 @@ class WireHead
         put(std::uint64_t{text.size()});
         m_bytes.append(text);
     }
+    void put(const core::Message& message);
     /// Writes the status, which begins each head. An error has no further content.
     void put(const core::Status& status);
     [[nodiscard]] const std::string& bytes() const noexcept { return m_bytes; }
@@ -61,10 +63,14 @@ class WireHeadReader
         return value;
     }
     std::string text();
+    /// Reads a message of one line. Missing or excessive parts make the head invalid.
+    core::Message message();
     [[nodiscard]] bool isGood() const noexcept { return m_isGood; }
     [[nodiscard]] bool isAtEnd() const noexcept { return m_isGood && m_rest.empty(); }
 
   private:
+    core::Message message(int depth);
+
     std::string_view m_rest;
     bool m_isGood = true;
 };
@@ -77,8 +83,12 @@ struct WireOutcome
     std::uint64_t size = 0;  ///< of the memory file [bytes]
     core::Status status;     ///< error of the reader, one line with the file name; or an error about an invalid head
 };
-/// @param file  name for messages; @param expected  expected content, for messages: "a checked mesh"
-[[nodiscard]] WireOutcome readHead(int descriptor, const std::string& file, std::string_view expected);
+/// @param file  name for messages
+[[nodiscard]] WireOutcome readHead(int descriptor, const std::string& file);
+
+/// Describes an invalid outcome.
+/// @param what  invalid part of the outcome
+[[nodiscard]] core::Status wireFault(const std::string& file, const core::Message& what);
 
 [[nodiscard]] bool writeAll(int descriptor, const void* data, std::size_t size);
 [[nodiscard]] bool readAll(int descriptor, void* data, std::size_t size, std::uint64_t at);

@@ -69,18 +69,18 @@ core::Result<std::vector<ForceLaw::Point>> readCurve(const std::filesystem::path
                 column[i] =
                     static_cast<std::size_t>(std::find(found.begin(), found.end(), kColumns[i]) - found.begin());
                 if (column[i] == found.size()) {
-                    return internal::fault(StatusCode::BadFormat, file, internal::atLine(number),
-                                           "no column " + std::string(kColumns[i]),
-                                           "a header with depth_mm and force_N");
+                    return internal::fault(StatusCode::BadFormat, file, internal::onLine(number),
+                                           {PALPATE_TEXT("no column %1"), kColumns[i]},
+                                           {PALPATE_TEXT("a header with %1 and %2"), kColumns[0], kColumns[1]});
                 }
                 continue;
             }
             const auto value = column[i] < found.size() ? core::parseNumber(found[column[i]]) : std::nullopt;
             if (!value) {
                 const std::string_view cell = column[i] < found.size() ? found[column[i]] : "";
-                return internal::fault(StatusCode::BadFormat, file, internal::atLine(number),
-                                       std::string(kColumns[i]) + " is " + internal::inQuotes(std::string(cell)),
-                                       "a number");
+                return internal::fault(StatusCode::BadFormat, file, internal::onLine(number),
+                                       {PALPATE_TEXT("%1 is %2"), kColumns[i], internal::inQuotes(cell)},
+                                       {PALPATE_TEXT("a number")});
             }
             point[i] = *value;
         }
@@ -91,8 +91,9 @@ core::Result<std::vector<ForceLaw::Point>> readCurve(const std::filesystem::path
         hasHeader = true;
     }
     if (const core::PointFault fault = core::firstFault(law.points); !fault.what.isEmpty()) {
-        const std::string place = fault.point < lines.size() ? internal::atLine(lines[fault.point]) + ": " : "";
-        return core::Status(StatusCode::OutOfRange, file + ": " + place + fault.what.english());
+        return internal::fault(StatusCode::OutOfRange, file,
+                               fault.point < lines.size() ? internal::onLine(lines[fault.point]) : core::Message(),
+                               fault.what);
     }
     return std::move(law.points);
 }

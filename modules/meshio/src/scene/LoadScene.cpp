@@ -16,6 +16,7 @@
 #include <string_view>
 #include <system_error>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace palpate::meshio {
@@ -49,8 +50,6 @@ struct Pending
     ShapedSurface shaped;
 };
 
-constexpr const char* kUnknownField = ": this version does not know this field; it is kept, but not used";
-
 class Loader
 {
   public:
@@ -73,7 +72,12 @@ class Loader
     void expandFiles();
     void findChanged();
     void expandScene();
-    void lose(const std::string& line) { m_scene.losses.push_back(line); }
+    void lose(const core::Message& line) { m_scene.losses.push_back(line); }
+    template<class... Arguments>
+    void warn(core::MessageText<std::type_identity_t<Arguments>...> text, const Arguments&... arguments)
+    {
+        m_scene.warnings.emplace_back(text, arguments...);
+    }
     void repairAll();
     void noteSurface(const Pending& pending);
     void collect();
@@ -109,19 +113,19 @@ Status Loader::addScene(const std::filesystem::path& path)
 Status Loader::addScene(SceneFile scene, const std::string& name)
 {
     if (scene.structures.empty()) {
-        return fault(StatusCode::Empty, name, "structures", "none", "at least one");
+        return fault(StatusCode::Empty, name, {PALPATE_TEXT("%1"), "structures"}, {PALPATE_TEXT("none")},
+                     {PALPATE_TEXT("at least one")});
     }
     m_scene.scene = std::move(scene);
     for (const std::string& field : unknownFields(m_scene.scene)) {
-        m_scene.warnings.push_back(name + ": " + field + kUnknownField);
+        warn(PALPATE_TEXT("%1: %2: this version does not know this field; it is kept, but not used"), name, field);
     }
     for (SceneStructure& structure : m_scene.scene.structures) {
         if (structure.frame == FileFrame::Untagged) {
             structure.frame = m_options.frame;
         } else if (m_options.frame != FileFrame::Untagged && structure.frame != m_options.frame) {
-            m_scene.warnings.push_back(structure.name + ": taken as " + std::string(core::axesOf(structure.frame)) +
-                                       ", as the scene file says; not as " +
-                                       std::string(core::axesOf(m_options.frame)));
+            warn(PALPATE_TEXT("%1: taken as %2, as the scene file says; not as %3"), structure.name,
+                 core::axesOf(structure.frame), core::axesOf(m_options.frame));
         }
         (void)sourceOf(structure);
     }
@@ -140,12 +144,13 @@ Status Loader::addFolder(const std::filesystem::path& path)
     }
     const std::string name = path.filename().empty() ? path.string() : path.filename().string();
     if (error) {
-        return fault(StatusCode::Unreadable, name, "", "the folder cannot be read: " + error.message(),
-                     "a folder of meshes");
+        return fault(StatusCode::Unreadable, name, {},
+                     {PALPATE_TEXT("the folder cannot be read: %1"), core::systemError(error.value())},
+                     {PALPATE_TEXT("a folder of meshes")});
     }
     if (files.empty()) {
-        return fault(StatusCode::Empty, name, "", "a folder without mesh files",
-                     meshFormatNames("or") + " files in it");
+        return fault(StatusCode::Empty, name, {}, {PALPATE_TEXT("a folder without mesh files")},
+                     {PALPATE_TEXT("%1 files in it"), meshFormatNames("or")});
     }
     std::sort(files.begin(), files.end());
     m_isFolder = true;
@@ -225,9 +230,10 @@ void Loader::findChanged()
         }
         if (const std::string found = fileHash(wanted.mesh); found != wanted.sha256) {
             constexpr std::size_t kShown = 12;
-            lose(wanted.mesh.filename().string() + ": changed since the scene was saved: found SHA-256 " +
-                 found.substr(0, kShown) + "..., expected " + wanted.sha256.substr(0, kShown) +
-                 "...; opened as it is now");
+            lose({PALPATE_TEXT(
+                      "%1: changed since the scene was saved: found SHA-256 %2..., expected %3...; opened as it "
+                      "is now"),
+                  wanted.mesh.filename(), found.substr(0, kShown), wanted.sha256.substr(0, kShown)});
         }
     }
 }
@@ -260,9 +266,9 @@ void Loader::expandScene()
         }
         if (!isFound) {
             m_scene.unopened.push_back(wanted);
-            lose(fault(StatusCode::NotFound, source.path.filename().string(), "",
-                       "no structure " + inQuotes(wanted.part), "one of that name")
-                     .message());
+            lose(fault(StatusCode::NotFound, source.path.filename().string(), {},
+                       {PALPATE_TEXT("no structure %1"), inQuotes(wanted.part)}, {PALPATE_TEXT("one of that name")})
+                     .text());
         }
     }
 }
@@ -306,16 +312,17 @@ void Loader::repairAll()
 
 void Loader::noteSurface(const Pending& pending)
 {
-    const std::string name = pending.description.name + ": ";
-    for (const std::string& sentence : pending.shaped.surface->report.sentences()) {
-        m_scene.warnings.push_back(name + sentence);
+    const std::string& name = pending.description.name;
+    for (const core::Message& sentence : pending.shaped.surface->report.sentences()) {
+        warn(PALPATE_TEXT("%1: %2"), name, sentence);
     }
-    for (const std::string& sentence : shapeSentences(pending.shaped.staircase, pending.shaped.smoothing)) {
-        m_scene.warnings.push_back(name + sentence);
+    for (const core::Message& sentence : shapeSentences(pending.shaped.staircase, pending.shaped.smoothing)) {
+        warn(PALPATE_TEXT("%1: %2"), name, sentence);
     }
     if (pending.description.surface == SurfaceKind::Smooth) {
-        m_scene.warnings.push_back(name + "surface \"smooth\": curved facets are not available in this version; "
-                                          "felt and drawn as facets");
+        warn(PALPATE_TEXT("%1: surface \"smooth\": curved facets are not available in this version; felt and drawn as "
+                          "facets"),
+             name);
     }
 }
 
@@ -325,8 +332,10 @@ void Loader::collect()
     for (Pending& pending : m_pending) {
         const std::string& name = pending.description.name;
         if (pending.shaped.surface->mesh.triangles.empty()) {
-            lose(name + ": none of " + counted(pending.asRead->report.inputTriangles, "triangle") +
-                 " has an area; expected at least one");
+            lose({PALPATE_TEXT(
+                      "%1: all triangles have zero area (number of triangles: %2); expected at least one with an "
+                      "area"),
+                  name, Count(pending.asRead->report.inputTriangles)});
             continue;
         }
         noteSurface(pending);
@@ -354,25 +363,27 @@ void Loader::noteFrames()
         }
         const MeshFile& file = source.file->value();
         const std::string name = source.path.filename().string();
-        for (const std::string& note : file.notes) {
-            m_scene.warnings.push_back(name + ": " + note);
+        for (const core::Message& note : file.notes) {
+            warn(PALPATE_TEXT("%1: %2"), name, note);
         }
         if (source.frame != FileFrame::Untagged) {
             if (file.frame != FileFrame::Untagged && file.frame != source.frame) {
-                m_scene.warnings.push_back(name + ": tagged SPACE=" + std::string(core::axesOf(file.frame)) +
-                                           ", but taken as " + std::string(core::axesOf(source.frame)) +
-                                           ", as was chosen");
+                warn(PALPATE_TEXT("%1: tagged SPACE=%2, but taken as %3, as was chosen"), name,
+                     core::axesOf(file.frame), core::axesOf(source.frame));
             }
         } else if (file.frame == FileFrame::Untagged) {
             untagged.push_back(name);
         } else if (file.frame == FileFrame::Ras) {
-            m_scene.warnings.push_back(name + ": tagged SPACE=RAS: x and y negated to get LPS");
+            warn(PALPATE_TEXT("%1: tagged SPACE=RAS: x and y negated to get LPS"), name);
         }
     }
-    if (!untagged.empty()) {
-        const std::string more =
-            untagged.size() > 1 ? " and " + counted(untagged.size() - 1, "more file") : std::string();
-        m_scene.warnings.push_back(untagged.front() + more + ": no SPACE tag: coordinates taken as LPS");
+    if (untagged.size() > 2) {
+        warn(PALPATE_TEXT("%1 and %2 more files: no SPACE tag: coordinates taken as LPS"), untagged.front(),
+             Count(untagged.size() - 1));
+    } else if (untagged.size() == 2) {
+        warn(PALPATE_TEXT("%1 and %2: no SPACE tag: coordinates taken as LPS"), untagged.front(), untagged.back());
+    } else if (!untagged.empty()) {
+        warn(PALPATE_TEXT("%1: no SPACE tag: coordinates taken as LPS"), untagged.front());
     }
 }
 
@@ -394,20 +405,15 @@ void Loader::noteUnit()
     if (isLikely(m_options.unit_mm)) {
         return;
     }
-    const auto take = [this, units](double unit_mm, std::string_view taken, std::string_view likely,
-                                    std::string_view option) {
-        std::array<char, 32> text = {};
-        std::snprintf(text.data(), text.size(), "%.3g", units);
-        m_scene.likelyUnit_mm = unit_mm;
-        m_scene.warnings.push_back(m_sources.front().path.filename().string() + ": " +
-                                   (unit_mm > m_options.unit_mm ? "only " : "") + text.data() +
-                                   " units wide, taken as " + std::string(taken) + "; looks like " +
-                                   std::string(likely) + ": open with --unit " + std::string(option));
-    };
+    const std::filesystem::path file = m_sources.front().path.filename();
+    const core::Rounded wide{units, 3};
     if (m_options.unit_mm == 1.0 && isLikely(1000.0)) {
-        take(1000.0, "mm", "metres", "m");
+        m_scene.likelyUnit_mm = 1000.0;
+        warn(PALPATE_TEXT("%1: only %2 units wide, taken as mm; looks like metres: open with --unit m"), file, wide);
     } else if (m_options.unit_mm != 1.0 && isLikely(1.0)) {
-        take(1.0, m_options.unit_mm == 1000.0 ? "metres" : "larger ones", "millimetres", "mm");
+        m_scene.likelyUnit_mm = 1.0;
+        warn(PALPATE_TEXT("%1: %2 units wide, with units of %3 mm; looks like millimetres: open with --unit mm"), file,
+             wide, m_options.unit_mm);
     }
 }
 
@@ -443,12 +449,12 @@ Result<LoadedScene> Loader::open(const std::string& name)
     for (const Source& source : m_sources) {
         if (m_isFolder && !source.file->isOk() && source.file->status().code() == StatusCode::Unsupported &&
             hasLabelMapExtension(source.path)) { // an image beside the structures
-            m_scene.warnings.push_back("left out: " + source.file->status().message());
+            warn(PALPATE_TEXT("left out: %1"), source.file->status().text());
             m_firstFailure = m_firstFailure.isOk() ? source.file->status() : m_firstFailure;
         } else if (!source.file->isOk()) {
-            lose(source.file->status().message());
+            lose(source.file->status().text());
             m_firstFailure = m_firstFailure.isOk() ? source.file->status() : m_firstFailure;
-        } else if (!source.file->value().loss.empty()) {
+        } else if (!source.file->value().loss.isEmpty()) {
             lose(source.file->value().loss);
         }
     }
@@ -467,8 +473,7 @@ Result<LoadedScene> Loader::open(const std::string& name)
         return cancelled;
     }
     if (m_scene.structures.empty()) {
-        return !m_firstFailure.isOk() ? m_firstFailure
-                                      : Status(StatusCode::Empty, name + ": " + m_scene.losses.front());
+        return !m_firstFailure.isOk() ? m_firstFailure : Status(StatusCode::Empty, m_scene.losses.front()).at(name);
     }
     noteFrames();
     noteUnit();
@@ -482,7 +487,8 @@ Result<LoadedScene> guarded(const std::string& name, Load&& load)
     try {
         return load();
     } catch (const std::bad_alloc&) {
-        return fault(StatusCode::OutOfRange, name, "", "not enough memory to open it", "a scene that fits");
+        return fault(StatusCode::OutOfRange, name, {}, {PALPATE_TEXT("not enough memory to open it")},
+                     {PALPATE_TEXT("a smaller scene, or more free memory")});
     }
 }
 

@@ -33,9 +33,20 @@ using core::Result;
 using core::Status;
 using core::StatusCode;
 using core::Vec3;
+using internal::exactNumber;
 using internal::JsonFields;
 
 constexpr double kMostMm = 1e7;
+
+core::Message quotedText(std::string_view text)
+{
+    return {PALPATE_TEXT("%1"), core::inQuotes(text)};
+}
+
+core::Message textOrNothing(bool isThere, std::string_view text)
+{
+    return isThere ? quotedText(text) : core::Message(PALPATE_TEXT("nothing"));
+}
 
 std::optional<Vec3> point(JsonFields& fields, const char* name)
 {
@@ -68,7 +79,8 @@ void readPose(JsonFields& fields, const char* name, core::Transform& pose)
     const bool isRigid = (r * r.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-9 &&
                          r.determinant() > 0.0 && m.row(3) == Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0);
     if (!isRigid) {
-        fields.fail(name, "a matrix that is not rigid", "a rotation and a translation, row by row");
+        fields.fail(name, {PALPATE_TEXT("a matrix that is not rigid")},
+                    {PALPATE_TEXT("a rotation and a translation, row by row")});
         return;
     }
     pose.matrix() = m;
@@ -88,8 +100,8 @@ void readTissue(JsonFields& fields, core::Tissue& tissue)
             }
         }
         if (tissue.friction_dynamic > tissue.friction_static) {
-            friction->fail("dynamic", internal::brief(tissue.friction_dynamic),
-                           "at most `static`, which is " + internal::brief(tissue.friction_static));
+            friction->fail("dynamic", {PALPATE_TEXT("%1"), exactNumber(tissue.friction_dynamic)},
+                           {PALPATE_TEXT("at most `static`, which is %1"), exactNumber(tissue.friction_static)});
         }
         fields.keepUnknown("friction", friction->unknown());
     }
@@ -110,7 +122,7 @@ void readName(JsonFields& fields, const char* name, const std::array<std::string
     for (const std::string_view known : names) {
         expected.append(expected.empty() ? "" : ", ").append(known);
     }
-    fields.fail(name, internal::inQuotes(text), "one of " + expected);
+    fields.fail(name, quotedText(text), {PALPATE_TEXT("one of %1"), expected});
 }
 
 core::TissueMapping readMapping(JsonFields& fields, const std::filesystem::path& folder)
@@ -122,7 +134,10 @@ core::TissueMapping readMapping(JsonFields& fields, const std::filesystem::path&
     std::string file;
     fields.read("file", file);
     if (map.array.empty() == file.empty()) {
-        fields.fail("array", map.array.empty() ? "neither `array` nor `file`" : "`array` and `file`", "one of them");
+        fields.fail("array",
+                    map.array.empty() ? core::Message(PALPATE_TEXT("neither `array` nor `file`"))
+                                      : core::Message(PALPATE_TEXT("both `array` and `file`")),
+                    {PALPATE_TEXT("one of the two")});
     }
     if (!file.empty()) {
         map.file = (folder / std::filesystem::path(file)).lexically_normal().string();
@@ -133,18 +148,20 @@ core::TissueMapping readMapping(JsonFields& fields, const std::filesystem::path&
         map.unit = known->unit;
     } else if (!fields.has("unit") && map.quantity == core::MappedQuantity::Stiffness) {
         // Young's modulus, shear modulus or a scale: a wrong guess is an error by a factor of three or more.
-        fields.fail("unit", "nothing", "scale, N_per_mm, young_kPa or shear_kPa: what the numbers are");
+        fields.fail("unit", {PALPATE_TEXT("nothing")},
+                    {PALPATE_TEXT("the unit of the numbers: scale, N_per_mm, young_kPa or shear_kPa")});
     }
     readName(fields, "unit", core::kMapUnitNames, map.unit);
     if (!core::fits(map.quantity, map.unit)) {
-        fields.fail("unit", internal::inQuotes(core::kMapUnitNames[static_cast<std::size_t>(map.unit)]),
-                    "a unit of " + std::string(core::kQuantityNames[static_cast<std::size_t>(map.quantity)]));
+        fields.fail("unit", quotedText(core::kMapUnitNames[static_cast<std::size_t>(map.unit)]),
+                    {PALPATE_TEXT("a unit of `%1`"), core::kQuantityNames[static_cast<std::size_t>(map.quantity)]});
     }
     fields.read("contact_radius_mm", map.contactRadius_mm, 1e-3, 1e3);
     if (const auto clamp = fields.numbers("clamp", 2, 0.0, 1e12)) {
         map.clamp = {(*clamp)[0], (*clamp)[1]};
         if ((*clamp)[0] > (*clamp)[1]) {
-            fields.fail("clamp", "a larger number before a smaller", "the least, then the most");
+            fields.fail("clamp", {PALPATE_TEXT("a larger number before a smaller one")},
+                        {PALPATE_TEXT("the minimum, then the maximum")});
         }
     }
     return map;
@@ -155,11 +172,11 @@ void readBuried(JsonFields& fields, SceneStructure& s)
 {
     fields.read("inside", s.inside);
     if (!s.inside.empty() && s.layer > 0) {
-        fields.fail("layer", std::to_string(s.layer) + " beside `inside`",
-                    "one of them: what is felt through its organ has no layer of its own");
+        fields.fail("layer", {PALPATE_TEXT("%1 together with `inside`"), s.layer},
+                    {PALPATE_TEXT("one of the two: a structure felt through its organ has no layer of its own")});
     }
     if (s.inside == s.name && !s.inside.empty()) {
-        fields.fail("inside", "its own name", "the name of the organ around it");
+        fields.fail("inside", {PALPATE_TEXT("its own name")}, {PALPATE_TEXT("the name of the organ around it")});
     }
     readIfThere(fields, "young_ratio", s.young_ratio, kLeastModulus, kMostModulusRatio);
     readIfThere(fields, "young_kPa", s.young_kPa, kLeastModulus, kMostYoung_kPa);
@@ -172,7 +189,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
     std::string mesh;
     fields.read("mesh", mesh);
     if (mesh.empty()) {
-        fields.fail("mesh", fields.has("mesh") ? "\"\"" : "nothing", "the path of a mesh file");
+        fields.fail("mesh", textOrNothing(fields.has("mesh"), mesh), {PALPATE_TEXT("the path of a mesh file")});
     }
     s.mesh = (folder / std::filesystem::path(mesh)).lexically_normal();
     s.surface = defaultSurface(s.mesh);
@@ -186,7 +203,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
         if (const auto named = core::frameNamed(frame)) {
             s.frame = *named;
         } else {
-            fields.fail("frame", internal::inQuotes(frame), "LPS, RAS or Y-up");
+            fields.fail("frame", quotedText(frame), {PALPATE_TEXT("LPS, RAS or Y-up")});
         }
     }
     s.name = s.part.empty() ? s.mesh.stem().string() : s.part;
@@ -212,7 +229,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
     double layer = 0.0;
     fields.read("layer", layer, 0.0, 63.0);
     if (layer != std::floor(layer)) {
-        fields.fail("layer", "a fraction", "a whole number");
+        fields.fail("layer", {PALPATE_TEXT("a fraction")}, {PALPATE_TEXT("a whole number")});
     }
     s.layer = static_cast<std::uint32_t>(layer);
     readBuried(fields, s);
@@ -235,7 +252,7 @@ void readHash(JsonFields& fields, const char* name, std::string& hash)
     fields.read(name, hash);
     const bool isHex = hash.find_first_not_of("0123456789abcdef") == std::string::npos;
     if (!hash.empty() && (hash.size() != 64 || !isHex)) {
-        fields.fail(name, core::inQuotes(hash), "64 hex digits");
+        fields.fail(name, quotedText(hash), {PALPATE_TEXT("64 hex digits")});
     }
 }
 
@@ -245,7 +262,7 @@ core::RecordedMoment readMoment(JsonFields& fields, const std::filesystem::path&
     std::string file;
     fields.read("file", file);
     if (file.empty()) {
-        fields.fail("file", fields.has("file") ? "\"\"" : "nothing", "the path of a recording");
+        fields.fail("file", textOrNothing(fields.has("file"), file), {PALPATE_TEXT("the path of a recording")});
     }
     moment.file = (folder / std::filesystem::path(file)).lexically_normal().string();
     readHash(fields, "sha256", moment.sha256);
@@ -253,7 +270,7 @@ core::RecordedMoment readMoment(JsonFields& fields, const std::filesystem::path&
     double tick = 0.0;
     fields.read("tick", tick, -kLast, kLast);
     if (tick != std::floor(tick)) {
-        fields.fail("tick", "a fraction", "a whole number");
+        fields.fail("tick", {PALPATE_TEXT("a fraction")}, {PALPATE_TEXT("a whole number")});
     }
     moment.tick = static_cast<std::int64_t>(tick);
     fields.read("time_s", moment.time_s, 0.0, 1e9);
@@ -295,7 +312,8 @@ core::Finding readFinding(JsonFields& entry, const std::filesystem::path& folder
     entry.read("marked_utc", finding.marked_utc);
     if (!finding.marked_utc.empty() &&
         !QDateTime::fromString(QString::fromStdString(finding.marked_utc), Qt::ISODate).isValid()) {
-        entry.fail("marked_utc", core::inQuotes(finding.marked_utc), "a time as 2026-11-23T08:30:00Z");
+        entry.fail("marked_utc", quotedText(finding.marked_utc),
+                   {PALPATE_TEXT("a time in UTC, e.g. %1"), "2026-11-23T08:30:00Z"});
     }
     finding.extra = entry.unknown();
     return finding;
@@ -344,10 +362,12 @@ void readShownMap(JsonFields& fields, SceneFile& scene)
         entry->read("structure", shown.structure);
         entry->read("numbers", shown.numbers);
         if (!hasStructure(scene, shown.structure)) {
-            entry->fail("structure", core::inQuotes(shown.structure), "the name of a structure of this scene");
+            entry->fail("structure", quotedText(shown.structure),
+                        {PALPATE_TEXT("the name of a structure of this scene")});
         }
         if (!shown.numbers.starts_with("felt:") && !shown.numbers.starts_with("array:")) {
-            entry->fail("numbers", core::inQuotes(shown.numbers), "felt: and a quantity, or array: and its name");
+            entry->fail("numbers", quotedText(shown.numbers),
+                        {PALPATE_TEXT("`felt:` and a quantity, or `array:` and its name")});
         }
     }
 }
@@ -368,15 +388,16 @@ void checkOrgans(const SceneFile& scene, JsonFields& fields)
         const std::string field = "structures[" + std::to_string(i) + "].inside";
         const std::vector<const SceneStructure*>& found = named[organ];
         if (found.empty()) {
-            fields.fail(field.c_str(), core::inQuotes(organ), "the name of a structure of this scene");
+            fields.fail(field.c_str(), quotedText(organ), {PALPATE_TEXT("the name of a structure of this scene")});
         } else if (found.size() > 1) {
             fields.fail(field.c_str(),
-                        core::inQuotes(organ) + ", the name of " + std::to_string(found.size()) + " structures",
-                        "a name that one structure has: rename the others");
+                        {PALPATE_TEXT("%1, the name of %2 structures"), core::inQuotes(organ), found.size()},
+                        {PALPATE_TEXT("the name of one structure: rename the others")});
         } else if (!found.front()->inside.empty()) {
             fields.fail(field.c_str(),
-                        core::inQuotes(organ) + ", which lies inside " + core::inQuotes(found.front()->inside),
-                        "the outermost structure around it");
+                        {PALPATE_TEXT("%1, which lies inside %2"), core::inQuotes(organ),
+                         core::inQuotes(found.front()->inside)},
+                        {PALPATE_TEXT("the outermost structure around it")});
         }
     }
 }
@@ -417,11 +438,12 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     const QJsonDocument document =
         QJsonDocument::fromJson(QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())), &error);
     if (!document.isObject()) {
-        return internal::fault(StatusCode::BadFormat, file, internal::atByte(static_cast<std::uint64_t>(error.offset)),
-                               bytes.empty()                             ? "the file is empty"
-                               : error.error == QJsonParseError::NoError ? "no JSON object"
-                                                                         : error.errorString().toStdString(),
-                               "a scene as a JSON object");
+        return internal::fault(StatusCode::BadFormat, file, internal::onByte(static_cast<std::uint64_t>(error.offset)),
+                               bytes.empty() ? core::Message(PALPATE_TEXT("the file is empty"))
+                               : error.error == QJsonParseError::NoError
+                                   ? core::Message(PALPATE_TEXT("no JSON object"))
+                                   : core::Message::untranslated(error.errorString().toStdString()),
+                               {PALPATE_TEXT("a scene as a JSON object")});
     }
     if (Status other = anotherPrograms(document.object(), file); !other.isOk()) {
         return other;
@@ -434,7 +456,7 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     SceneFile scene;
     JsonFields fields(document.object(), file, "", status);
     if (!fields.has("version")) {
-        fields.fail("version", "nothing", "1");
+        fields.fail("version", {PALPATE_TEXT("nothing")}, {PALPATE_TEXT("%1"), 1});
     }
     double version = SceneFile::kVersion;
     fields.read("version", version, 1.0, 1e9);

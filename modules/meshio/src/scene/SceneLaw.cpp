@@ -23,7 +23,10 @@ void readKind(JsonFields& fields, LawKind& kind)
         }
         known += (known.empty() ? "" : ", ") + std::string(core::lawName(one));
     }
-    fields.fail("kind", fields.has("kind") ? inQuotes(name) : "nothing", "one of " + known);
+    fields.fail("kind",
+                fields.has("kind") ? core::Message(PALPATE_TEXT("%1"), inQuotes(name))
+                                   : core::Message(PALPATE_TEXT("nothing")),
+                {PALPATE_TEXT("one of %1"), known});
 }
 
 void readPoints(JsonFields& fields, const std::filesystem::path& folder, ForceLaw& law)
@@ -31,8 +34,10 @@ void readPoints(JsonFields& fields, const std::filesystem::path& folder, ForceLa
     std::string file;
     fields.read("file", file);
     if (file.empty() == !fields.has("points")) {
-        fields.fail("points", file.empty() ? "nothing" : "both points and a file",
-                    "points [[depth_mm, force_N], …] or the file of a curve");
+        fields.fail("points",
+                    file.empty() ? core::Message(PALPATE_TEXT("nothing"))
+                                 : core::Message(PALPATE_TEXT("both `points` and `file`")),
+                    {PALPATE_TEXT("points [[depth_mm, force_N], …] or the file of a curve")});
         return;
     }
     if (file.empty()) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/ShapeSurface.h"
 
-#include <palpate/core/Numbers.h>
 #include <palpate/geometry/Reshape.h>
 
 #include <vtkCellArray.h>
@@ -129,15 +128,6 @@ std::vector<Vec3> filtered(const geometry::TriangleMesh& mesh, double smoothing)
 
 namespace {
 
-std::string voxelText(const Vec3& voxel_mm)
-{
-    std::string text;
-    for (int axis = 0; axis < 3; ++axis) {
-        text.append(axis == 0 ? "" : " × ").append(core::shortNumber(voxel_mm[axis], 3));
-    }
-    return text + " mm";
-}
-
 /// @return the surface with the vertices moved
 std::shared_ptr<const RepairedMesh> smoothedSurface(const RepairedMesh& before, const MoveLimit& limit, double strength,
                                                     SurfaceSmoothing& done)
@@ -153,40 +143,48 @@ std::shared_ptr<const RepairedMesh> smoothedSurface(const RepairedMesh& before, 
     return smoothed;
 }
 
-} // namespace
-
-std::string SurfaceSmoothing::sentence() const
+core::Message withdrawnSentence(const std::optional<Vec3>& voxel_mm)
 {
-    if (isWithdrawn) {
-        return (labelVoxel_mm ? "surface from a label map of " + voxelText(*labelVoxel_mm) + " voxels, not smoothed"
-                              : std::string("not smoothed")) +
-               ": too small, it would lose more than half of its volume";
-    }
-    if (labelVoxel_mm) {
-        std::string text = "surface from a label map of " + voxelText(*labelVoxel_mm) + " voxels, smoothed by " +
-                           core::shortNumber(strength, 3) + ": ";
-        if (volumeBefore_mm3 > 0.0) {
-            std::array<char, 64> change{};
-            std::snprintf(change.data(), change.size(), "%+.2f", 100.0 * (volumeAfter_mm3 / volumeBefore_mm3 - 1.0));
-            text += "volume changed by " + std::string(change.data()) + " %, ";
-        }
-        return text + "at most " + core::shortNumber(most_mm, 2) + " mm from the voxel boundary";
-    }
-    std::array<char, 160> text{};
-    const double change = volumeBefore_mm3 > 0.0 ? 100.0 * (volumeAfter_mm3 / volumeBefore_mm3 - 1.0) : 0.0;
-    if (volumeBefore_mm3 > 0.0) {
-        std::snprintf(text.data(), text.size(), "smoothed: vertices moved by at most %.2g mm, volume %+.2f %%", most_mm,
-                      change);
-    } else {
-        std::snprintf(text.data(), text.size(), "smoothed: vertices moved by at most %.2g mm", most_mm);
-    }
-    return text.data();
+    const core::Message reason(PALPATE_TEXT("not smoothed: too small, it would lose more than half of its volume"));
+    return voxel_mm ? core::Message(PALPATE_TEXT("surface from a label map of %1 × %2 × %3 mm voxels, %4"),
+                                    core::Rounded{voxel_mm->x(), 3}, core::Rounded{voxel_mm->y(), 3},
+                                    core::Rounded{voxel_mm->z(), 3}, reason)
+                    : reason;
 }
 
-std::vector<std::string> shapeSentences(const std::optional<geometry::Staircase>& staircase,
-                                        const std::optional<SurfaceSmoothing>& smoothing)
+} // namespace
+
+core::Message SurfaceSmoothing::sentence() const
 {
-    std::vector<std::string> lines;
+    if (isWithdrawn) {
+        return withdrawnSentence(labelVoxel_mm);
+    }
+    const core::Rounded most{most_mm, 2};
+    const Vec3 voxel_mm = labelVoxel_mm.value_or(Vec3::Zero());
+    const core::Rounded x{voxel_mm.x(), 3}, y{voxel_mm.y(), 3}, z{voxel_mm.z(), 3}, by{strength, 3};
+    if (!(volumeBefore_mm3 > 0.0)) {
+        return labelVoxel_mm
+                   ? core::Message(PALPATE_TEXT("surface from a label map of %1 × %2 × %3 mm voxels, smoothed "
+                                                "by %4: at most %5 mm from the voxel boundary"),
+                                   x, y, z, by, most)
+                   : core::Message(PALPATE_TEXT("smoothed: vertices moved by at most %1 mm"), most);
+    }
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%+.2f", 100.0 * (volumeAfter_mm3 / volumeBefore_mm3 - 1.0));
+    core::MessageArgument change(text.data());
+    change.kind = core::MessageArgument::Kind::Number;
+    return labelVoxel_mm
+               ? core::Message(
+                     PALPATE_TEXT("surface from a label map of %1 × %2 × %3 mm voxels, smoothed by %4: volume "
+                                  "changed by %5 %, at most %6 mm from the voxel boundary"),
+                     x, y, z, by, change, most)
+               : core::Message(PALPATE_TEXT("smoothed: vertices moved by at most %1 mm, volume %2 %"), most, change);
+}
+
+std::vector<core::Message> shapeSentences(const std::optional<geometry::Staircase>& staircase,
+                                          const std::optional<SurfaceSmoothing>& smoothing)
+{
+    std::vector<core::Message> lines;
     if (staircase && !(staircase->isStated && smoothing)) {
         lines.push_back(staircase->sentence());
     }

@@ -41,10 +41,10 @@ Result<std::vector<Vec3>> toWorld(const std::vector<Vec3>& points, FileFrame fra
     for (std::size_t i = 0; i < points.size(); ++i) {
         out[i] = core::toLps(frame, points[i]) * context.unit_mm;
         if (!(out[i].cwiseAbs().maxCoeff() <= kMostMm) || !out[i].allFinite()) {
-            return fault(StatusCode::NonFinite, context.file, "point " + std::to_string(i),
-                         out[i].allFinite() ? "it is farther than 10 km from the origin"
-                                            : "its coordinates are not numbers",
-                         "finite coordinates within 10 km");
+            return fault(StatusCode::NonFinite, context.file, {PALPATE_TEXT("point %1"), i},
+                         out[i].allFinite() ? core::Message(PALPATE_TEXT("it is farther than 10 km from the origin"))
+                                            : core::Message(PALPATE_TEXT("its coordinates are not finite numbers")),
+                         {PALPATE_TEXT("finite coordinates within 10 km")});
         }
     }
     return out;
@@ -84,8 +84,9 @@ Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, con
     const std::vector<Vec3>& points = world.value();
     const std::vector<Triangle>& triangles = soup.mesh.triangles;
     if (!hasArea(points, triangles)) {
-        return fault(StatusCode::Empty, context.file, "",
-                     "none of " + counted(triangles.size(), "triangle") + " has an area", "at least one that has");
+        return fault(StatusCode::Empty, context.file, {},
+                     {PALPATE_TEXT("all triangles have zero area (number of triangles: %1)"), Count(triangles.size())},
+                     {PALPATE_TEXT("at least one with an area")});
     }
 
     // Triangles sorted by part; within a part in file order.

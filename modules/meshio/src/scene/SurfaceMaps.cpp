@@ -21,13 +21,15 @@ using geometry::MeshArray;
 constexpr float kNotFelt = std::numeric_limits<float>::quiet_NaN();
 constexpr double kManyMissing = 0.2; ///< share of missing values that the warning points out
 
-std::string namesOf(const geometry::TriangleMesh& mesh)
+/// @return the expected array, for messages
+core::Message namesOf(const geometry::TriangleMesh& mesh)
 {
     std::string names;
     for (const MeshArray& array : mesh.arrays) {
         names += (names.empty() ? "" : ", ") + inQuotes(array.name);
     }
-    return names.empty() ? "a mesh with arrays: this one has none" : "one of " + names;
+    return names.empty() ? core::Message(PALPATE_TEXT("a mesh with arrays: this one has none"))
+                         : core::Message(PALPATE_TEXT("one of %1"), names);
 }
 
 /// Converts a number of a file for the servo tick; unknown if not palpable: a stiffness must be above 0.
@@ -43,17 +45,24 @@ float feltValue(const TissueMapping& mapping, float value)
     return isUsable ? felt : kNotFelt;
 }
 
-void noteMissing(const SurfaceMap& map, const std::string& name, std::vector<std::string>& warnings)
+void noteMissing(const SurfaceMap& map, const std::string& name, std::vector<core::Message>& warnings)
 {
     const std::size_t missing = missingValues(map);
     if (missing == 0) {
         return;
     }
-    const std::string what = map.mapping.array.empty() ? "the volume" : "the array " + inQuotes(map.mapping.array);
+    const core::Message what = map.mapping.array.empty()
+                                   ? core::Message(PALPATE_TEXT("the volume"))
+                                   : core::Message(PALPATE_TEXT("the array %1"), inQuotes(map.mapping.array));
     const bool isMany = static_cast<double>(missing) > kManyMissing * static_cast<double>(map.values.size());
-    warnings.push_back(name + ": " + what + " says nothing at " + counted(missing, "place") + " of " +
-                       grouped(map.values.size()) + (isMany ? ", more than a fifth" : "") +
-                       ": the structure's own value is felt there");
+    const Count places(map.values.size());
+    warnings.push_back(
+        isMany ? core::Message(PALPATE_TEXT("%1: %2 has no value at %3 of %4 places, more than a fifth: the "
+                                            "structure's own value is felt there"),
+                               name, what, Count(missing), places)
+               : core::Message(
+                     PALPATE_TEXT("%1: %2 has no value at %3 of %4 places: the structure's own value is felt there"),
+                     name, what, Count(missing), places));
 }
 
 } // namespace
@@ -79,7 +88,7 @@ std::size_t missingValues(const SurfaceMap& map) noexcept
         std::count_if(map.values.begin(), map.values.end(), [](float v) { return std::isnan(v); }));
 }
 
-void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings, std::vector<std::string>& losses,
+void resolveMaps(LoadedStructure& structure, std::vector<core::Message>& warnings, std::vector<core::Message>& losses,
                  const std::function<bool()>& keepGoing)
 {
     const geometry::TriangleMesh& mesh = structure.surface->mesh;
@@ -91,7 +100,7 @@ void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings,
             core::Result<std::vector<float>> sampled =
                 sampleVolume(mapping, *structure.surface, structure.description.frame, keepGoing);
             if (!sampled.isOk()) {
-                losses.push_back(name + ": " + sampled.status().message());
+                losses.push_back(sampled.status().at(name).text());
                 continue;
             }
             map.values = std::move(sampled).value();
@@ -99,9 +108,10 @@ void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings,
             const auto array = std::find_if(mesh.arrays.begin(), mesh.arrays.end(),
                                             [&](const MeshArray& a) { return a.name == mapping.array; });
             if (array == mesh.arrays.end()) {
-                losses.push_back(fault(core::StatusCode::NotFound, structure.description.mesh.filename().string(), name,
-                                       "no array " + inQuotes(mapping.array), namesOf(mesh))
-                                     .message());
+                losses.push_back(fault(core::StatusCode::NotFound, structure.description.mesh.filename().string(),
+                                       {PALPATE_TEXT("%1"), name},
+                                       {PALPATE_TEXT("no array %1"), inQuotes(mapping.array)}, namesOf(mesh))
+                                     .text());
                 continue;
             }
             map.isPerTriangle = array->isPerTriangle;

@@ -3,40 +3,33 @@
 
 #include "text/Fault.h"
 
-#include <palpate/core/Numbers.h>
-
 #include <QJsonDocument>
 
 namespace palpate::meshio::internal {
 
-std::string brief(double value)
-{
-    return QByteArray::number(value, 'g', 12).toStdString();
-}
-
 namespace {
 
-std::string range(double low, double high)
+core::Message range(double low, double high)
 {
-    return brief(low) + " to " + brief(high);
+    return {PALPATE_TEXT("%1 to %2"), exactNumber(low), exactNumber(high)};
 }
 
 /// @return a short description of a value for messages
-std::string shown(const QJsonValue& value)
+core::Message shown(const QJsonValue& value)
 {
     switch (value.type()) {
     case QJsonValue::Bool:
-        return value.toBool() ? "true" : "false";
+        return {PALPATE_TEXT("%1"), value.toBool() ? "true" : "false"};
     case QJsonValue::Double:
-        return brief(value.toDouble());
+        return {PALPATE_TEXT("%1"), exactNumber(value.toDouble())};
     case QJsonValue::String:
-        return inQuotes(value.toString().toStdString());
+        return {PALPATE_TEXT("%1"), inQuotes(value.toString().toStdString())};
     case QJsonValue::Array:
-        return "an array of " + std::to_string(value.toArray().size());
+        return {PALPATE_TEXT("an array of %1"), value.toArray().size()};
     case QJsonValue::Object:
-        return "an object";
+        return {PALPATE_TEXT("an object")};
     default:
-        return "null";
+        return {PALPATE_TEXT("%1"), "null"};
     }
 }
 
@@ -56,22 +49,26 @@ std::string JsonFields::pathOf(const char* name) const
     return m_path.empty() ? name : m_path + "." + name;
 }
 
-void JsonFields::fail(const char* name, const std::string& found, const std::string& expected)
+void JsonFields::fail(const char* name, const core::Message& found, const core::Message& expected)
 {
     if (m_status.isOk()) {
         m_status = {core::StatusCode::BadFormat,
-                    m_file + ": " + pathOf(name) + ": found " + found + ", expected " + expected};
+                    PALPATE_TEXT("%1: %2: found %3, expected %4"),
+                    m_file,
+                    pathOf(name),
+                    found,
+                    expected};
     }
 }
 
 void JsonFields::refuse(const char* name, const core::Status& why)
 {
     if (m_status.isOk()) {
-        m_status = {why.code(), m_file + ": " + pathOf(name) + ": " + why.message()};
+        m_status = why.at(pathOf(name)).at(m_file);
     }
 }
 
-void JsonFields::failType(const char* name, const QJsonValue& value, const std::string& expected)
+void JsonFields::failType(const char* name, const QJsonValue& value, const core::Message& expected)
 {
     fail(name, shown(value), expected);
 }
@@ -94,11 +91,11 @@ void JsonFields::read(const char* name, std::string& value)
 {
     const QJsonValue found = take(name);
     if (found.isString() && found.toString().contains(QChar::Null)) {
-        failType(name, found, "a text without the character U+0000"); // C strings end there
+        failType(name, found, {PALPATE_TEXT("a text without the character U+0000")}); // C strings end there
     } else if (found.isString()) {
         value = found.toString().toStdString();
     } else if (!found.isUndefined()) {
-        failType(name, found, "a text");
+        failType(name, found, {PALPATE_TEXT("a text")});
     }
 }
 
@@ -108,7 +105,7 @@ void JsonFields::read(const char* name, bool& value)
     if (found.isBool()) {
         value = found.toBool();
     } else if (!found.isUndefined()) {
-        failType(name, found, "true or false");
+        failType(name, found, {PALPATE_TEXT("true or false")});
     }
 }
 
@@ -133,7 +130,7 @@ std::optional<std::vector<double>> JsonFields::numbers(const char* name, std::si
     }
     const QJsonArray array = found.toArray();
     if (!found.isArray() || static_cast<std::size_t>(array.size()) != count) {
-        failType(name, found, std::to_string(count) + " numbers");
+        failType(name, found, {PALPATE_TEXT("%1 numbers"), count});
         return std::nullopt;
     }
     std::vector<double> values;
@@ -163,7 +160,7 @@ std::vector<std::array<double, 2>> JsonFields::pairs(const char* name, std::size
     const QJsonArray array = found.toArray();
     if (!found.isArray() || static_cast<std::size_t>(array.size()) > most) {
         if (!found.isUndefined()) {
-            failType(name, found, "at most " + std::to_string(most) + " pairs of numbers");
+            failType(name, found, {PALPATE_TEXT("at most %1 pairs of numbers"), most});
         }
         return {};
     }
@@ -172,7 +169,7 @@ std::vector<std::array<double, 2>> JsonFields::pairs(const char* name, std::size
         const QJsonArray pair = entry.toArray();
         if (pair.size() != 2 || !pair[0].isDouble() || !pair[1].isDouble()) {
             const std::string element = std::string(name) + "[" + std::to_string(values.size()) + "]";
-            failType(element.c_str(), entry, "two numbers");
+            failType(element.c_str(), entry, {PALPATE_TEXT("two numbers")});
             return {};
         }
         values.push_back({pair[0].toDouble(), pair[1].toDouble()});
@@ -193,7 +190,7 @@ std::optional<QJsonObject> JsonFields::object(const char* name)
         return std::nullopt;
     }
     if (!found.isObject()) {
-        failType(name, found, "an object");
+        failType(name, found, {PALPATE_TEXT("an object")});
         return std::nullopt;
     }
     return found.toObject();
@@ -207,13 +204,13 @@ std::vector<QJsonObject> JsonFields::objects(const char* name)
         return out;
     }
     if (!found.isArray()) {
-        failType(name, found, "an array");
+        failType(name, found, {PALPATE_TEXT("an array")});
         return out;
     }
     for (const QJsonValue& entry : found.toArray()) {
         if (!entry.isObject()) {
             const std::string element = std::string(name) + "[" + std::to_string(out.size()) + "]";
-            failType(element.c_str(), entry, "an object");
+            failType(element.c_str(), entry, {PALPATE_TEXT("an object")});
             return out;
         }
         out.push_back(entry.toObject());

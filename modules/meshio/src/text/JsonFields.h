@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
 #include <palpate/core/Status.h>
 
 #include <QJsonArray>
@@ -14,8 +15,11 @@
 
 namespace palpate::meshio::internal {
 
-/// @return a number formatted for messages.
-[[nodiscard]] std::string brief(double value);
+/// @return a number for messages with up to twelve significant digits
+[[nodiscard]] inline core::Rounded exactNumber(double value)
+{
+    return {value, 12};
+}
 
 /// Reads one JSON object field by field. The first invalid field is kept as the error, with the path
 /// in the document. Fields that no call has read are unknown fields.
@@ -48,13 +52,14 @@ class JsonFields
     [[nodiscard]] std::string unknown() const;
     /// @return "structures[2].opacity"
     [[nodiscard]] std::string pathOf(const char* name) const;
-    void fail(const char* name, const std::string& found, const std::string& expected);
+    /// Keeps an error of a field: "scene.json: structures[2].opacity: found 7, expected 0 to 1".
+    void fail(const char* name, const core::Message& found, const core::Message& expected);
     /// Keeps the error of a field. @param why  not ok
     void refuse(const char* name, const core::Status& why);
 
   private:
     QJsonValue take(const char* name);
-    void failType(const char* name, const QJsonValue& value, const std::string& expected);
+    void failType(const char* name, const QJsonValue& value, const core::Message& expected);
 
     QJsonObject m_object;
     QJsonObject m_unknown;

@@ -89,14 +89,15 @@ core::Status writeMesh(const std::filesystem::path& path, std::span<const MeshSt
     const std::string file = path.filename().string();
     const std::uint64_t triangles = triangleCount(structures);
     if (triangles == 0 || triangles > std::numeric_limits<std::uint32_t>::max()) {
-        return fault(StatusCode::Empty, file, "", counted(triangles, "triangle") + " to write",
-                     "1 to " + grouped(std::numeric_limits<std::uint32_t>::max()));
+        return fault(StatusCode::Empty, file, {}, {PALPATE_TEXT("number of triangles to write: %1"), Count(triangles)},
+                     {PALPATE_TEXT("%1 to %2"), 1, Count(std::numeric_limits<std::uint32_t>::max())});
     }
     for (const MeshStructure& structure : structures) {
         for (const Triangle& t : structure.mesh.triangles) {
             if (std::max({t[0], t[1], t[2]}) >= structure.mesh.vertices.size()) {
-                return fault(StatusCode::OutOfRange, file, inQuotes(structure.name), "a triangle without its vertices",
-                             "indices below " + grouped(structure.mesh.vertices.size()));
+                return fault(StatusCode::OutOfRange, file, {PALPATE_TEXT("structure %1"), inQuotes(structure.name)},
+                             {PALPATE_TEXT("a triangle with a missing vertex")},
+                             {PALPATE_TEXT("indices below %1"), Count(structure.mesh.vertices.size())});
             }
         }
     }
@@ -104,12 +105,13 @@ core::Status writeMesh(const std::filesystem::path& path, std::span<const MeshSt
     if (sameWord(extension, ".vtp")) {
         const Result<std::string> bytes = vtpBytes(merged(structures));
         return bytes.isOk() ? core::writeAtomically(path, bytes.value(), core::AtomicFile::Onto::File)
-                            : fault(StatusCode::Internal, file, "", bytes.status().message(), "");
+                            : bytes.status().at(file);
     }
     if (sameWord(extension, ".stl")) {
         return core::writeAtomically(path, stlBytes(structures), core::AtomicFile::Onto::File);
     }
-    return fault(StatusCode::BadCommandLine, file, "", "the extension " + inQuotes(extension), "\".vtp\" or \".stl\"");
+    return fault(StatusCode::BadCommandLine, file, {}, {PALPATE_TEXT("the extension %1"), inQuotes(extension)},
+                 {PALPATE_TEXT("%1 or %2"), "\".vtp\"", "\".stl\""});
 }
 
 } // namespace palpate::meshio

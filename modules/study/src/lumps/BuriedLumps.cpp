@@ -197,7 +197,7 @@ Result<buried::FeltSurface> feltSurface(const meshio::LoadedScene& scene, const 
 
 Result<std::vector<OrganPalpability>> computePalpability(const meshio::LoadedScene& scene,
                                                          std::vector<OrganPalpability> known,
-                                                         std::vector<std::string>* notes,
+                                                         std::vector<core::Message>* notes,
                                                          const std::function<bool(double)>& progress)
 {
     std::vector<OrganPalpability> out;
@@ -205,8 +205,8 @@ Result<std::vector<OrganPalpability>> computePalpability(const meshio::LoadedSce
     if (!organs.isOk()) {
         return out;
     }
-    std::vector<std::string> ignored;
-    std::vector<std::string>& told = notes != nullptr ? *notes : ignored;
+    std::vector<core::Message> ignored;
+    std::vector<core::Message>& told = notes != nullptr ? *notes : ignored;
     for (const OrganWithLumps& organ : organs.value()) {
         const auto same =
             std::find_if(known.begin(), known.end(), [&](const OrganPalpability& one) { return one.organ == organ; });
@@ -218,14 +218,12 @@ Result<std::vector<OrganPalpability>> computePalpability(const meshio::LoadedSce
                 return felt.status();
             }
             if (!felt.isOk()) {
-                told.push_back(felt.status().message());
+                told.push_back(felt.status().text());
                 continue;
             }
             out.push_back({organ, std::move(felt).value()});
         }
-        for (const core::Message& note : out.back().felt.notes) {
-            told.push_back(note.english());
-        }
+        told.insert(told.end(), out.back().felt.notes.begin(), out.back().felt.notes.end());
     }
     return out;
 }
@@ -250,14 +248,14 @@ Status applyBuriedLumps(meshio::LoadedScene& scene, const std::function<bool(dou
     const LumpRule rule = ruleOf(scene, layers, {});
     std::vector<OrganWithLumps> organs = organsBy(rule, scene, {});
     if (const Status status = statusOf(organs, rule, scene, layers, {}); !status.isOk()) {
-        scene.warnings.push_back("lumps felt through their organ: " + status.message());
+        scene.warnings.push_back({PALPATE_TEXT("lumps felt through their organ: %1"), status.text()});
         return {};
     }
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
         const meshio::SceneStructure& one = scene.structures[i].description;
-        const auto why = canBeFelt(one) && !one.inside.empty() ? whyNoOrgan(rule, scene, i, {}) : std::nullopt;
+        auto why = canBeFelt(one) && !one.inside.empty() ? whyNoOrgan(rule, scene, i, {}) : std::nullopt;
         if (why) {
-            scene.warnings.push_back(why->english());
+            scene.warnings.push_back(std::move(*why));
         }
     }
     const auto isThrough = [&](std::size_t structure) { return static_cast<bool>(rule.feltThrough(structure)); };
@@ -267,12 +265,10 @@ Status applyBuriedLumps(meshio::LoadedScene& scene, const std::function<bool(dou
             if (felt.status().code() == StatusCode::Cancelled) {
                 return felt.status();
             }
-            scene.warnings.push_back(felt.status().message());
+            scene.warnings.push_back(felt.status().text());
             continue;
         }
-        for (const core::Message& note : felt.value().notes) {
-            scene.warnings.push_back(note.english());
-        }
+        scene.warnings.insert(scene.warnings.end(), felt.value().notes.begin(), felt.value().notes.end());
         meshio::LoadedStructure& through = scene.structures[organ.organ];
         through.feltBelow.clear();
         for (const buried::FeltSurface::Press& press : felt.value().press) {

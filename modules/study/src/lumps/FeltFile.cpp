@@ -90,9 +90,9 @@ QJsonArray lumpsJson(const meshio::LoadedScene& scene, std::span<const OrganPalp
     return lumps;
 }
 
-std::vector<std::string> ratioQuestions(const meshio::LoadedScene& scene, std::span<const OrganPalpability> organs)
+std::vector<core::Message> ratioQuestions(const meshio::LoadedScene& scene, std::span<const OrganPalpability> organs)
 {
-    std::vector<std::string> questions;
+    std::vector<core::Message> questions;
     forEachLump(organs, [&](const OrganPalpability& one, const FeltSurface::Lump& lump, const SceneLump& of) {
         if (!of.ratio) {
             questions.push_back(ratioQuestion(lump.name, scene.structures[one.organ.organ].description.name));
@@ -137,8 +137,8 @@ std::string feltJson(const meshio::LoadedScene& scene, std::span<const OrganPalp
             notes.append(text(note.english()));
         }
     }
-    for (const std::string& question : ratioQuestions(scene, organs)) {
-        notes.append(text(question));
+    for (const core::Message& question : ratioQuestions(scene, organs)) {
+        notes.append(text(question.english()));
     }
     const QJsonObject all{
         {"version", 1},

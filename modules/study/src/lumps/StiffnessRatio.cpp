@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/StiffnessRatio.h"
 
-#include <palpate/core/Numbers.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace palpate::study {
 
@@ -39,32 +38,38 @@ constexpr StiffnessRatio range(double low, double typical, double high, std::str
 constexpr std::array kPublished{
     // Typical: 10.1 / 2.3 kPa. Range: from 5.0, the cut-off to benign tumours, to 35.9 / 3, cholangiocarcinoma by
     // shear-wave ultrasound.
-    Row{AnatomyKind::MalignantLump, AnatomyKind::Liver, range(2.2, 4.4, 5.2, kLiver), "malignant tumour of the liver"},
+    Row{AnatomyKind::MalignantLump, AnatomyKind::Liver, range(2.2, 4.4, 5.2, kLiver),
+        PALPATE_TEXT("malignant tumour of the liver")},
     // Typical: 2.7 / 2.3 kPa. Range: from normal liver to 26.7 / 3, focal nodular hyperplasia.
-    Row{AnatomyKind::BenignLump, AnatomyKind::Liver, range(1.0, 1.2, 3.9, kLiver), "benign tumour of the liver"},
-    Row{AnatomyKind::Lump, AnatomyKind::Liver, range(1.0, 4.4, 5.2, kLiver), "tumour of the liver"},
+    Row{AnatomyKind::BenignLump, AnatomyKind::Liver, range(1.0, 1.2, 3.9, kLiver),
+        PALPATE_TEXT("benign tumour of the liver")},
+    Row{AnatomyKind::Lump, AnatomyKind::Liver, range(1.0, 4.4, 5.2, kLiver), PALPATE_TEXT("tumour of the liver")},
     // Typical: 5.9 / 2.3 kPa. Values overlap the ranges of benign and of malignant tumours.
-    Row{AnatomyKind::FibroticArea, AnatomyKind::Liver, range(1.2, 2.6, 4.4, kLiver), "fibrotic liver"},
-    Row{AnatomyKind::MalignantLump, AnatomyKind::Prostate, range(1.4, 2.1, 2.5, kProstate), "cancer of the prostate"},
+    Row{AnatomyKind::FibroticArea, AnatomyKind::Liver, range(1.2, 2.6, 4.4, kLiver), PALPATE_TEXT("fibrotic liver")},
+    Row{AnatomyKind::MalignantLump, AnatomyKind::Prostate, range(1.4, 2.1, 2.5, kProstate),
+        PALPATE_TEXT("cancer of the prostate")},
     // Benign hyperplasia is no stiffer than normal tissue (Krouskop et al. 1998).
-    Row{AnatomyKind::Lump, AnatomyKind::Prostate, range(1.0, 2.1, 2.5, kProstate), "nodule of the prostate"},
+    Row{AnatomyKind::Lump, AnatomyKind::Prostate, range(1.0, 2.1, 2.5, kProstate),
+        PALPATE_TEXT("nodule of the prostate")},
     Row{AnatomyKind::MalignantLump, AnatomyKind::Breast, range(3.0, 4.5, 13.0, kBreast),
-        "malignant tumour of the "
-        "breast"},
-    Row{AnatomyKind::BenignLump, AnatomyKind::Breast, range(2.0, 2.0, 6.0, kBreast), "benign tumour of the breast"},
-    Row{AnatomyKind::Lump, AnatomyKind::Breast, range(2.0, 4.5, 13.0, kBreast), "tumour of the breast"},
+        PALPATE_TEXT("malignant tumour of the breast")},
+    Row{AnatomyKind::BenignLump, AnatomyKind::Breast, range(2.0, 2.0, 6.0, kBreast),
+        PALPATE_TEXT("benign tumour of the breast")},
+    Row{AnatomyKind::Lump, AnatomyKind::Breast, range(2.0, 4.5, 13.0, kBreast), PALPATE_TEXT("tumour of the breast")},
     Row{AnatomyKind::MalignantLump, AnatomyKind::Thyroid, range(5.2, 9.6, 14.1, kThyroid),
-        "malignant nodule of the "
-        "thyroid"},
-    Row{AnatomyKind::BenignLump, AnatomyKind::Thyroid, range(1.0, 3.4, 5.8, kThyroid), "benign nodule of the thyroid"},
-    Row{AnatomyKind::Lump, AnatomyKind::Thyroid, range(1.0, 9.6, 14.1, kThyroid), "nodule of the thyroid"},
-    Row{AnatomyKind::MalignantLump, AnatomyKind::Pancreas, range(1.6, 1.9, 2.5, kPancreas), "cancer of the pancreas"},
+        PALPATE_TEXT("malignant nodule of the thyroid")},
+    Row{AnatomyKind::BenignLump, AnatomyKind::Thyroid, range(1.0, 3.4, 5.8, kThyroid),
+        PALPATE_TEXT("benign nodule of the thyroid")},
+    Row{AnatomyKind::Lump, AnatomyKind::Thyroid, range(1.0, 9.6, 14.1, kThyroid),
+        PALPATE_TEXT("nodule of the thyroid")},
+    Row{AnatomyKind::MalignantLump, AnatomyKind::Pancreas, range(1.6, 1.9, 2.5, kPancreas),
+        PALPATE_TEXT("cancer of the pancreas")},
     Row{AnatomyKind::BenignLump, AnatomyKind::Pancreas, range(1.0, 1.2, 1.5, kPancreas),
-        "benign tumour of the "
-        "pancreas"},
-    Row{AnatomyKind::Lump, AnatomyKind::Pancreas, range(1.0, 1.9, 2.5, kPancreas), "tumour of the pancreas"},
-    Row{AnatomyKind::Cyst, AnatomyKind::Other, range(0.001, 0.001, 0.001, kFluid), "cyst"},
-    Row{AnatomyKind::Vessel, AnatomyKind::Other, range(0.001, 0.001, 0.001, kFluid), "vessel"},
+        PALPATE_TEXT("benign tumour of the pancreas")},
+    Row{AnatomyKind::Lump, AnatomyKind::Pancreas, range(1.0, 1.9, 2.5, kPancreas),
+        PALPATE_TEXT("tumour of the pancreas")},
+    Row{AnatomyKind::Cyst, AnatomyKind::Other, range(0.001, 0.001, 0.001, kFluid), PALPATE_TEXT("cyst")},
+    Row{AnatomyKind::Vessel, AnatomyKind::Other, range(0.001, 0.001, 0.001, kFluid), PALPATE_TEXT("vessel")},
 };
 
 /// Stiffness of a half-space under a flat punch of radius a = 5 mm, approximating a fingertip: k = 2 a E / (1 - nu^2),
@@ -188,21 +193,23 @@ std::optional<StiffnessRatio> stiffnessRatio(const meshio::SceneStructure& lump,
     return hasTissue && isChosen(organ, nullptr) ? std::optional(byTissue) : std::nullopt;
 }
 
-std::string ratioQuestion(const std::string& lump, const std::string& organ)
+core::Message ratioQuestion(const std::string& lump, const std::string& organ)
 {
     const AnatomyKind in = meshio::anatomyKind(organ);
-    std::string known;
+    std::vector<core::Message> known;
     for (const PublishedRatio& one : kPublished) {
-        if (one.organ == in || one.organ == AnatomyKind::Other) {
-            known += (known.empty() ? "" : ", ") + std::string(one.name) + " " + core::shortNumber(one.ratio.typical) +
-                     (one.ratio.isRange()
-                          ? " (" + core::shortNumber(one.ratio.low) + " to " + core::shortNumber(one.ratio.high) + ")"
-                          : std::string());
+        if (one.organ != in && one.organ != AnatomyKind::Other) {
+            continue;
         }
+        const core::Message name(one.name);
+        known.push_back(one.ratio.isRange() ? core::Message(PALPATE_TEXT("%1 %2 (%3 to %4)"), name, one.ratio.typical,
+                                                            one.ratio.low, one.ratio.high)
+                                            : core::Message(PALPATE_TEXT("%1 %2"), name, one.ratio.typical));
     }
-    return lump + ": how many times as stiff as " + organ +
-           " it is, is not known, so no verdict is given; expected a ratio, as --ratio \"" + lump +
-           "=R\" or `young_ratio` in a scene file. Published: " + known;
+    return {
+        PALPATE_TEXT("%1: the stiffness ratio to %2 is not known, so no verdict is given; expected a ratio, as --ratio "
+                     "\"%1=R\" or `young_ratio` in a scene file. Published: %3"),
+        lump, organ, core::joined(known)};
 }
 
 } // namespace palpate::study

@@ -145,12 +145,9 @@ void OpenScene::resolveMaps(std::size_t structure, SceneEvents& events)
         events.push_back({Kind::MapsWanted, structure}); // volumes are read on a worker thread
         return;
     }
-    std::vector<std::string> warnings, losses;
+    std::vector<core::Message> warnings, losses;
     meshio::resolveMaps(one.loaded, warnings, losses);
-    one.mapProblems.clear();
-    for (const std::string& line : losses) {
-        one.mapProblems.push_back(core::Message::untranslated(line));
-    }
+    one.mapProblems = std::move(losses);
     refreshTouchMaps(one);
 }
 

@@ -202,24 +202,27 @@ std::optional<std::size_t> Layering::palpableParent(std::size_t structure, const
     return in;
 }
 
-std::vector<std::string> Layering::sentences(const std::vector<std::string>& names,
-                                             const std::vector<bool>& isFelt) const
+std::vector<core::Message> Layering::sentences(const std::vector<std::string>& names,
+                                               const std::vector<bool>& isFelt) const
 {
-    std::vector<std::string> lines;
+    std::vector<core::Message> lines;
     for (std::size_t i = 0; i < structures.size(); ++i) {
         const Structure& one = structures[i];
         const std::optional<std::size_t> in = isFelt[i] ? palpableParent(i, isFelt) : std::nullopt;
         if (one.twin) {
-            lines.push_back(names[i] + " and " + names[*one.twin] + " are the same surface twice");
+            lines.push_back({PALPATE_TEXT("%1 and %2 are the same surface twice"), names[i], names[*one.twin]});
         } else if (in && one.depth > one.layer) {
-            lines.push_back(names[i] + " lies in " + names[*in] + ", which is felt in the last of " +
-                            std::to_string(haptics::kMaxLayers) + " layers: both are felt in that one");
+            lines.push_back(
+                {PALPATE_TEXT("%1 lies in %2, which is felt in the last of %3 layers: both are felt in that "
+                              "one"),
+                 names[i], names[*in], haptics::kMaxLayers});
         } else if (in) {
-            lines.push_back(names[i] + " lies in " + names[*in] + " and is felt below it");
+            lines.push_back({PALPATE_TEXT("%1 lies in %2 and is felt below it"), names[i], names[*in]});
         }
         if (isFelt[i] && one.unreliableParent && isFelt[*one.unreliableParent]) {
-            lines.push_back(names[i] + " seems to lie in " + names[*one.unreliableParent] +
-                            ", whose surface is open or inside out: it is not felt below it");
+            lines.push_back(
+                {PALPATE_TEXT("%1 seems to lie in %2, whose surface is open or inside out: it is not felt below it"),
+                 names[i], names[*one.unreliableParent]});
         }
     }
     return lines;
@@ -230,7 +233,7 @@ Layering layering(std::span<const LayeredSurface> surfaces)
     return Nesting(surfaces).find();
 }
 
-std::vector<std::string> setLayers(meshio::LoadedScene& scene, std::shared_ptr<const haptics::HapticScene>& felt)
+std::vector<core::Message> setLayers(meshio::LoadedScene& scene, std::shared_ptr<const haptics::HapticScene>& felt)
 {
     std::vector<LayeredSurface> surfaces;
     std::vector<std::string> names;

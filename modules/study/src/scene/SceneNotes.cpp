@@ -5,9 +5,7 @@
 #include <palpate/haptics/ForceTable.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -38,14 +36,17 @@ bool isSameSurface(const Layering& found, std::size_t a, std::size_t b)
     return found.structures[a].twin.value_or(a) == found.structures[b].twin.value_or(b);
 }
 
-std::string gapSentence(const std::string& a, const std::string& b, const geometry::SurfaceGap& gap)
+core::Message gapSentence(const std::string& a, const std::string& b, const geometry::SurfaceGap& gap)
 {
-    std::array<char, 240> text{};
-    std::snprintf(text.data(), text.size(),
-                  "within %.2g mm of each other at (%.6g, %.6g, %.6g) without touching: a point falls into the gap, a "
-                  "fingertip of 0.5 mm or more rides over it",
-                  gap.distance_mm, gap.at.x(), gap.at.y(), gap.at.z());
-    return a + " and " + b + " come " + text.data();
+    return {
+        PALPATE_TEXT("%1 and %2 come within %3 mm of each other at (%4, %5, %6) without touching: a point falls into "
+                     "the gap, a fingertip of 0.5 mm or more rides over it"),
+        a,
+        b,
+        core::Rounded{gap.distance_mm, 2},
+        gap.at.x(),
+        gap.at.y(),
+        gap.at.z()};
 }
 
 /// Two structures of one layer with a possibly palpable border.
@@ -83,12 +84,10 @@ std::vector<Border> bordersOf(std::span<const NeighbourSurface> surfaces, const 
     return borders;
 }
 
-std::string seamSentence(const std::string& a, const std::string& b, const Border& border)
+core::Message seamSentence(const std::string& a, const std::string& b, const Border& border)
 {
-    std::array<char, 120> text{};
-    std::snprintf(text.data(), text.size(),
-                  " touch in one layer and differ %.2g-fold in stiffness: the force steps at the seam", border.ratio);
-    return a + " and " + b + text.data();
+    return {PALPATE_TEXT("%1 and %2 touch in one layer and differ %3-fold in stiffness: the force steps at the seam"),
+            a, b, core::Rounded{border.ratio, 2}};
 }
 
 } // namespace
@@ -111,7 +110,7 @@ double pressStiffness(const core::Tissue& tissue)
     return table == nullptr ? tissue.stiffness_N_per_mm : table->force(kPress_mm) / kPress_mm;
 }
 
-std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces, const Layering& found)
+std::vector<core::Message> borderNotes(std::span<const NeighbourSurface> surfaces, const Layering& found)
 {
     const std::vector<Border> borders = bordersOf(surfaces, found);
     std::vector<std::optional<geometry::SurfaceGap>> gaps(borders.size());
@@ -119,7 +118,7 @@ std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces,
         gaps[i] = geometry::nearestWithin(*surfaces[borders[i].a].index, *surfaces[borders[i].b].index, kNarrowGap_mm,
                                           kTouching_mm);
     });
-    std::vector<std::string> lines;
+    std::vector<core::Message> lines;
     for (std::size_t i = 0; i < borders.size(); ++i) {
         const Border& border = borders[i];
         const std::string &a = surfaces[border.a].name, &b = surfaces[border.b].name;
@@ -134,36 +133,42 @@ std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces,
     return lines;
 }
 
-std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces)
+std::vector<core::Message> borderNotes(std::span<const NeighbourSurface> surfaces)
 {
     return borderNotes(surfaces, layeringOf(surfaces));
 }
 
-std::vector<std::string> maskedLumpNotes(std::span<const NeighbourSurface> surfaces, const Layering& found)
+std::vector<core::Message> maskedLumpNotes(std::span<const NeighbourSurface> surfaces, const Layering& found)
 {
-    std::vector<std::string> lines;
+    std::vector<core::Message> lines;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const std::optional<std::size_t> in = found.structures[i].in;
         if (surfaces[i].index == nullptr || !in || surfaces[*in].index == nullptr ||
             surfaces[*in].layer != surfaces[i].layer) {
             continue;
         }
-        const char* const when = isWhollyInside(*surfaces[i].surface, *surfaces[*in].index)
-                                     ? "it is never felt"
-                                     : "it is felt only where it reaches out";
+        const std::string &name = surfaces[i].name, &around = surfaces[*in].name;
         lines.push_back(
-            surfaces[i].name + " lies in " + surfaces[*in].name + " and in the same layer: " + when +
-            "; a deeper layer lets it be felt (--layers auto for mesh files, the field layer in a scene file)");
+            isWhollyInside(*surfaces[i].surface, *surfaces[*in].index)
+                ? core::Message(
+                      PALPATE_TEXT("%1 lies in %2 and in the same layer: it is never felt; a deeper layer lets "
+                                   "it be felt (--layers auto for mesh files, the field layer in a scene file)"),
+                      name, around)
+                : core::Message(
+                      PALPATE_TEXT("%1 lies in %2 and in the same layer: it is felt only where it reaches out; "
+                                   "a deeper layer lets it be felt (--layers auto for mesh files, the field "
+                                   "layer in a scene file)"),
+                      name, around));
     }
     return lines;
 }
 
-std::vector<std::string> neighbourNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt)
+std::vector<core::Message> neighbourNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt)
 {
     const std::vector<NeighbourSurface> surfaces = neighbours(scene, felt);
     const Layering found = layeringOf(surfaces);
-    std::vector<std::string> lines = maskedLumpNotes(surfaces, found);
-    for (std::string& line : borderNotes(surfaces, found)) {
+    std::vector<core::Message> lines = maskedLumpNotes(surfaces, found);
+    for (core::Message& line : borderNotes(surfaces, found)) {
         lines.push_back(std::move(line));
     }
     return lines;

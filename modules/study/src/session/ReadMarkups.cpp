@@ -37,25 +37,23 @@ class LossList
         : m_file(std::move(file))
     {
     }
-    void add(const std::string& what, const std::string& place)
+    void add(const core::Message& what, const std::string& place)
     {
         for (Loss& loss : m_losses) {
-            if (loss.what == what) {
+            if (loss.what.english() == what.english()) {
                 ++loss.count;
                 return;
             }
         }
         m_losses.push_back({what, place, 1});
     }
-    [[nodiscard]] std::vector<std::string> lines() const
+    [[nodiscard]] std::vector<core::Message> lines() const
     {
-        std::vector<std::string> out;
+        std::vector<core::Message> out;
         for (const Loss& loss : m_losses) {
-            std::string line = m_file + ": " + loss.place + ": " + loss.what;
-            if (loss.count > 1) {
-                line += " (and " + core::grouped(loss.count - 1) + " more)";
-            }
-            out.push_back(std::move(line));
+            out.push_back(loss.count > 1 ? core::Message(PALPATE_TEXT("%1: %2: %3 (and %4 more)"), m_file, loss.place,
+                                                         loss.what, core::Count(loss.count - 1))
+                                         : core::Message(PALPATE_TEXT("%1: %2: %3"), m_file, loss.place, loss.what));
         }
         return out;
     }
@@ -63,7 +61,7 @@ class LossList
   private:
     struct Loss
     {
-        std::string what;
+        core::Message what;
         std::string place;
         int count = 0;
     };
@@ -127,11 +125,12 @@ class MarkupsReader
         static const QRegularExpression kVersion(QStringLiteral("v(\\d+)\\.(\\d+)"));
         const QRegularExpressionMatch found = kVersion.match(schema.toString());
         if (found.hasMatch() ? found.captured(1) != QLatin1String("1") : true) {
-            m_losses.add((found.hasMatch() ? "found version " + found.captured(1) + '.' + found.captured(2)
-                                           : QStringLiteral("found no version"))
-                                 .toStdString() +
-                             ", expected 1.0: read as far as it is the same",
-                         "@schema");
+            m_losses.add(
+                found.hasMatch()
+                    ? core::Message(PALPATE_TEXT("found version %1, expected 1.0: read as far as it is the same"),
+                                    (found.captured(1) + '.' + found.captured(2)).toStdString())
+                    : core::Message(PALPATE_TEXT("found no version, expected 1.0: read as far as it is the same")),
+                "@schema");
         }
     }
 
@@ -139,22 +138,24 @@ class MarkupsReader
     {
         const QString type = list["type"].toString();
         if (type != QLatin1String("Fiducial")) {
-            m_losses.add("found " + core::inQuotes(type.toStdString()) + ", expected a list of points: left out",
-                         place + ".type");
+            m_losses.add(
+                {PALPATE_TEXT("found %1, expected a list of points: left out"), core::inQuotes(type.toStdString())},
+                place + ".type");
             return;
         }
         const QString system = list["coordinateSystem"].toString(QStringLiteral("LPS"));
         m_isRas = system == QLatin1String("RAS") || system == QLatin1String("0");
         const bool isLps = system == QLatin1String("LPS") || system == QLatin1String("1");
         if (!m_isRas && !isLps) {
-            m_losses.add("found " + core::inQuotes(system.toStdString()) +
-                             ", expected LPS or RAS: the list is left out",
+            m_losses.add({PALPATE_TEXT("found %1, expected LPS or RAS: the list is left out"),
+                          core::inQuotes(system.toStdString())},
                          place + ".coordinateSystem");
             return;
         }
         const auto unit_mm = unitOf(list["coordinateUnits"]);
         if (!unit_mm) {
-            m_losses.add("found another unit, expected mm or um: the list is left out", place + ".coordinateUnits");
+            m_losses.add({PALPATE_TEXT("found another unit, expected mm or um: the list is left out")},
+                         place + ".coordinateUnits");
             return;
         }
         m_unit_mm = *unit_mm;
@@ -171,7 +172,7 @@ class MarkupsReader
     void addPoint(const QJsonObject& point, const std::string& place)
     {
         if (m_findings.size() >= kMaxMarkups) {
-            m_losses.add("found more than " + core::grouped(kMaxMarkups) + " points: left out", place);
+            m_losses.add({PALPATE_TEXT("found more than %1 points: left out"), core::Count(kMaxMarkups)}, place);
             return;
         }
         const bool isOurs = point["palpate"].isObject();
@@ -193,13 +194,14 @@ class MarkupsReader
         const QString status = point["positionStatus"].toString(QStringLiteral("defined"));
         const QJsonArray numbers = point["position"].toArray();
         if (status != QLatin1String("defined") || numbers.size() != 3) {
-            m_losses.add("found no position: left out", place);
+            m_losses.add({PALPATE_TEXT("found no position: left out")}, place);
             return false;
         }
         for (int axis = 0; axis < 3; ++axis) {
             const double value = numbers[axis].toDouble(std::nan("")) * m_unit_mm;
             if (!(std::abs(value) <= kMostMm)) {
-                m_losses.add("found a coordinate that is no number within 1e7 mm: left out", place + ".position");
+                m_losses.add({PALPATE_TEXT("found a coordinate that is not a number within 1e7 mm: left out")},
+                             place + ".position");
                 return false;
             }
             finding.p_W[axis] = m_isRas && axis < 2 ? -value : value;
@@ -214,8 +216,8 @@ class MarkupsReader
         if (text.size() <= kMostLetters) {
             return text.toStdString();
         }
-        m_losses.add("found a text of " + core::grouped(text.size()) + " letters, expected at most " +
-                         core::grouped(kMostLetters) + ": shortened",
+        m_losses.add({PALPATE_TEXT("found a text of %1 characters, expected at most %2: shortened"),
+                      core::Count(text.size()), core::Count(kMostLetters)},
                      place);
         const bool cutsPair = text[kMostLetters - 1].isHighSurrogate();
         return text.left(kMostLetters - (cutsPair ? 1 : 0)).toStdString();

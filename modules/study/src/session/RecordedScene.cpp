@@ -139,7 +139,7 @@ class Reopening
     Result<meshio::LoadedScene> run()
     {
         for (const core::Message& fault : m_reader.faults()) {
-            m_out.losses.push_back(m_reader.path().filename().string() + ": " + fault.english());
+            m_out.losses.push_back({PALPATE_TEXT("%1: %2"), m_reader.path().filename(), fault});
         }
         m_found.resize(m_records.size());
         for (std::size_t i = 0; i < m_records.size(); ++i) {
@@ -157,9 +157,10 @@ class Reopening
         }
         const std::string name = m_reader.path().filename().string();
         if (m_out.structures.empty()) {
-            return Status(StatusCode::NotFound, name + ": found none of the surfaces that it was made on" +
-                                                    (m_out.losses.empty() ? ": it holds none and names no mesh"
-                                                                          : ": " + m_out.losses.front()));
+            return Status(StatusCode::NotFound, PALPATE_TEXT("%1: found none of the surfaces that it was made on: %2"),
+                          name,
+                          m_out.losses.empty() ? core::Message(PALPATE_TEXT("it contains none and names no mesh"))
+                                               : m_out.losses.front());
         }
         m_out.scene.camera = m_look.camera;
         for (auto& [tick, finding] : session::findingsOf(m_reader.events())) {
@@ -209,7 +210,7 @@ class Reopening
         auto surface = m_reader.embedded(record.source.sha256);
         if (!surface.isOk()) {
             if (surface.status().code() != StatusCode::NotFound) {
-                m_out.losses.push_back(record.name + ": " + surface.status().message());
+                m_out.losses.push_back(surface.status().at(record.name).text());
             }
             return std::nullopt;
         }
@@ -232,8 +233,9 @@ class Reopening
                 wanted.structures.back().mesh = fs::absolute(*mesh).lexically_normal();
                 numbers.push_back(i);
             } else if (!m_found[i]) {
-                m_out.losses.push_back(m_records[i].name + ": " + said.filename().string() +
-                                       ": no such file, neither where it was nor beside the recording");
+                m_out.losses.push_back(
+                    {PALPATE_TEXT("%1: %2: no such file, neither where it was nor beside the recording"),
+                     m_records[i].name, said.filename()});
             }
         }
         if (wanted.structures.empty()) {
@@ -245,7 +247,7 @@ class Reopening
         auto read = meshio::loadScene(std::move(wanted), m_reader.path(), options);
         if (!read.isOk()) {
             if (read.status().code() != StatusCode::Cancelled) {
-                m_out.losses.push_back(read.status().message());
+                m_out.losses.push_back(read.status().text());
                 return {};
             }
             return read.status();
@@ -262,8 +264,9 @@ class Reopening
             }
             const StructureRecord& record = m_records[numbers[i]];
             if (!record.source.sha256.empty() && session::geometryHash(one.surface->mesh) != record.source.sha256) {
-                m_out.losses.push_back(record.name + ": " + asked[i].mesh.filename().string() +
-                                       ": is another surface now than was recorded; opened as it is now");
+                m_out.losses.push_back(
+                    {PALPATE_TEXT("%1: %2: is another surface now than was recorded; opened as it is now"), record.name,
+                     asked[i].mesh.filename()});
             }
             m_found[numbers[i]] = std::move(one);
             ++next;
@@ -300,7 +303,8 @@ class Reopening
                 continue;
             }
             if (map.corners->size() != index->triangleCount()) {
-                m_out.losses.push_back(record.name + ": its recorded map is of another surface; it is not felt");
+                m_out.losses.push_back(
+                    {PALPATE_TEXT("%1: its recorded map is of another surface; it is not felt"), record.name});
                 continue;
             }
             one.maps.push_back(surfaceMap(map, quantity, *index, *one.surface));
@@ -313,8 +317,10 @@ class Reopening
         const auto index = indexed(*one.surface);
         for (const haptics::TissueMap& felt : record.tissueMaps.felt) {
             if (felt.isEmpty() || felt.corners->size() != index->triangleCount()) {
-                m_out.losses.push_back(record.name +
-                                       ": what lumps below it made is of another surface; it is not felt");
+                m_out.losses.push_back(
+                    {PALPATE_TEXT("%1: the recorded effect of its lumps is of another surface; it is not "
+                                  "felt"),
+                     record.name});
                 one.feltBelow.clear();
                 return;
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/DeviceChoice.h"
 
-#include "palpate/ui/EngineTexts.h"
+#include "palpate/ui/Translated.h"
 
 #include <palpate/device/OtherDevices.h>
 #include <palpate/device/PlaybackDevice.h>
@@ -79,7 +79,7 @@ void DeviceChoice::fill(QMenu& menu)
         m_group->addAction(action);
         connect(action, &QAction::triggered, this, [this, id] {
             if (const Status status = choose(id); !status.isOk()) {
-                Q_EMIT refused(engineText(status));
+                Q_EMIT refused(translated(status));
             }
         });
     };
@@ -98,7 +98,7 @@ void DeviceChoice::fill(QMenu& menu)
             } else {
                 QAction* action = menu.addAction(tr("%1 (skipped)").arg(QString::fromStdString(entry.file.filename())));
                 action->setEnabled(false);
-                action->setToolTip(engineText(entry.status));
+                action->setToolTip(translated(entry.status));
             }
         }
         if (hasPuck) {
@@ -109,7 +109,7 @@ void DeviceChoice::fill(QMenu& menu)
     menu.addSeparator();
     QAction* calibrate = menu.addAction(tr("Calibrate"), this, [this] {
         if (const Status status = m_live.calibrate(); !status.isOk()) {
-            Q_EMIT refused(engineText(status));
+            Q_EMIT refused(translated(status));
         }
     });
     calibrate->setToolTip(tr("Use the current pose of the device as calibration pose"));
@@ -152,7 +152,7 @@ void DeviceChoice::usePuck(SixAxisMouseUse use)
     m_puckActions[0]->setChecked(m_puckUse == SixAxisMouseUse::MovesView);
     m_puckActions[1]->setChecked(m_puckUse == SixAxisMouseUse::Presses);
     if (!status.isOk()) {
-        Q_EMIT refused(engineText(status));
+        Q_EMIT refused(translated(status));
     } else if (m_puckUse == SixAxisMouseUse::Presses) {
         Q_EMIT pressingWanted();
     }
@@ -319,7 +319,7 @@ void DeviceChoice::reportBusDevices()
     if (m_plugins != nullptr) {
         for (const device::PluginEntry& entry : m_plugins->plugins()) {
             if (!entry.status.isOk()) {
-                lines << engineText(entry.status);
+                lines << translated(entry.status);
             }
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/HandControl.h"
 
-#include "palpate/ui/EngineTexts.h"
+#include "palpate/ui/Translated.h"
 
 #include <palpate/geometry/Inside.h>
 #include <palpate/study/HapticCopy.h>
@@ -97,14 +97,14 @@ void HandControl::takeLoop()
         m_panel.setSettings(settings);
         // Queued, to follow other messages about a newly selected device.
         QMetaObject::invokeMethod(
-            this, [this, line = tr("%1; using any CPU").arg(engineText(allowed))] { Q_EMIT said(line); },
+            this, [this, line = tr("%1; using any CPU").arg(translated(allowed))] { Q_EMIT said(line); },
             Qt::QueuedConnection);
     }
     if (const core::Status status = m_live.setLoop(settings.rate_kHz * 1000.0, settings.cpu); !status.isOk()) {
         settings.rate_kHz = static_cast<int>(m_live.rate_Hz() * 1e-3);
         settings.cpu = m_live.cpu();
         m_panel.setSettings(settings);
-        Q_EMIT said(engineText(status));
+        Q_EMIT said(translated(status));
     }
 }
 

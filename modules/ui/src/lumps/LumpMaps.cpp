@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/LumpMaps.h"
 
-#include "palpate/ui/EngineTexts.h"
 #include "palpate/ui/Translated.h"
 
 #include <palpate/view/SurfaceMesh.h>
@@ -154,7 +153,7 @@ class LumpMaps::Making
         auto felt = study::feltSurface(m_scene, organ, how);
         m_done += 1.0;
         if (!felt.isOk()) {
-            m_found.notes << engineText(felt.status());
+            m_found.notes << translated(felt.status());
             return;
         }
         for (const core::Message& note : felt.value().notes) {

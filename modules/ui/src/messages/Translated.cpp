@@ -11,6 +11,7 @@ namespace palpate::ui {
 namespace {
 
 constexpr const char* kMessageContext = "palpate::Message"; // set by resources/translations/update.sh
+constexpr core::MessageText<core::Message> kInEnglish(PALPATE_TEXT("%1 (in English)"));
 
 /// Reformats a number of an English message for the window's locale.
 std::string localized(const std::string& english)
@@ -47,8 +48,8 @@ std::string translatedBytes(const core::Message& message)
 
 QString translated(const core::Message& message)
 {
-    const char* const marked = QT_TRANSLATE_NOOP("palpate::ui::Engine", "%1 (in English)");
-    const QString mark = QCoreApplication::translate("palpate::ui::Engine", marked);
+    const char* const marked = kInEnglish.text().data();
+    const QString mark = QCoreApplication::translate(kMessageContext, marked);
     if (message.isEmpty() || mark == QLatin1String(marked)) {
         return QString::fromStdString(message.english()); // English window
     }

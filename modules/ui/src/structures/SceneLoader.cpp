@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/SceneLoader.h"
 
-#include "palpate/ui/EngineTexts.h"
+#include "palpate/ui/Translated.h"
 
 #include <palpate/meshio/SurfaceMaps.h>
 #include <palpate/session/GeometryHash.h>
@@ -168,7 +168,7 @@ class SceneLoader::Opening
         if (loaded.isOk()) {
             add(std::move(loaded).value(), file);
         } else if (loaded.status().code() != core::StatusCode::Cancelled) {
-            m_problems << engineText(loaded.status());
+            m_problems << translated(loaded.status());
         }
     }
 
@@ -186,11 +186,11 @@ class SceneLoader::Opening
             m_opened->rows.emplace_back().loaded = std::move(one);
         }
         m_opened->unopened.insert(m_opened->unopened.end(), part.unopened.begin(), part.unopened.end());
-        for (const std::string& line : part.losses) {
-            m_problems << engineText(line);
+        for (const core::Message& line : part.losses) {
+            m_problems << translated(line);
         }
-        for (const std::string& line : part.warnings) {
-            m_opened->warnings << engineText(line);
+        for (const core::Message& line : part.warnings) {
+            m_opened->warnings << translated(line);
         }
     }
 
@@ -357,11 +357,8 @@ void SceneLoader::buildSurface(int row, const meshio::LoadedStructure& structure
         one.surface = std::move(shaped.surface);
         one.staircase = shaped.staircase;
         one.smoothing = shaped.smoothing;
-        std::vector<std::string> warnings, losses;
-        meshio::resolveMaps(one, warnings, losses);
-        for (const std::string& line : losses) {
-            built->mapProblems.push_back(core::Message::untranslated(line));
-        }
+        std::vector<core::Message> warnings;
+        meshio::resolveMaps(one, warnings, built->mapProblems);
         built->picture = view::makeSurface(*one.surface);
         if (one.description.palpable) {
             built->touch = study::indexed(*one.surface);
@@ -397,8 +394,8 @@ void SceneLoader::findGaps(const std::vector<study::OpenStructure>& rows)
     }
     m_builders.start([this, kept, scene = m_scene] {
         QStringList lines;
-        for (const std::string& line : study::borderNotes(kept->neighbours)) {
-            lines << engineText(line);
+        for (const core::Message& line : study::borderNotes(kept->neighbours)) {
+            lines << translated(line);
         }
         QMetaObject::invokeMethod(
             this,
@@ -416,12 +413,8 @@ void SceneLoader::buildMaps(int row, const meshio::LoadedStructure& structure)
     ++m_mapJobs;
     m_builders.start([this, row, made = std::make_shared<meshio::LoadedStructure>(structure), scene = m_scene,
                       job = m_maps] {
-        std::vector<std::string> warnings, losses;
-        meshio::resolveMaps(*made, warnings, losses, [&job] { return !job->isCancelled; });
-        std::vector<core::Message> problems;
-        for (const std::string& line : losses) {
-            problems.push_back(core::Message::untranslated(line));
-        }
+        std::vector<core::Message> warnings, problems;
+        meshio::resolveMaps(*made, warnings, problems, [&job] { return !job->isCancelled; });
         QMetaObject::invokeMethod(
             this,
             [this, row, made, problems, scene, job]() mutable {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/StructureModel.h"
 
-#include "palpate/ui/EngineTexts.h"
 #include "palpate/ui/Theme.h"
+#include "palpate/ui/Translated.h"
 
 #include <palpate/study/HapticCopy.h>
 
@@ -376,12 +376,12 @@ QStringList StructureModel::findings(int row) const
     QStringList lines;
     const meshio::LoadedStructure& one = rows()[static_cast<std::size_t>(row)].loaded;
     if (one.surface != nullptr) {
-        for (const std::string& sentence : one.surface->report.sentences()) {
-            lines << engineText(sentence);
+        for (const core::Message& sentence : one.surface->report.sentences()) {
+            lines << translated(sentence);
         }
     }
-    for (const std::string& sentence : meshio::shapeSentences(one.staircase, one.smoothing)) {
-        lines << engineText(sentence);
+    for (const core::Message& sentence : meshio::shapeSentences(one.staircase, one.smoothing)) {
+        lines << translated(sentence);
     }
     return lines;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/LawEditor.h"
 
-#include "palpate/ui/EngineTexts.h"
-
 #include "palpate/ui/Translated.h"
 #include "tissue/LawPlot.h"
 #include "widgets/ShownComboBox.h"
@@ -157,7 +155,7 @@ void LawEditor::load(const std::filesystem::path& path)
     if (points.isOk()) {
         Q_EMIT edited({core::LawKind::Points, {}, std::move(points).value()});
     } else {
-        Q_EMIT refused(engineText(points.status()));
+        Q_EMIT refused(translated(points.status()));
     }
 }
 

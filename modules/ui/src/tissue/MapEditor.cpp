@@ -4,7 +4,7 @@
 #include "palpate/ui/MapDisplay.h"
 #include "palpate/ui/Theme.h"
 
-#include "palpate/ui/EngineTexts.h"
+#include "palpate/ui/Translated.h"
 #include "widgets/ShownComboBox.h"
 
 #include <palpate/meshio/SurfaceMaps.h>
@@ -151,7 +151,7 @@ void MapEditor::show(const study::OpenStructure& row, const QString& coloured)
     m_structure = row.loaded;
     m_problems.clear();
     for (const core::Message& problem : row.mapProblems) {
-        m_problems << engineText(problem);
+        m_problems << translated(problem);
     }
     refresh();
     refreshColours(coloured);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/StructurePanel.h"
 
-#include "palpate/ui/EngineTexts.h"
-
 #include "structures/StructureList.h"
 #include "widgets/ShownComboBox.h"
 
@@ -716,7 +714,7 @@ void StructurePanel::showBound(int row)
 QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const haptics::Tissue& now) const
 {
     if (const core::Status law = core::check(asked.law); !law.isOk()) {
-        QString why = engineText(law);
+        QString why = translated(law);
         // Label of the field instead of the file's key.
         for (const core::LawParameter& term : core::lawParameters(asked.law.kind)) {
             why.replace(QLatin1String(term.key.data()), translated(core::Message(term.name)));

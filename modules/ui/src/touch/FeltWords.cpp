@@ -2,6 +2,7 @@
 #include "palpate/ui/FeltWords.h"
 
 #include "palpate/ui/StructureModel.h"
+#include "palpate/ui/Translated.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -17,7 +18,7 @@ namespace {
 constexpr const char* kContext = "palpate::ui::FeltWords";
 
 /// Texts of buried::kVerdictNames and study::sourceText, listed for the translation catalogues.
-[[maybe_unused]] constexpr std::array<const char*, 26> kTranslated{
+[[maybe_unused]] constexpr std::array<const char*, 9> kTranslated{
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "not by hand"),
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "by a trained hand"),
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "plainly"),
@@ -27,23 +28,6 @@ constexpr const char* kContext = "palpate::ui::FeltWords";
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "from the tissues' stiffness"),
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "stiffness ratio not known"),
     QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "published for such lumps"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "malignant tumour of the liver"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "benign tumour of the liver"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "tumour of the liver"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "fibrotic liver"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "cancer of the prostate"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "nodule of the prostate"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "malignant tumour of the breast"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "benign tumour of the breast"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "tumour of the breast"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "malignant nodule of the thyroid"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "benign nodule of the thyroid"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "nodule of the thyroid"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "cancer of the pancreas"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "benign tumour of the pancreas"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "tumour of the pancreas"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "cyst"),
-    QT_TRANSLATE_NOOP("palpate::ui::FeltWords", "vessel"),
 };
 
 QString shortText(double ratio)
@@ -133,7 +117,7 @@ QString ratioRangeText(const std::optional<study::StiffnessRatio>& ratio)
 
 QString publishedName(const study::PublishedRatio& published)
 {
-    return QCoreApplication::translate(kContext, published.name.data());
+    return translated(core::Message(published.name));
 }
 
 QString verdictText(buried::Verdict verdict)

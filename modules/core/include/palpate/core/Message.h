@@ -77,6 +77,13 @@ struct Count
     bool isNegative;
 };
 
+/// Number displayed with at most this many significant digits, "0.62", instead of six.
+struct Rounded
+{
+    double value;
+    int digits;
+};
+
 /// Argument of a message.
 struct MessageArgument
 {
@@ -111,6 +118,7 @@ struct MessageArgument
     }
     MessageArgument(double number); ///< formatted by `shortNumber` with at most six significant digits
     MessageArgument(Count count);
+    MessageArgument(Rounded number);
     MessageArgument(Message part);
 
     std::string english; ///< English text

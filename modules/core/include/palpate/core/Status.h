@@ -49,10 +49,6 @@ class [[nodiscard]] Status
         : Status(code, Message(text, arguments...))
     {
     }
-    Status(StatusCode code, std::string message)
-        : Status(code, Message::untranslated(std::move(message)))
-    {
-    }
 
     [[nodiscard]] bool isOk() const noexcept { return m_code == StatusCode::Ok; }
     [[nodiscard]] StatusCode code() const noexcept { return m_code; }

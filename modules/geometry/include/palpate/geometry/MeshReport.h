@@ -3,8 +3,9 @@
 
 #include "palpate/geometry/TriangleMesh.h"
 
+#include <palpate/core/Message.h>
+
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace palpate::geometry {
@@ -41,8 +42,8 @@ struct MeshReport
     [[nodiscard]] bool isClosed() const noexcept { return components > 0 && openComponents == 0; }
     /// True if nothing was changed and no defect was found.
     [[nodiscard]] bool isClean() const noexcept;
-    /// Lists the findings in English, one sentence for each entry; empty if `isClean()`.
-    [[nodiscard]] std::vector<std::string> sentences() const;
+    /// Lists the findings, one sentence for each entry; empty if `isClean()`.
+    [[nodiscard]] std::vector<core::Message> sentences() const;
 };
 
 /// Mesh that fulfils the preconditions of SurfaceIndex: all indices in range, no duplicate vertices, no zero-area or

@@ -3,11 +3,12 @@
 
 #include "palpate/geometry/TriangleMesh.h"
 
+#include <palpate/core/Message.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <optional>
-#include <string>
 
 namespace palpate::geometry {
 
@@ -23,8 +24,8 @@ struct Staircase
 
     static constexpr int kDirections = 60; ///< normals within 1° count as the same direction
 
-    /// English description: "staircase of about 1 × 1 × 3 mm voxels (97 % of the area in 60 directions)"
-    [[nodiscard]] std::string sentence() const;
+    /// Description: "staircase of about 1 × 1 × 3 mm voxels (97 % of the area in 60 directions)"
+    [[nodiscard]] core::Message sentence() const;
 };
 
 /// Detects a surface extracted from a binary mask, from the geometry alone. Marching cubes puts every vertex halfway

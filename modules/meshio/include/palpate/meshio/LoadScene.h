@@ -5,6 +5,7 @@
 #include "palpate/meshio/SceneFile.h"
 #include "palpate/meshio/ShapeSurface.h"
 
+#include <palpate/core/Message.h>
 #include <palpate/geometry/MeshReport.h>
 
 #include <memory>
@@ -45,11 +46,11 @@ struct LoadedScene
 {
     SceneFile scene; ///< one entry of `scene.structures` for each of `structures`
     std::vector<LoadedStructure> structures;
-    std::vector<std::string> warnings; ///< one line each for the user: repairs, assumed units, an untagged frame
+    std::vector<core::Message> warnings; ///< one line each for the user: repairs, assumed units, an untagged frame
     /// More likely unit of the mesh files [mm] when the assumed unit gives an organ less than 2 mm wide or a body of
     /// more than 5 m. Never applied; a scene file defines its own units.
     std::optional<double> likelyUnit_mm;
-    std::vector<std::string> losses;      ///< one line each: meshes of the scene that are missing, truncated or changed
+    std::vector<core::Message> losses;    ///< one line each: meshes of the scene that are missing, truncated or changed
     std::vector<SceneStructure> unopened; ///< structures that failed to open, kept for saving the scene
 };
 

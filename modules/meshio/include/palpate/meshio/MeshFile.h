@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/FileFrame.h>
+#include <palpate/core/Message.h>
 #include <palpate/core/Status.h>
 #include <palpate/geometry/Staircase.h>
 #include <palpate/geometry/TriangleMesh.h>
@@ -36,10 +37,10 @@ struct MeshFile
     FileFrame frame = FileFrame::Untagged; ///< tag of the file (`SPACE=` of 3D Slicer), regardless of the options
     double unit_mm = 1.0;                  ///< assumed size of one file unit [mm]
     std::vector<MeshStructure> structures;
-    std::vector<std::string> notes; ///< ignored or assumed content, one sentence per entry
+    std::vector<core::Message> notes; ///< ignored or assumed content, one sentence per entry
     /// Voxels of a label map, whose surfaces are staircases of them; empty for a mesh.
     std::optional<geometry::Staircase> voxels{};
-    std::string loss; ///< missing part of a truncated file, one line with counts; see `isPartial`
+    core::Message loss; ///< missing part of a truncated file, one line with counts; see `isPartial`
 };
 
 struct ReadOptions

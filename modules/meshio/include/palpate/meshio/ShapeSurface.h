@@ -3,12 +3,12 @@
 
 #include "palpate/meshio/SceneFile.h"
 
+#include <palpate/core/Message.h>
 #include <palpate/geometry/MeshReport.h>
 #include <palpate/geometry/Staircase.h>
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace palpate::meshio {
@@ -27,7 +27,7 @@ struct SurfaceSmoothing
     /// "smoothed: vertices moved by at most 0.62 mm, volume +0.31 %", or for a label map "surface from a label map of
     /// 0.8 × 0.8 × 5 mm voxels, smoothed by 0.5: volume changed by -0.40 %, at most 0.31 mm from the voxel boundary".
     /// The distance is that of the vertices from their places before.
-    [[nodiscard]] std::string sentence() const;
+    [[nodiscard]] core::Message sentence() const;
 };
 
 /// A surface for display and haptics, and the data of the processing steps.
@@ -39,8 +39,8 @@ struct ShapedSurface
 };
 
 /// @return sentences on voxel steps and smoothing; the sentence on smoothing also names the voxels of a label map
-[[nodiscard]] std::vector<std::string> shapeSentences(const std::optional<geometry::Staircase>& staircase,
-                                                      const std::optional<SurfaceSmoothing>& smoothing);
+[[nodiscard]] std::vector<core::Message> shapeSentences(const std::optional<geometry::Staircase>& staircase,
+                                                        const std::optional<SurfaceSmoothing>& smoothing);
 
 /// Applies the surface options of a description to a repaired surface: turns inverted closed parts (`outwards`) and
 /// smooths (`surface`, `smoothing`). Does not change the input, and returns the input itself when no option applies.

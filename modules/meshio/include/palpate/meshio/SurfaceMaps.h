@@ -3,9 +3,10 @@
 
 #include "palpate/meshio/LoadScene.h"
 
+#include <palpate/core/Message.h>
+
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace palpate::meshio {
@@ -21,7 +22,7 @@ namespace palpate::meshio {
 /// @param keepGoing  polled on the calling thread while a volume is sampled; false cancels and drops the map
 /// @par Thread Any.
 /// @par Cost O(vertices) for an array; reading and sampling a volume can take seconds.
-void resolveMaps(LoadedStructure& structure, std::vector<std::string>& warnings, std::vector<std::string>& losses,
+void resolveMaps(LoadedStructure& structure, std::vector<core::Message>& warnings, std::vector<core::Message>& losses,
                  const std::function<bool()>& keepGoing = {});
 
 /// @return the number of missing values in a map, where the structure's own value applies.

@@ -4,6 +4,7 @@
 #include "palpate/study/StiffnessRatio.h"
 
 #include <palpate/buried/FeltSurface.h>
+#include <palpate/core/Message.h>
 #include <palpate/meshio/LoadScene.h>
 
 #include <cstddef>
@@ -63,7 +64,7 @@ feltSurface(const meshio::LoadedScene& scene, const OrganWithLumps& organ, const
 /// @return empty for a scene without lumps; Cancelled
 [[nodiscard]] core::Result<std::vector<OrganPalpability>>
 computePalpability(const meshio::LoadedScene& scene, std::vector<OrganPalpability> known = {},
-                   std::vector<std::string>* notes = nullptr, const std::function<bool(double)>& progress = {});
+                   std::vector<core::Message>* notes = nullptr, const std::function<bool(double)>& progress = {});
 
 /// Filters lumps by a predicate. @return organs with at least one accepted lump
 [[nodiscard]] std::vector<OrganWithLumps> filterLumps(std::vector<OrganWithLumps> organs,

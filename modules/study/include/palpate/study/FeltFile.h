@@ -3,6 +3,8 @@
 
 #include "palpate/study/BuriedLumps.h"
 
+#include <palpate/core/Message.h>
+
 #include <QJsonArray>
 
 #include <span>
@@ -17,8 +19,8 @@ namespace palpate::study {
 [[nodiscard]] QJsonArray lumpsJson(const meshio::LoadedScene& scene, std::span<const OrganPalpability> organs);
 
 /// Returns one question for each lump with an unknown stiffness ratio.
-[[nodiscard]] std::vector<std::string> ratioQuestions(const meshio::LoadedScene& scene,
-                                                      std::span<const OrganPalpability> organs);
+[[nodiscard]] std::vector<core::Message> ratioQuestions(const meshio::LoadedScene& scene,
+                                                        std::span<const OrganPalpability> organs);
 
 /// Describes a ratio: "4.4 (1 to 5.2) times as stiff, published for such lumps", "stiffness ratio not known".
 [[nodiscard]] std::string ratioText(const std::optional<StiffnessRatio>& ratio);

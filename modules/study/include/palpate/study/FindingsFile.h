@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/Finding.h>
+#include <palpate/core/Message.h>
 #include <palpate/core/Status.h>
 #include <palpate/session/RecordingReader.h>
 
@@ -36,7 +37,7 @@ inline constexpr const char* kFindingColumns =
 struct Markups
 {
     std::vector<core::Finding> findings;
-    std::vector<std::string> losses; ///< omitted or shortened data, one line per cause with the first location
+    std::vector<core::Message> losses; ///< omitted or shortened data, one line per cause with the first location
 };
 
 /// Maximum number of points read from a file; the rest is skipped.

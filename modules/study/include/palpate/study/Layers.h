@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
 #include <palpate/geometry/MeshReport.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/haptics/HapticScene.h>
@@ -48,8 +49,8 @@ struct Layering
     /// Returns messages for the user, one sentence each. Non-palpable structures are left out of messages about layers.
     /// @param names  names of the structures
     /// @param isFelt  one entry per structure: palpable
-    [[nodiscard]] std::vector<std::string> sentences(const std::vector<std::string>& names,
-                                                     const std::vector<bool>& isFelt) const;
+    [[nodiscard]] std::vector<core::Message> sentences(const std::vector<std::string>& names,
+                                                       const std::vector<bool>& isFelt) const;
     /// Returns the smallest palpable structure around another one.
     [[nodiscard]] std::optional<std::size_t> palpableParent(std::size_t structure,
                                                             const std::vector<bool>& isFelt) const;
@@ -76,6 +77,6 @@ inline constexpr std::size_t kSamples = 256;
 /// Assigns the layers from the nesting to the structures of a scene and of the haptic scene.
 /// @param felt  haptic scene with the same structures (see `hapticScene`)
 /// @return messages about the changes for the user
-std::vector<std::string> setLayers(meshio::LoadedScene& scene, std::shared_ptr<const haptics::HapticScene>& felt);
+std::vector<core::Message> setLayers(meshio::LoadedScene& scene, std::shared_ptr<const haptics::HapticScene>& felt);
 
 } // namespace palpate::study

@@ -3,6 +3,7 @@
 
 #include "palpate/study/Layers.h"
 
+#include <palpate/core/Message.h>
 #include <palpate/core/Tissue.h>
 #include <palpate/geometry/SurfaceGap.h>
 #include <palpate/haptics/HapticScene.h>
@@ -48,16 +49,16 @@ struct NeighbourSurface
 /// nesting, and for each pair that touch or intersect and whose stiffness differs by more than kPalpableSeamRatio: the
 /// force steps where the hand crosses the seam (resources/docs/god-object.md, "Several structures in one contact").
 /// @par Cost See geometry::nearestWithin, on all cores. Not for the servo thread.
-[[nodiscard]] std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces, const Layering& found);
+[[nodiscard]] std::vector<core::Message> borderNotes(std::span<const NeighbourSurface> surfaces, const Layering& found);
 /// Computes the layering and calls the function above.
-[[nodiscard]] std::vector<std::string> borderNotes(std::span<const NeighbourSurface> surfaces);
+[[nodiscard]] std::vector<core::Message> borderNotes(std::span<const NeighbourSurface> surfaces);
 
 /// Returns a sentence for each structure inside another one of the same layer, which cannot be felt through that one.
-[[nodiscard]] std::vector<std::string> maskedLumpNotes(std::span<const NeighbourSurface> surfaces,
-                                                       const Layering& found);
+[[nodiscard]] std::vector<core::Message> maskedLumpNotes(std::span<const NeighbourSurface> surfaces,
+                                                         const Layering& found);
 
 /// Returns both kinds of notes for a scene.
-[[nodiscard]] std::vector<std::string> neighbourNotes(const meshio::LoadedScene& scene,
-                                                      const haptics::HapticScene& felt);
+[[nodiscard]] std::vector<core::Message> neighbourNotes(const meshio::LoadedScene& scene,
+                                                        const haptics::HapticScene& felt);
 
 } // namespace palpate::study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Message.h>
 #include <palpate/meshio/AnatomyKind.h>
 #include <palpate/meshio/SceneFile.h>
 
@@ -45,7 +46,7 @@ struct PublishedRatio
     meshio::AnatomyKind lump;
     meshio::AnatomyKind organ; ///< Other: any organ
     StiffnessRatio ratio;
-    std::string_view name; ///< "malignant tumour of the liver"
+    core::MessageText<> name; ///< "malignant tumour of the liver"
 };
 /// Returns all published ratios, in display order.
 [[nodiscard]] std::span<const PublishedRatio> publishedRatios();
@@ -73,6 +74,6 @@ struct PublishedRatio
 
 /// Returns a question about the ratio with the published choices: "lump x in thing: how many times as stiff as thing it
 /// is is not known; ...".
-[[nodiscard]] std::string ratioQuestion(const std::string& lump, const std::string& organ);
+[[nodiscard]] core::Message ratioQuestion(const std::string& lump, const std::string& organ);
 
 } // namespace palpate::study

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/Message.h>
+#include <palpate/core/Status.h>
 
 #include <QString>
 
@@ -13,5 +14,10 @@ namespace palpate::ui {
 ///
 /// @par Thread Any thread except the servo thread.
 [[nodiscard]] QString translated(const core::Message& message);
+/// Same for the message of a status.
+[[nodiscard]] inline QString translated(const core::Status& status)
+{
+    return translated(status.text());
+}
 
 } // namespace palpate::ui
