@@ -34,9 +34,11 @@ void tryMesh(std::string_view bytes, const meshio::internal::MeshFormat& format,
         meshio::internal::ScanContext context;
         context.file = name;
         context.isPartial = isPartial;
-        if (const auto scanned = format.guard(image.value(), context); !scanned.isOk()) {
-            requireOneLine(scanned.status(), name);
-            continue;
+        if (format.guard != nullptr) {
+            if (const auto scanned = format.guard(image.value(), context); !scanned.isOk()) {
+                requireOneLine(scanned.status(), name);
+                continue;
+            }
         }
         auto whole = FileImage::copy(bytes, name);
         require(whole.isOk(), "there is memory for a small input");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes.h"
 
-#include "../meshio/Volumes.h"
+#include "../meshio/LabelFiles.h"
 #include "read/VolumeFile.h"
 
 #include <cstring>
@@ -64,6 +64,33 @@ std::vector<std::string> volumeSeeds(std::string_view ending)
         }
     }
     return seeds;
+}
+
+std::vector<std::string> labelSeeds(std::string_view ending)
+{
+    test::LabelGrid grid;
+    grid.size = {6, 5, 4};
+    grid.steps = test::obliqueSteps(core::Vec3(1, 1, 2));
+    grid.fill([](const core::Vec3& p) { return p.x() < 1.5 ? 0 : p.y() < 2.0 ? 1 : 2; });
+    test::LabelGrid layered = grid;
+    layered.layers = 2;
+    layered.values.insert(layered.values.end(), grid.values.begin(), grid.values.end());
+    const std::string bytes = test::labelNumbers<std::uint8_t>(grid);
+    const std::string names = "Segment0_Name:=liver\nSegment0_LabelValue:=1\nSegment0_Color:=1 0 0.5\n";
+    const std::string xml = "<CaretExtension><LabelTable><Label Key=\"1\" Red=\"1\"><![CDATA[spleen]]></Label>"
+                            "</LabelTable></CaretExtension>";
+    if (ending == ".nrrd") {
+        return {test::labelNrrd(grid, "uchar", "raw", names) + bytes,
+                test::labelNrrd(grid, "uchar", "gzip", names) + test::gzipped(bytes),
+                test::labelNrrd(layered, "uchar", "raw", names, true, true) +
+                    test::labelNumbers<std::uint8_t>(layered, false, true)};
+    }
+    if (ending == ".nii") {
+        return {test::labelNifti(grid, 2, false, xml) + bytes,
+                test::gzipped(test::labelNifti(grid, 4, true, xml) + test::labelNumbers<std::int16_t>(grid, true))};
+    }
+    return {test::labelMeta(grid, "MET_UCHAR") + bytes,
+            test::labelMeta(grid, "MET_UCHAR", "CompressedData = True\n") + test::zlibbed(bytes)};
 }
 
 void tryVolume(std::string_view bytes, const char* name)

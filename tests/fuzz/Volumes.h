@@ -8,6 +8,9 @@ namespace palpate::fuzz {
 /// Returns the samples of tests/meshio with that name extension, with their voxels in the same file.
 std::vector<std::string> volumeSeeds(std::string_view ending);
 
+/// Returns label maps of this format, plain and packed, with names.
+std::vector<std::string> labelSeeds(std::string_view ending);
+
 /// Reads a volume by name in this process and passes the result on as the import process does.
 /// @param name  its extension selects the format
 void tryVolume(std::string_view bytes, const char* name);

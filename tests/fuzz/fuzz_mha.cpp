@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Meshes.h"
 #include "Volumes.h"
 
 namespace palpate::fuzz {
@@ -7,12 +8,17 @@ namespace mha {
 
 std::vector<std::string> seeds()
 {
-    return volumeSeeds(".mha");
+    std::vector<std::string> seeds = volumeSeeds(".mha");
+    for (std::string& labels : labelSeeds(".mha")) {
+        seeds.push_back(std::move(labels));
+    }
+    return seeds;
 }
 
 void tryInput(std::string_view bytes)
 {
     tryVolume(bytes, "a.mha");
+    tryMesh(bytes, meshio::internal::kMetaImage, "a.mha");
 }
 
 } // namespace mha

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Meshes.h"
 #include "Volumes.h"
 
 namespace palpate::fuzz {
@@ -11,12 +12,17 @@ std::vector<std::string> seeds()
     for (std::string& packed : volumeSeeds(".nii.gz")) {
         seeds.push_back(std::move(packed));
     }
+    for (std::string& labels : labelSeeds(".nii")) {
+        seeds.push_back(std::move(labels));
+    }
     return seeds;
 }
 
 void tryInput(std::string_view bytes)
 {
-    tryVolume(bytes, bytes.starts_with("\x1f\x8b") ? "a.nii.gz" : "a.nii");
+    const char* const name = bytes.starts_with("\x1f\x8b") ? "a.nii.gz" : "a.nii";
+    tryVolume(bytes, name);
+    tryMesh(bytes, meshio::internal::kNifti, name);
 }
 
 } // namespace nii

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Meshes.h"
 #include "Volumes.h"
 
 namespace palpate::fuzz {
@@ -7,12 +8,17 @@ namespace nrrd {
 
 std::vector<std::string> seeds()
 {
-    return volumeSeeds(".nrrd");
+    std::vector<std::string> seeds = volumeSeeds(".nrrd");
+    for (std::string& labels : labelSeeds(".nrrd")) {
+        seeds.push_back(std::move(labels));
+    }
+    return seeds;
 }
 
 void tryInput(std::string_view bytes)
 {
     tryVolume(bytes, "a.nrrd");
+    tryMesh(bytes, meshio::internal::kNrrd, "a.nrrd");
 }
 
 } // namespace nrrd

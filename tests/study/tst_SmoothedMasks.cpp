@@ -122,12 +122,20 @@ class SmoothedMasks : public QObject
         QVERIFY(smooth.longest_mm <= 2.0 * kDepth_mm);
     }
 
+    void feelsAsTheTrueBallOnTheReportedMask_data()
+    {
+        QTest::addColumn<double>("smoothing");
+        QTest::newRow("mesh") << meshio::kDefaultSmoothing;
+        QTest::newRow("label map") << meshio::kLabelSmoothing;
+    }
     void feelsAsTheTrueBallOnTheReportedMask()
     {
+        QFETCH(double, smoothing);
         PALPATE_SHARED_OR_SKIP(shared, "reports/haptics");
         const auto motion = session::readMotion(shared / "2-meridian.csv");
         meshio::ReadOptions smoothed;
         smoothed.isSmoothed = true;
+        smoothed.smoothing = smoothing;
         auto scene = meshio::loadScene(shared / "2-stairs-1x1x3.ply", smoothed);
         QVERIFY(motion.isOk() && scene.isOk());
         QVERIFY(scene.value().structures.front().staircase.has_value());

@@ -102,11 +102,8 @@ std::vector<std::string> english(const std::vector<core::Message>& messages)
 std::vector<std::string> sentencesOf(const meshio::LoadedStructure& structure)
 {
     std::vector<core::Message> lines = structure.surface->report.sentences();
-    if (structure.staircase) {
-        lines.push_back(structure.staircase->sentence());
-    }
-    if (structure.smoothing) {
-        lines.push_back(structure.smoothing->sentence());
+    for (core::Message& sentence : meshio::shapeSentences(structure.staircase, structure.smoothing)) {
+        lines.push_back(std::move(sentence));
     }
     if (structure.curving) {
         lines.push_back(structure.curving->message());
@@ -271,11 +268,14 @@ void add(const std::optional<geometry::SurfaceExamination>& examined, std::size_
 void addShape(const meshio::LoadedStructure& structure, QJsonObject& object)
 {
     if (const auto& stairs = structure.staircase) {
-        object["staircase"] = QJsonObject{
-            {"voxel_mm", triple(stairs->voxel_mm)},
-            {"axes", QJsonArray{triple(stairs->axes.col(0)), triple(stairs->axes.col(1)), triple(stairs->axes.col(2))}},
-            {"area_share", stairs->areaShare},
-            {"directions", geometry::Staircase::kDirections}};
+        QJsonObject steps{{"voxel_mm", triple(stairs->voxel_mm)},
+                          {"axes", QJsonArray{triple(stairs->axes.col(0)), triple(stairs->axes.col(1)),
+                                              triple(stairs->axes.col(2))}}};
+        if (!stairs->isStated) {
+            steps["area_share"] = stairs->areaShare;
+            steps["directions"] = geometry::Staircase::kDirections;
+        }
+        object[stairs->isStated ? "label_map" : "staircase"] = steps;
     }
     if (const auto& done = structure.smoothing) {
         object["smoothed"] = QJsonObject{{"smoothing", structure.description.smoothing},

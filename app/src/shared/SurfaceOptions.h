@@ -7,16 +7,18 @@
 
 #include <CLI/App.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace palpate::app {
 
-/// Surface processing before contact: options `--smooth`, `--curved` and `--outwards`.
+/// Surface processing before contact: options `--smooth`, `--smoothing`, `--curved` and `--outwards`.
 struct SurfaceOptions
 {
     bool isSmoothed = false;
     bool isCurved = false;
     bool turnsOutwards = false;
+    std::optional<double> smoothing{};
 
     void addTo(CLI::App& command);
     void applyTo(meshio::ReadOptions& read) const;

@@ -331,6 +331,10 @@ std::optional<Staircase> findStaircase(const TriangleMesh& mesh)
 
 core::Message Staircase::sentence() const
 {
+    if (isStated) {
+        return {PALPATE_TEXT("surface from a label map of %1 × %2 × %3 mm voxels, with its steps"),
+                core::Rounded{voxel_mm.x(), 3}, core::Rounded{voxel_mm.y(), 3}, core::Rounded{voxel_mm.z(), 3}};
+    }
     return {PALPATE_TEXT("staircase of about %1 × %2 × %3 mm voxels (%4 % of the area in %5 directions)"),
             core::Rounded{voxel_mm.x(), 3},
             core::Rounded{voxel_mm.y(), 3},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "guard/PreScan.h"
+#include "guard/TriangleSoup.h"
 
 #include <filesystem>
 #include <span>
@@ -30,6 +31,9 @@ struct MeshFormat
     core::Result<PreScan> (*guard)(FileImage& image, const ScanContext& context);
     /// @return VTK's reader, configured for the file at `path` by the results of `scan`
     vtkSmartPointer<vtkAlgorithm> (*reader)(const std::string& path, const PreScan& scan);
+    /// For label maps, instead of the previous two: checks the bytes and makes the surfaces, in the axes and units of
+    /// the file. @param scan  receives format, frame, voxels and notes
+    core::Result<TriangleSoup> (*surfaces)(const FileImage& image, const ScanContext& context, PreScan& scan) = nullptr;
 };
 
 extern const MeshFormat kStl;
@@ -37,6 +41,9 @@ extern const MeshFormat kVtp;
 extern const MeshFormat kVtu;
 extern const MeshFormat kPly;
 extern const MeshFormat kLegacyVtk;
+extern const MeshFormat kNrrd;
+extern const MeshFormat kNifti;
+extern const MeshFormat kMetaImage;
 extern const MeshFormat kObj;
 
 /// All formats that can be opened, in the order of detection.

@@ -29,7 +29,10 @@ std::string lowered(std::string_view text)
 
 bool hasExtension(const MeshFormat& format, const std::filesystem::path& path)
 {
-    return std::ranges::count(format.extensions, lowered(path.extension().string())) > 0;
+    const std::string name = lowered(path.filename().string());
+    return std::ranges::any_of(format.extensions, [&name](std::string_view extension) {
+        return name.size() > extension.size() && name.ends_with(extension);
+    });
 }
 
 bool isWebPage(std::string_view bytes)
@@ -46,9 +49,8 @@ core::Message otherFormat(std::string_view head)
         std::string_view begin;
         core::MessageText<> name;
     };
-    static constexpr std::array<Magic, 5> kMagic{{
+    static constexpr std::array<Magic, 4> kMagic{{
         {"PK\x03\x04", PALPATE_TEXT("a ZIP archive")},
-        {"NRRD", PALPATE_TEXT("an NRRD image")},
         {"\x89PNG", PALPATE_TEXT("a PNG image")},
         {"%PDF", PALPATE_TEXT("a PDF document")},
         {"SQLite format 3", PALPATE_TEXT("an SQLite database (a recording?)")},
@@ -78,7 +80,8 @@ std::span<const MeshFormat* const> formatTable()
 {
     // VTU before VTP, which takes any XML to name the error. OBJ last: the format has no signature, only words that may
     // begin a line.
-    static constexpr std::array<const MeshFormat*, 6> kTable{&kStl, &kVtu, &kVtp, &kPly, &kLegacyVtk, &kObj};
+    static constexpr std::array<const MeshFormat*, 9> kTable{&kStl,  &kVtu,   &kVtp,       &kPly, &kLegacyVtk,
+                                                             &kNrrd, &kNifti, &kMetaImage, &kObj};
     return kTable;
 }
 
@@ -153,6 +156,13 @@ bool hasMeshExtension(const std::filesystem::path& path)
 {
     return std::ranges::any_of(internal::formatTable(), [&](const internal::MeshFormat* format) {
         return internal::hasExtension(*format, path);
+    });
+}
+
+bool hasLabelMapExtension(const std::filesystem::path& path)
+{
+    return std::ranges::any_of(internal::formatTable(), [&](const internal::MeshFormat* format) {
+        return format->surfaces != nullptr && internal::hasExtension(*format, path);
     });
 }
 

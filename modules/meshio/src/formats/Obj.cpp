@@ -321,7 +321,7 @@ void ObjScan::takeColours(const FaceGroups& parts)
     if (m_materials.names.names().empty()) {
         return;
     }
-    const MaterialColours colours = readMaterials(m_context.folder, m_library);
+    const MaterialColours colours = readMaterials(m_context.path.parent_path(), m_library);
     constexpr std::uint32_t kNone = 0xffffffff, kSeveral = 0xfffffffe;
     std::vector<std::uint32_t> materialOf(parts.names.names().size(), kNone);
     for (std::size_t face = 0; face < parts.ofFace.size(); ++face) {

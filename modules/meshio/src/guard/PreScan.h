@@ -7,6 +7,7 @@
 
 #include <palpate/core/Message.h>
 #include <palpate/core/Types.h>
+#include <palpate/geometry/Staircase.h>
 
 #include <array>
 #include <cstdint>
@@ -41,6 +42,8 @@ struct PreScan
     std::vector<std::string> pointArrays, cellArrays;
     std::vector<core::Message> notes; ///< ignored or assumed content, one sentence per entry
     core::Message loss;               ///< truncated part, "place: missing content"
+    /// Voxels of a label map, in the axes and units of the file.
+    std::optional<geometry::Staircase> voxels;
 
     void note(const core::Message& sentence) { notes.push_back(sentence); }
 };
@@ -49,7 +52,7 @@ struct PreScan
 struct ScanContext
 {
     std::string file;                      ///< name in messages
-    std::filesystem::path folder;          ///< of the file, to find a material library beside it; may be empty
+    std::filesystem::path path{};          ///< of the file, for files beside it
     double unit_mm = 1.0;                  ///< for the limit on coordinates
     FileFrame frame = FileFrame::Untagged; ///< chosen by the user, overrides the tag
     bool isPartial = false;                ///< keep the complete elements of a truncated file

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/meshio/MeshFormats.h"
+
 #include "read/ImportServer.h"
 #include "read/MeshWire.h"
 #include "text/Fault.h"
@@ -50,12 +52,13 @@ struct Budget
     double wall_s;
 };
 
-Budget budgetFor(const ImportLimits& limits, std::size_t fileSize)
+Budget budgetFor(const ImportLimits& limits, std::size_t fileSize, bool isLabelMap)
 {
     const auto size = static_cast<double>(fileSize);
-    const double more_s = limits.perMegabyte_s * size * 1e-6;
-    return {limits.memory_bytes + static_cast<std::uint64_t>(limits.memoryPerByte * size), limits.cpu_s + more_s,
-            limits.wall_s + more_s};
+    const double more_s = limits.perMegabyte_s * size * 1e-6 + (isLabelMap ? limits.label_s : 0.0);
+    return {limits.memory_bytes + static_cast<std::uint64_t>(limits.memoryPerByte * size) +
+                (isLabelMap ? limits.labelMemory_bytes : 0),
+            limits.cpu_s + more_s, limits.wall_s + more_s};
 }
 
 /// @return "SIGSEGV"
@@ -246,7 +249,7 @@ Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_
     if (result.value() < 0) {
         return unstarted(errno);
     }
-    const Budget budget = budgetFor(server().limits, size);
+    const Budget budget = budgetFor(server().limits, size, task.kind == ImportKind::Mesh && hasLabelMapExtension(path));
     const auto deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(budget.wall_s));
     task.memory_bytes = budget.memory_bytes;
@@ -292,9 +295,10 @@ Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& 
     task.isPartial = options.isPartial;
     task.frame = options.frame;
     task.readsScale = options.readsScale;
-    // Absolute, for a file beside it: the server's working directory is the one in which the program was started.
+    // A file may have others beside it; the server's working directory is the one in which the program was started.
     const std::filesystem::path whole = std::filesystem::absolute(path);
-    const Result<Descriptor> result = outcomeOf(task, file, file.size, whole, options.progress);
+    const Result<Descriptor> result =
+        outcomeOf(task, file, hasLabelMapExtension(path) ? volumeBytes(path) : file.size, whole, options.progress);
     // The reader releases its memory in the meantime.
     return result.isOk() ? unlessCancelled(readOutcome(result.value().value(), path), path, options.progress)
                          : result.status();

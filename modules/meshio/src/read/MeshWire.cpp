@@ -31,6 +31,14 @@ WireHead headOf(const Result<MeshFile>& outcome)
     head.put(file.loss);
     head.put(static_cast<std::uint8_t>(file.frame));
     head.put(file.unit_mm);
+    head.put(std::uint8_t{file.voxels.has_value()});
+    const geometry::Staircase voxels = file.voxels.value_or(geometry::Staircase());
+    for (int axis = 0; axis < 3; ++axis) {
+        head.put(double{voxels.voxel_mm[axis]});
+        for (int row = 0; row < 3; ++row) {
+            head.put(double{voxels.axes(row, axis)});
+        }
+    }
     head.put(std::uint64_t{file.notes.size()});
     for (const core::Message& note : file.notes) {
         head.put(note);
@@ -83,6 +91,27 @@ struct MeshCounts
     std::uint64_t vertices, triangles;
 };
 
+/// @return false for voxels without a size or with axes that are no unit vectors
+bool takeVoxels(WireHeadReader& head, MeshFile& file)
+{
+    const bool hasVoxels = head.take<std::uint8_t>() != 0;
+    geometry::Staircase voxels;
+    voxels.isStated = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        voxels.voxel_mm[axis] = head.take<double>();
+        for (int row = 0; row < 3; ++row) {
+            voxels.axes(row, axis) = head.take<double>();
+        }
+    }
+    if (!hasVoxels) {
+        return true;
+    }
+    file.voxels = voxels;
+    constexpr double kMostOff = 0.01;
+    return voxels.voxel_mm.minCoeff() > 0.0 && voxels.voxel_mm.allFinite() && voxels.axes.allFinite() &&
+           ((voxels.axes.colwise().norm().array() - 1.0).abs() < kMostOff).all();
+}
+
 /// Reads the meshes of the structures, which are stored consecutively. @param at  offset of the first
 /// @return the error; empty if valid
 core::Message moveMeshes(int descriptor, std::uint64_t at, const std::vector<MeshCounts>& counts, MeshFile& file)
@@ -133,6 +162,9 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path)
     file.unit_mm = head.take<double>();
     if (!(file.unit_mm > 0.0) || !std::isfinite(file.unit_mm)) {
         return invalid({PALPATE_TEXT("its unit is not positive and finite")});
+    }
+    if (!takeVoxels(head, file)) {
+        return invalid({PALPATE_TEXT("its voxels have no size or no axes")});
     }
     for (auto notes = head.take<std::uint64_t>(); notes > 0 && head.isGood(); --notes) {
         file.notes.push_back(head.message());

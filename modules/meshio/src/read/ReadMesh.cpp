@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <new>
 #include <optional>
 #include <string>
@@ -30,22 +31,67 @@ using core::StatusCode;
 constexpr double kScanned = 0.3;
 constexpr double kRead = 0.8;
 
+/// @return part of the progress from `from` to `to`; empty without progress
+std::function<bool(double)> shareOf(const ReadOptions& options, double from, double to)
+{
+    if (!options.progress) {
+        return {};
+    }
+    return [&options, from, to](double done) { return options.progress(from + (to - from) * done); };
+}
+
+/// Reads a mesh with VTK's reader after the checks of the format.
+/// @param context  the unit is changed if the file states a scale
+Result<TriangleSoup> readTriangles(const MeshFormat& format, FileImage& image, ScanContext& context,
+                                   const ReadOptions& options, PreScan& scan)
+{
+    context.progress = shareOf(options, 0.0, kScanned);
+    Result<PreScan> scanned = format.guard(image, context);
+    if (!scanned.isOk()) {
+        return scanned.status();
+    }
+    scan = std::move(scanned).value();
+    if (scan.scale && *scan.scale != 1.0) {
+        const bool isUsed = options.readsScale && options.unit_mm == 1.0;
+        context.unit_mm = isUsed ? 1.0 / *scan.scale : options.unit_mm;
+        scan.notes.push_back(
+            isUsed ? core::Message(PALPATE_TEXT("SCALE=%1 in the header: a unit of the file is taken as %2 mm"),
+                                   *scan.scale, context.unit_mm)
+                   : core::Message(PALPATE_TEXT("SCALE=%1 in the header: not used, because the unit was given"),
+                                   *scan.scale));
+    }
+    context.progress = shareOf(options, kScanned, kRead);
+    Result<vtkSmartPointer<vtkPolyData>> data = readWithVtk(format, image, scan, context);
+    if (!data.isOk()) {
+        return data.status();
+    }
+    Result<TriangleSoup> soup = toTriangles(*data.value(), scan, context);
+    data.value() = nullptr;
+    return soup;
+}
+
+/// @return the voxels of a label map in LPS [mm]
+std::optional<geometry::Staircase> voxelsOf(const PreScan& scan, const ScanContext& context)
+{
+    std::optional<geometry::Staircase> voxels = scan.voxels;
+    if (voxels) {
+        voxels->voxel_mm *= context.unit_mm;
+        voxels->axes = core::lpsRotation(core::resolvedFrame(context.frame, scan.frame)) * voxels->axes;
+    }
+    return voxels;
+}
+
 } // namespace
 
 Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, const ReadOptions& options)
 {
     ScanContext context;
     context.file = utf8Of(path.filename().string());
-    context.folder = path.parent_path();
     context.unit_mm = options.unit_mm;
     context.isPartial = options.isPartial;
     context.frame = options.frame;
-    const auto share = [&options](double from, double to) -> std::function<bool(double)> {
-        if (!options.progress) {
-            return {};
-        }
-        return [&options, from, to](double done) { return options.progress(from + (to - from) * done); };
-    };
+    context.path = path;
+    context.progress = options.progress;
     // XML may be UTF-16; its readers know that.
     if (const std::optional<std::string> text = fromUtf16(image.bytes());
         text && !startOfText(*text).starts_with('<')) {
@@ -59,28 +105,10 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     if (!format.isOk()) {
         return format.status();
     }
-    context.progress = share(0.0, kScanned);
-    Result<PreScan> scanned = format.value()->guard(image, context);
-    if (!scanned.isOk()) {
-        return scanned.status();
-    }
-    PreScan& scan = scanned.value();
-    if (scan.scale && *scan.scale != 1.0) {
-        const bool isUsed = options.readsScale && options.unit_mm == 1.0;
-        context.unit_mm = isUsed ? 1.0 / *scan.scale : options.unit_mm;
-        scan.notes.push_back(
-            isUsed ? core::Message(PALPATE_TEXT("SCALE=%1 in the header: a unit of the file is taken as %2 mm"),
-                                   *scan.scale, context.unit_mm)
-                   : core::Message(PALPATE_TEXT("SCALE=%1 in the header: not used, because the unit was given"),
-                                   *scan.scale));
-    }
-    context.progress = share(kScanned, kRead);
-    Result<vtkSmartPointer<vtkPolyData>> data = readWithVtk(*format.value(), image, scan, context);
-    if (!data.isOk()) {
-        return data.status();
-    }
-    Result<TriangleSoup> soup = toTriangles(*data.value(), scan, context);
-    data.value() = nullptr;
+    PreScan scan;
+    Result<TriangleSoup> soup = format.value()->surfaces != nullptr
+                                    ? format.value()->surfaces(image, context, scan)
+                                    : readTriangles(*format.value(), image, context, options, scan);
     if (!soup.isOk()) {
         return soup.status();
     }
@@ -98,6 +126,7 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     file.frame = scan.frame;
     file.unit_mm = context.unit_mm;
     file.structures = std::move(structures).value();
+    file.voxels = voxelsOf(scan, context);
     file.notes = std::move(scan.notes);
     if (!scan.loss.isEmpty()) {
         file.loss = core::Message(PALPATE_TEXT("%1: %2"), context.file, scan.loss);

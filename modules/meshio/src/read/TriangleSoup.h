@@ -2,26 +2,14 @@
 #pragma once
 
 #include "guard/PreScan.h"
-
-#include <palpate/geometry/TriangleMesh.h>
+#include "guard/TriangleSoup.h"
 
 #include <vtkPolyData.h>
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace palpate::meshio::internal {
-
-/// All triangles of a file with shared vertices and the part of each triangle.
-struct TriangleSoup
-{
-    geometry::TriangleMesh mesh;                                   ///< in the file's own units and frame
-    std::vector<std::uint32_t> part;                               ///< one per triangle; empty when all are part 0
-    std::vector<std::string> partNames;                            ///< at least one
-    std::vector<std::optional<std::array<double, 3>>> partColours; ///< as partNames, or empty
-};
 
 /// Converts polygons and strips to triangles, checks every index, and applies parts and frame from VTK's arrays (VTP).
 /// @param scan  receives notes, and the frame from field data

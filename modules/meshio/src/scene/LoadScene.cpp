@@ -49,6 +49,7 @@ struct Pending
     SceneStructure description;
     FileFrame frame = FileFrame::Untagged;
     geometry::TriangleMesh mesh;
+    std::optional<geometry::Staircase> voxels; ///< of a label map
     std::shared_ptr<const geometry::RepairedMesh> asRead;
     ShapedSurface shaped;
 };
@@ -92,6 +93,7 @@ class Loader
     const ReadOptions& m_options;
     bool m_isSceneFile = false;
     std::string m_prefix; ///< before the names of all files of a folder; not shown
+    bool m_isFolder = false;
     std::vector<Source> m_sources;
     std::map<std::tuple<std::filesystem::path, double, FileFrame>, std::size_t> m_sourceOf;
     std::vector<Pending> m_pending;
@@ -153,6 +155,7 @@ Status Loader::addFolder(const std::filesystem::path& path)
                      {PALPATE_TEXT("%1 files in it"), meshFormatNames("or")});
     }
     std::vector<std::string> stems;
+    m_isFolder = true;
     for (const std::filesystem::path& file : files) {
         (void)sourceOf(file, m_options.unit_mm, m_options.frame);
         stems.push_back(utf8Of(file.stem().string()));
@@ -232,7 +235,12 @@ void Loader::expandFiles()
             d.frame = source.frame;
             d.name = displayName(source, structure.name, file.structures.size());
             d.colour = structure.colour.value_or(anatomyColour(d.name, m_pending.size() - 1));
+            if (file.voxels) {
+                d.surface = SurfaceKind::Smoothed;
+                d.smoothing = kLabelSmoothing;
+            }
             pending.frame = file.frame;
+            pending.voxels = file.voxels;
             pending.mesh = std::move(structure.mesh);
         }
     }
@@ -280,6 +288,7 @@ void Loader::expandScene()
                 pending.description.name = structure.name;
             }
             pending.frame = file.frame;
+            pending.voxels = file.voxels;
             pending.mesh = structure.mesh;
         }
         if (!isFound) {
@@ -315,7 +324,15 @@ void Loader::repairAll()
             pending.description.surface = surfaceKind(m_options.isSmoothed || isSmoothed(pending.description.surface),
                                                       m_options.isCurved || isCurved(pending.description.surface));
         }
-        pending.shaped = shapeSurface(pending.asRead, pending.description);
+        if (m_options.smoothing && isSmoothed(pending.description.surface)) {
+            pending.description.smoothing = *m_options.smoothing;
+            pending.description.surface =
+                surfaceKind(*m_options.smoothing > 0.0, isCurved(pending.description.surface));
+        }
+        if (pending.voxels) {
+            pending.voxels->axes = pending.description.X_WM.linear() * pending.voxels->axes;
+        }
+        pending.shaped = shapeSurface(pending.asRead, pending.description, pending.voxels);
         const double share = static_cast<double>(++done) / static_cast<double>(m_pending.size());
         if (thread == 0 && m_options.progress && !m_options.progress(kFilesShare + (1.0 - kFilesShare) * share)) {
             m_isCancelled = true;
@@ -329,11 +346,8 @@ void Loader::noteSurface(const Pending& pending)
     for (const core::Message& sentence : pending.shaped.surface->report.sentences()) {
         warn(PALPATE_TEXT("%1: %2"), name, sentence);
     }
-    if (pending.shaped.staircase) {
-        warn(PALPATE_TEXT("%1: %2"), name, pending.shaped.staircase->sentence());
-    }
-    if (pending.shaped.smoothing) {
-        warn(PALPATE_TEXT("%1: %2"), name, pending.shaped.smoothing->sentence());
+    for (const core::Message& sentence : shapeSentences(pending.shaped.staircase, pending.shaped.smoothing)) {
+        warn(PALPATE_TEXT("%1: %2"), name, sentence);
     }
     if (pending.shaped.curving) {
         const SurfaceCurving& curving = *pending.shaped.curving;
@@ -466,7 +480,11 @@ Result<LoadedScene> Loader::open(const std::string& name)
         return cancelled;
     }
     for (const Source& source : m_sources) {
-        if (!source.file->isOk()) {
+        if (m_isFolder && !source.file->isOk() && source.file->status().code() == StatusCode::Unsupported &&
+            hasLabelMapExtension(source.path)) { // an image beside the structures
+            warn(PALPATE_TEXT("left out: %1"), source.file->status().text());
+            m_firstFailure = m_firstFailure.isOk() ? source.file->status() : m_firstFailure;
+        } else if (!source.file->isOk()) {
             lose(source.file->status().text());
             m_firstFailure = m_firstFailure.isOk() ? source.file->status() : m_firstFailure;
         } else if (!source.file->value().loss.isEmpty()) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/SceneFile.h"
 
+#include "palpate/meshio/MeshFormats.h"
+
 #include "guard/FileImage.h"
 #include "scene/SceneLaw.h"
 #include "text/Fault.h"
@@ -190,6 +192,8 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
         fields.fail("mesh", textOrNothing(fields.has("mesh"), mesh), {PALPATE_TEXT("the path of a mesh file")});
     }
     s.mesh = (folder / std::filesystem::path(mesh)).lexically_normal();
+    s.surface = defaultSurface(s.mesh);
+    s.smoothing = defaultSmoothing(s.mesh);
     fields.read("sha256", s.sha256);
     fields.read("part", s.part);
     fields.read("unit_mm", s.unit_mm, 1e-6, 1e6);
@@ -400,6 +404,16 @@ void checkOrgans(const SceneFile& scene, JsonFields& fields)
 }
 
 } // namespace
+
+SurfaceKind defaultSurface(const std::filesystem::path& mesh)
+{
+    return hasLabelMapExtension(mesh) ? SurfaceKind::Smoothed : SurfaceKind::Facets;
+}
+
+double defaultSmoothing(const std::filesystem::path& mesh)
+{
+    return hasLabelMapExtension(mesh) ? kLabelSmoothing : kDefaultSmoothing;
+}
 
 bool isSceneFile(const std::filesystem::path& path)
 {

@@ -125,19 +125,57 @@ std::vector<Vec3> filtered(const geometry::TriangleMesh& mesh, double smoothing)
     return vertices;
 }
 
+/// @return the surface with the vertices moved
+std::shared_ptr<const RepairedMesh> smoothedSurface(const RepairedMesh& before, const MoveLimit& limit, double strength,
+                                                    SurfaceSmoothing& done)
+{
+    std::vector<Vec3> vertices = filtered(before.mesh, strength);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Vec3 move_mm = limit.limited(vertices[i] - before.mesh.vertices[i]);
+        vertices[i] = before.mesh.vertices[i] + move_mm;
+        done.most_mm = std::max(done.most_mm, move_mm.norm());
+    }
+    auto smoothed = std::make_shared<const RepairedMesh>(geometry::withVertices(before, std::move(vertices)));
+    done.volumeAfter_mm3 = std::abs(smoothed->report.volume_mm3);
+    return smoothed;
+}
+
+core::Message withdrawnSentence(const std::optional<Vec3>& voxel_mm)
+{
+    const core::Message reason(PALPATE_TEXT("not smoothed: too small, it would lose more than half of its volume"));
+    return voxel_mm ? core::Message(PALPATE_TEXT("surface from a label map of %1 × %2 × %3 mm voxels, %4"),
+                                    core::Rounded{voxel_mm->x(), 3}, core::Rounded{voxel_mm->y(), 3},
+                                    core::Rounded{voxel_mm->z(), 3}, reason)
+                    : reason;
+}
+
 } // namespace
 
 core::Message SurfaceSmoothing::sentence() const
 {
+    if (isWithdrawn) {
+        return withdrawnSentence(labelVoxel_mm);
+    }
     const core::Rounded most{most_mm, 2};
+    const Vec3 voxel_mm = labelVoxel_mm.value_or(Vec3::Zero());
+    const core::Rounded x{voxel_mm.x(), 3}, y{voxel_mm.y(), 3}, z{voxel_mm.z(), 3}, by{strength, 3};
     if (!(volumeBefore_mm3 > 0.0)) {
-        return {PALPATE_TEXT("smoothed: vertices moved by at most %1 mm"), most};
+        return labelVoxel_mm
+                   ? core::Message(PALPATE_TEXT("surface from a label map of %1 × %2 × %3 mm voxels, smoothed "
+                                                "by %4: at most %5 mm from the voxel boundary"),
+                                   x, y, z, by, most)
+                   : core::Message(PALPATE_TEXT("smoothed: vertices moved by at most %1 mm"), most);
     }
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%+.2f", 100.0 * (volumeAfter_mm3 / volumeBefore_mm3 - 1.0));
     core::MessageArgument change(text.data());
     change.kind = core::MessageArgument::Kind::Number;
-    return {PALPATE_TEXT("smoothed: vertices moved by at most %1 mm, volume %2 %"), most, change};
+    return labelVoxel_mm
+               ? core::Message(
+                     PALPATE_TEXT("surface from a label map of %1 × %2 × %3 mm voxels, smoothed by %4: volume "
+                                  "changed by %5 %, at most %6 mm from the voxel boundary"),
+                     x, y, z, by, change, most)
+               : core::Message(PALPATE_TEXT("smoothed: vertices moved by at most %1 mm, volume %2 %"), most, change);
 }
 
 core::Message SurfaceCurving::message() const
@@ -160,24 +198,41 @@ core::Message SurfaceCurving::message() const
     return {PALPATE_TEXT("curved facets: %1 triangles instead of %2"), Count(triangles), Count(before)};
 }
 
+std::vector<core::Message> shapeSentences(const std::optional<geometry::Staircase>& staircase,
+                                          const std::optional<SurfaceSmoothing>& smoothing)
+{
+    std::vector<core::Message> lines;
+    if (staircase && !(staircase->isStated && smoothing)) {
+        lines.push_back(staircase->sentence());
+    }
+    if (smoothing) {
+        lines.push_back(smoothing->sentence());
+    }
+    return lines;
+}
+
 namespace {
 
 void smooth(ShapedSurface& out, double smoothing)
 {
     const RepairedMesh& before = *out.surface;
     const MoveLimit limit = limitFor(before.mesh, out.staircase);
-    std::vector<Vec3> vertices = filtered(before.mesh, smoothing);
     SurfaceSmoothing& done = out.smoothing.emplace();
+    done.strength = smoothing;
     done.limit_mm = limit.half_mm.maxCoeff();
-    done.volumeBefore_mm3 = std::abs(before.report.volume_mm3);
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const Vec3 move_mm = limit.limited(vertices[i] - before.mesh.vertices[i]);
-        vertices[i] = before.mesh.vertices[i] + move_mm;
-        done.most_mm = std::max(done.most_mm, move_mm.norm());
+    done.volumeBefore_mm3 = done.volumeAfter_mm3 = std::abs(before.report.volume_mm3);
+    if (out.staircase && out.staircase->isStated) {
+        done.labelVoxel_mm = out.staircase->voxel_mm;
     }
-    auto smoothed = std::make_shared<const RepairedMesh>(geometry::withVertices(before, std::move(vertices)));
-    done.volumeAfter_mm3 = std::abs(smoothed->report.volume_mm3);
-    out.surface = std::move(smoothed);
+    std::shared_ptr<const RepairedMesh> smoothed = smoothedSurface(before, limit, smoothing, done);
+    constexpr double kLeastVolume = 0.5;
+    if (done.volumeAfter_mm3 < kLeastVolume * done.volumeBefore_mm3) {
+        done.isWithdrawn = true;
+        done.most_mm = 0.0;
+        done.volumeAfter_mm3 = done.volumeBefore_mm3;
+    } else {
+        out.surface = std::move(smoothed);
+    }
 }
 
 void curve(ShapedSurface& out, double crease_deg)
@@ -193,9 +248,10 @@ void curve(ShapedSurface& out, double crease_deg)
 
 } // namespace
 
-ShapedSurface shapeSurface(std::shared_ptr<const RepairedMesh> asRead, const SceneStructure& description)
+ShapedSurface shapeSurface(std::shared_ptr<const RepairedMesh> asRead, const SceneStructure& description,
+                           const std::optional<geometry::Staircase>& known)
 {
-    ShapedSurface out{asRead, geometry::findStaircase(asRead->mesh), {}, {}};
+    ShapedSurface out{asRead, known ? known : geometry::findStaircase(asRead->mesh), {}, {}};
     if (description.outwards) {
         if (std::optional<RepairedMesh> turned = geometry::orientedOutwards(*asRead)) {
             out.surface = std::make_shared<const RepairedMesh>(std::move(*turned));

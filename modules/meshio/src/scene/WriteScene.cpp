@@ -103,10 +103,10 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
     if (s.outwards) {
         out["outwards"] = true;
     }
-    if (s.surface != SurfaceKind::Facets) {
+    if (s.surface != defaultSurface(s.mesh)) {
         out["surface"] = text(std::string(kSurfaceNames[static_cast<std::size_t>(s.surface)]));
     }
-    if (s.smoothing != kDefaultSmoothing) {
+    if (s.smoothing != defaultSmoothing(s.mesh)) {
         out["smoothing"] = s.smoothing;
     }
     if (s.crease_deg != kDefaultCrease_deg) {

@@ -6,6 +6,7 @@
 #include "palpate/study/RecordedLooks.h"
 #include "palpate/study/StructureSources.h"
 
+#include <palpate/meshio/MeshFormats.h>
 #include <palpate/session/Findings.h>
 #include <palpate/session/GeometryHash.h>
 
@@ -62,6 +63,9 @@ meshio::ReadOptions readAs(const RecordingReader& reader, const fs::path& file)
         options.turnsOutwards = looks[number].outwards;
         options.isSmoothed = meshio::isSmoothed(looks[number].surface);
         options.isCurved = meshio::isCurved(looks[number].surface);
+        if (meshio::hasLabelMapExtension(file)) {
+            options.smoothing = options.isSmoothed ? looks[number].smoothing : 0.0;
+        }
     }
     return options;
 }

@@ -353,7 +353,7 @@ void SceneLoader::buildSurface(int row, const meshio::LoadedStructure& structure
     built->loaded = structure;
     m_builders.start([this, row, built, scene = m_scene] {
         meshio::LoadedStructure& one = built->loaded;
-        meshio::ShapedSurface shaped = meshio::shapeSurface(one.asRead, one.description);
+        meshio::ShapedSurface shaped = meshio::shapeSurface(one.asRead, one.description, one.staircase);
         one.surface = std::move(shaped.surface);
         one.staircase = shaped.staircase;
         one.smoothing = shaped.smoothing;

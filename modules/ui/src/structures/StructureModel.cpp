@@ -381,11 +381,8 @@ QStringList StructureModel::findings(int row) const
             lines << translated(sentence);
         }
     }
-    if (one.staircase) {
-        lines << translated(one.staircase->sentence());
-    }
-    if (one.smoothing) {
-        lines << translated(one.smoothing->sentence());
+    for (const core::Message& sentence : meshio::shapeSentences(one.staircase, one.smoothing)) {
+        lines << translated(sentence);
     }
     if (one.curving) {
         lines << translated(one.curving->message());
@@ -398,6 +395,9 @@ QStringList StructureModel::surfaceTexts(const meshio::LoadedStructure& one)
 {
     const QLocale locale;
     if (const auto& done = one.smoothing) {
+        if (done->isWithdrawn) {
+            return {tr("The surface is not smoothed: it is too small")};
+        }
         const QString moved = locale.toString(done->most_mm, 'g', 2);
         if (!(done->volumeBefore_mm3 > 0.0)) {
             return {tr("The surface is smoothed: moved by at most %1 mm").arg(moved)};

@@ -20,6 +20,7 @@ struct PALPATE_EXPORT Staircase
     Vec3 voxel_mm = Vec3::Ones(); ///< voxel size along each of `axes` [mm], all > 0
     /// Columns: unit directions of the voxel edges; the first is nearest to x and so on.
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+    bool isStated = false;  ///< voxels of a label map; otherwise detected in the surface
     double areaShare = 1.0; ///< fraction of the area in the kDirections most frequent normals (0 to 1)
 
     static constexpr int kDirections = 60; ///< normals within 1° count as the same direction

@@ -16,7 +16,11 @@ struct ImportLimits
     double cpu_s = 8.0;                                  ///< processor time [s]
     double wall_s = 10.0;                                ///< wall-clock time [s]
     double perMegabyte_s = 1.0; ///< additional time per 1e6 bytes of the file, for both times [s]
-    unsigned files = 24;        ///< open file descriptors
+    /// Additional memory and time for a label map, whose compressed size says little: its voxels are limited to 1,100
+    /// for each byte of the file.
+    std::uint64_t labelMemory_bytes = std::uint64_t{1} << 32;
+    double label_s = 60.0;
+    unsigned files = 24; ///< open file descriptors
 };
 
 /// Starts the server for sandboxed import. From then on each file is read in a child process under the limits: a file

@@ -5,6 +5,7 @@
 #include <palpate/core/FileFrame.h>
 #include <palpate/core/Message.h>
 #include <palpate/core/Status.h>
+#include <palpate/geometry/Staircase.h>
 #include <palpate/geometry/TriangleMesh.h>
 
 #include <array>
@@ -38,7 +39,9 @@ struct MeshFile
     double unit_mm = 1.0;                  ///< assumed size of one file unit [mm]
     std::vector<MeshStructure> structures;
     std::vector<core::Message> notes; ///< ignored or assumed content, one sentence per entry
-    core::Message loss;               ///< missing part of a truncated file, one line with counts; see `isPartial`
+    /// Voxels of a label map, whose surfaces are staircases of them; empty for a mesh.
+    std::optional<geometry::Staircase> voxels{};
+    core::Message loss; ///< missing part of a truncated file, one line with counts; see `isPartial`
 };
 
 struct ReadOptions
@@ -58,13 +61,16 @@ struct ReadOptions
     bool turnsOutwards = false;
     bool isSmoothed = false;
     bool isCurved = false;
+    /// Option of `loadScene`: strength of the smoothing of each smoothed surface, as of label maps, 0 … 1; overrides
+    /// the scene. 0 keeps the voxel steps. Empty: as in the scene, or as `defaultSmoothing`.
+    std::optional<double> smoothing{};
 };
 
 /// Reads a mesh file in a format of MeshFormats.h, detected from the content.
 ///
-/// Triangulates polygons and strips. STL solids, OBJ objects, groups or materials, and the `StructureId` cell array with
-/// `StructureNames` of a VTP, become structures, with names that differ and are valid UTF-8. Independent of the numeric
-/// locale.
+/// Triangulates polygons and strips. STL solids, OBJ objects, groups or materials, and the `StructureId` cell array
+/// with `StructureNames` of a VTP, become structures, with names that differ and are valid UTF-8. Independent of the
+/// numeric locale.
 /// @return on failure one line with the file, the place, the found and the expected value
 /// @par Thread Any; no shared state.
 [[nodiscard]] PALPATE_EXPORT core::Result<MeshFile> readMesh(const std::filesystem::path& path,

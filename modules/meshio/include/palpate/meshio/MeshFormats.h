@@ -18,6 +18,9 @@ namespace palpate::meshio {
 /// @return true for one of `meshExtensions`, in upper or lower case.
 [[nodiscard]] PALPATE_EXPORT bool hasMeshExtension(const std::filesystem::path& path);
 
+/// @return true for the extensions of volumes among them, which are opened as label maps.
+[[nodiscard]] bool hasLabelMapExtension(const std::filesystem::path& path);
+
 /// @param conjunction  before the last name
 /// @return the format names as a list: "STL, VTP and OBJ"
 [[nodiscard]] PALPATE_EXPORT std::string meshFormatNames(std::string_view conjunction);

@@ -46,6 +46,7 @@ inline constexpr std::array<std::string_view, 4> kSurfaceNames{"facets", "smooth
 inline constexpr double kDefaultCrease_deg = 40.0;
 /// 3D Slicer's own default, 0.5, leaves more ripple on voxels that are three times as high as wide.
 inline constexpr double kDefaultSmoothing = 0.7;
+inline constexpr double kLabelSmoothing = 0.5; ///< of the surfaces of label maps, as in 3D Slicer
 
 /// Description of a structure in a scene file.
 struct SceneStructure
@@ -114,6 +115,11 @@ struct SceneFile
     std::string sha256; ///< of the file's bytes at reading, 64 hex digits; empty: no file. Not written
     std::string extra;  ///< top-level fields that this version does not know, as a JSON object
 };
+
+/// @return surface of a mesh file without a choice: smoothed for label maps (by the extension), otherwise facets
+[[nodiscard]] SurfaceKind defaultSurface(const std::filesystem::path& mesh);
+/// @return strength of SurfaceKind::Smoothed for a mesh file without a choice
+[[nodiscard]] double defaultSmoothing(const std::filesystem::path& mesh);
 
 /// @return true for a path with the extension of a scene file (".json").
 [[nodiscard]] PALPATE_EXPORT bool isSceneFile(const std::filesystem::path& path);

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace palpate::meshio {
 
@@ -21,8 +22,13 @@ struct PALPATE_EXPORT SurfaceSmoothing
     double limit_mm = 0.0;         ///< displacement limit along the longest voxel edge [mm]
     double volumeBefore_mm3 = 0.0; ///< enclosed volume regardless of orientation; 0 for an open surface [mm3]
     double volumeAfter_mm3 = 0.0;
+    double strength = 0.0;    ///< SceneStructure::smoothing
+    bool isWithdrawn = false; ///< the surface is unchanged, because it would have lost more than half of its volume
+    std::optional<core::Vec3> labelVoxel_mm{}; ///< voxel size of the label map; empty for a mesh
 
-    /// "smoothed: vertices moved by at most 0.62 mm, volume +0.31 %"
+    /// "smoothed: vertices moved by at most 0.62 mm, volume +0.31 %", or for a label map "surface from a label map of
+    /// 0.8 × 0.8 × 5 mm voxels, smoothed by 0.5: volume changed by -0.40 %, at most 0.31 mm from the voxel boundary".
+    /// The distance is that of the vertices from their places before.
     [[nodiscard]] core::Message sentence() const;
 };
 
@@ -46,6 +52,10 @@ struct ShapedSurface
     std::optional<SurfaceCurving> curving;
 };
 
+/// @return sentences on voxel steps and smoothing; the sentence on smoothing also names the voxels of a label map
+[[nodiscard]] std::vector<core::Message> shapeSentences(const std::optional<geometry::Staircase>& staircase,
+                                                        const std::optional<SurfaceSmoothing>& smoothing);
+
 /// Applies the surface options of a description to a repaired surface: turns inverted closed parts (`outwards`) and
 /// smooths (`surface`, `smoothing`) and curves the facets (`surface`, `crease_deg`; geometry::pnTriangles). Does not
 /// change the input, and returns the input itself when no option applies.
@@ -57,10 +67,13 @@ struct ShapedSurface
 ///
 /// At the usual strength, masks of a ball of 30 mm in voxels of 1 x 1 x 3, 0.8 x 0.8 x 2.5 and 1 x 1 x 1 mm give, at a
 /// depth of 5 mm, the force of the true ball within 10 % and the direction within 24°, from 18° off the poles on.
+/// A structure that would lose more than half of its volume, as one of a few voxels, is left as it is.
 /// @param asRead  from geometry::repair, world frame [mm]; not null
+/// @param known   staircase of `asRead` from a label map or an earlier call; empty: it is detected
 /// @par Source Taubin, Zhang, Golub: Optimal Surface Smoothing as Filter Design (1996).
 /// @par Cost About 1 us per triangle and iteration with smoothing, otherwise a few milliseconds. Any thread.
 [[nodiscard]] PALPATE_EXPORT ShapedSurface shapeSurface(std::shared_ptr<const geometry::RepairedMesh> asRead,
-                                                        const SceneStructure& description);
+                                                        const SceneStructure& description,
+                                                        const std::optional<geometry::Staircase>& known = {});
 
 } // namespace palpate::meshio

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Source of the format: https://teem.sourceforge.net/nrrd/format.html
+#include "text/TextScan.h"
+#include "voxels/VolumeLayout.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace palpate::meshio::internal {
+
+namespace {
+
+using core::FileFrame;
+using core::Message;
+using core::Result;
+using core::Status;
+using core::StatusCode;
+using core::Vec3;
+
+constexpr std::size_t kMostNrrdHeader = std::size_t{1} << 20; ///< [bytes]
+constexpr std::size_t kMostAxes = 4;
+
+/// Fields of a header; the end of the header is the first voxel, or the file's end if there is a data file.
+struct NrrdFields
+{
+    std::map<std::string, std::string> fields, pairs;
+    std::vector<std::string> dataFiles; ///< lines after "data file: LIST"
+    std::uint64_t size = 0;             ///< of the header [bytes]
+};
+
+bool isDataFile(const std::string& field)
+{
+    return field == "data file" || field == "datafile";
+}
+
+Result<NrrdFields> fieldsOf(std::string_view bytes, const std::string& file)
+{
+    NrrdFields out;
+    LineReader lines(bytes.substr(0, kMostNrrdHeader));
+    const auto wrong = [&](const Message& found, const Message& expected) {
+        return fault(StatusCode::BadFormat, file, onLine(lines.number()), found, expected);
+    };
+    bool isEnded = false, isList = false;
+    (void)lines.next(); // the signature
+    while (!isEnded && lines.next()) {
+        const std::string_view line = lines.line();
+        out.size = lines.end();
+        if (line.find('\0') != std::string_view::npos) {
+            return wrong(Message(PALPATE_TEXT("a byte of 0 in the header")), Message(PALPATE_TEXT("text")));
+        }
+        isEnded = line.empty();
+        if (isEnded || line.front() == '#') {
+            continue;
+        }
+        if (isList) {
+            out.dataFiles.emplace_back(trimmed(line));
+            continue;
+        }
+        const std::size_t colon = line.find(':');
+        if (colon == std::string_view::npos) {
+            return wrong(Message(PALPATE_TEXT("%1"), inQuotes(line)), Message(PALPATE_TEXT("a field and its value")));
+        }
+        const bool isPair = line.substr(colon).starts_with(":=");
+        const std::string key(line.substr(0, colon));
+        const std::string value(trimmed(line.substr(colon + (isPair ? 2 : 1))));
+        if (!(isPair ? out.pairs : out.fields).emplace(key, value).second && !isPair) {
+            return wrong(Message(PALPATE_TEXT("%1 a second time"), inQuotes(key)),
+                         Message(PALPATE_TEXT("each field once")));
+        }
+        isList = isDataFile(key) && value.starts_with("LIST");
+    }
+    const bool hasData = out.fields.contains("data file") || out.fields.contains("datafile");
+    if (!isEnded && !(hasData && out.size == bytes.size())) {
+        return wrong(Message(PALPATE_TEXT("the header does not end")), Message(PALPATE_TEXT("an empty line after it")));
+    }
+    return out;
+}
+
+std::optional<VoxelType> typeNamed(const std::string& name)
+{
+    static constexpr auto kNames =
+        std::to_array<std::pair<std::string_view, VoxelType>>({{"signed char", VoxelType::Int8},
+                                                               {"int8", VoxelType::Int8},
+                                                               {"int8_t", VoxelType::Int8},
+                                                               {"uchar", VoxelType::UInt8},
+                                                               {"unsigned char", VoxelType::UInt8},
+                                                               {"uint8", VoxelType::UInt8},
+                                                               {"uint8_t", VoxelType::UInt8},
+                                                               {"short", VoxelType::Int16},
+                                                               {"short int", VoxelType::Int16},
+                                                               {"signed short", VoxelType::Int16},
+                                                               {"signed short int", VoxelType::Int16},
+                                                               {"int16", VoxelType::Int16},
+                                                               {"int16_t", VoxelType::Int16},
+                                                               {"ushort", VoxelType::UInt16},
+                                                               {"unsigned short", VoxelType::UInt16},
+                                                               {"unsigned short int", VoxelType::UInt16},
+                                                               {"uint16", VoxelType::UInt16},
+                                                               {"uint16_t", VoxelType::UInt16},
+                                                               {"int", VoxelType::Int32},
+                                                               {"signed int", VoxelType::Int32},
+                                                               {"int32", VoxelType::Int32},
+                                                               {"int32_t", VoxelType::Int32},
+                                                               {"uint", VoxelType::UInt32},
+                                                               {"unsigned int", VoxelType::UInt32},
+                                                               {"uint32", VoxelType::UInt32},
+                                                               {"uint32_t", VoxelType::UInt32},
+                                                               {"longlong", VoxelType::Int64},
+                                                               {"long long", VoxelType::Int64},
+                                                               {"long long int", VoxelType::Int64},
+                                                               {"signed long long", VoxelType::Int64},
+                                                               {"signed long long int", VoxelType::Int64},
+                                                               {"int64", VoxelType::Int64},
+                                                               {"int64_t", VoxelType::Int64},
+                                                               {"ulonglong", VoxelType::UInt64},
+                                                               {"unsigned long long", VoxelType::UInt64},
+                                                               {"unsigned long long int", VoxelType::UInt64},
+                                                               {"uint64", VoxelType::UInt64},
+                                                               {"uint64_t", VoxelType::UInt64},
+                                                               {"float", VoxelType::Float32},
+                                                               {"double", VoxelType::Float64}});
+    const auto* const found =
+        std::find_if(kNames.begin(), kNames.end(), [&](const auto& one) { return one.first == name; });
+    return found == kNames.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Axes of the space of the file, and what to multiply its coordinates with for these axes.
+struct Space
+{
+    FileFrame frame = FileFrame::Untagged;
+    Vec3 sign = Vec3::Ones();
+};
+
+Space spaceNamed(std::string name)
+{
+    constexpr std::string_view kTime = "-time";
+    if (name.ends_with(kTime)) {
+        name.resize(name.size() - kTime.size());
+    }
+    if (name == "left-posterior-superior" || name == "LPS" || name == "LPST") {
+        return {FileFrame::Lps, Vec3::Ones()};
+    }
+    if (name == "right-anterior-superior" || name == "RAS" || name == "RAST") {
+        return {FileFrame::Ras, Vec3::Ones()};
+    }
+    if (name == "left-anterior-superior" || name == "LAS" || name == "LAST") {
+        return {FileFrame::Lps, Vec3(1, -1, 1)};
+    }
+    return {};
+}
+
+/// Reads "(1,0,0)". @return NaN for "none"; nothing if unreadable
+std::optional<Vec3> takeVector(std::string_view& rest)
+{
+    rest = rest.substr(std::min(rest.find_first_not_of(" \t"), rest.size()));
+    constexpr std::string_view kNone = "none";
+    if (rest.starts_with(kNone)) {
+        rest.remove_prefix(kNone.size());
+        return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    }
+    const std::size_t close = rest.find(')');
+    if (!rest.starts_with('(') || close == std::string_view::npos) {
+        return std::nullopt;
+    }
+    std::string inside(rest.substr(1, close - 1));
+    rest.remove_prefix(close + 1);
+    std::replace(inside.begin(), inside.end(), ',', ' ');
+    const std::vector<double> numbers = numbersIn(inside, 3);
+    return numbers.size() == 3 ? std::optional(Vec3(numbers[0], numbers[1], numbers[2])) : std::nullopt;
+}
+
+/// Parses one header.
+class NrrdParser
+{
+  public:
+    NrrdParser(NrrdFields fields, const std::string& file)
+        : m_fields(std::move(fields))
+        , m_file(file)
+    {
+    }
+
+    Result<VolumeLayout> parse()
+    {
+        m_layout.format = "NRRD";
+        for (const auto step : {&NrrdParser::takeSizes, &NrrdParser::takeNumbers, &NrrdParser::takeAxes,
+                                &NrrdParser::takePlace, &NrrdParser::takeDataFiles}) {
+            if (Status status = (this->*step)(); !status.isOk()) {
+                return status;
+            }
+        }
+        m_layout.pairs = std::move(m_fields.pairs);
+        m_layout.isStatedLabels = m_layout.pairs.contains("Segment0_ID") || m_layout.pairs.contains("Segment0_Name");
+        if (Status status = checkLayout(m_layout, m_file); !status.isOk()) {
+            return status;
+        }
+        return std::move(m_layout);
+    }
+
+  private:
+    [[nodiscard]] std::string value(const char* field) const
+    {
+        const auto found = m_fields.fields.find(field);
+        return found == m_fields.fields.end() ? std::string() : found->second;
+    }
+    [[nodiscard]] Status wrong(const char* field, const Message& expected,
+                               StatusCode code = StatusCode::BadFormat) const
+    {
+        return fault(code, m_file, Message(PALPATE_TEXT("header: %1"), field),
+                     Message(PALPATE_TEXT("%1"), inQuotes(value(field))), expected);
+    }
+    Status takeSizes();
+    Status takeNumbers();
+    Status takeAxes();
+    [[nodiscard]] std::vector<Vec3> directionsWithoutSpace() const;
+    Status takePlace();
+    Status takeDataFiles();
+
+    NrrdFields m_fields;
+    const std::string& m_file;
+    VolumeLayout m_layout;
+    std::vector<std::int64_t> m_sizes; ///< of all axes
+    std::size_t m_listAxis = 0;        ///< the axis of the layers, if there are four
+};
+
+Status NrrdParser::takeSizes()
+{
+    const std::vector<double> dimension = numbersIn(value("dimension"), 1);
+    if (dimension.size() != 1 || (dimension[0] != 3.0 && dimension[0] != 4.0)) {
+        return wrong("dimension", Message(PALPATE_TEXT("3 or 4")), StatusCode::Unsupported);
+    }
+    const std::vector<double> sizes = numbersIn(value("sizes"), kMostAxes);
+    const bool isGood = sizes.size() == static_cast<std::size_t>(dimension[0]) &&
+                        std::all_of(sizes.begin(), sizes.end(), [](double size) {
+                            return size >= 1.0 && size <= kMostAlong && size == std::floor(size);
+                        });
+    if (!isGood) {
+        return wrong("sizes", Message(PALPATE_TEXT("one count of at least 1 for each of %1 axes"), dimension[0]));
+    }
+    m_sizes.assign(sizes.begin(), sizes.end());
+    return {};
+}
+
+Status NrrdParser::takeNumbers()
+{
+    const std::optional<VoxelType> type = typeNamed(value("type"));
+    if (!type) {
+        return wrong("type", Message(PALPATE_TEXT("a type of number, as \"uchar\" or \"short\"")),
+                     StatusCode::Unsupported);
+    }
+    m_layout.type = *type;
+    const std::string endian = value("endian");
+    if (bytesOf(*type) > 1 && endian != "little" && endian != "big") {
+        return wrong("endian", Message(PALPATE_TEXT("\"little\" or \"big\"")));
+    }
+    m_layout.isBigEndian = endian == "big";
+    const std::string encoding = value("encoding");
+    m_layout.isPacked = encoding == "gzip" || encoding == "gz";
+    if (!m_layout.isPacked && encoding != "raw") {
+        return wrong("encoding", Message(PALPATE_TEXT("\"raw\" or \"gzip\"")), StatusCode::Unsupported);
+    }
+    for (const char* skip : {"line skip", "lineskip", "byte skip", "byteskip"}) {
+        if (const std::string skipped = value(skip); !skipped.empty() && skipped != "0") {
+            return wrong(skip, Message(PALPATE_TEXT("0: voxels from the first byte on")), StatusCode::Unsupported);
+        }
+    }
+    return {};
+}
+
+/// @return directions along x, y and z by the spacings, and NaN for the axis of the layers: the first of another kind
+/// than a domain, or the last
+std::vector<Vec3> NrrdParser::directionsWithoutSpace() const
+{
+    const std::string kinds = value("kinds"), spacings = value("spacings");
+    std::string_view kind = kinds, spacing = spacings;
+    std::vector<Vec3> directions;
+    bool isLayerMissing = m_sizes.size() == kMostAxes;
+    for (std::size_t axis = 0, place = 0; axis < m_sizes.size(); ++axis) {
+        const std::string_view word = takeWord(kind);
+        const std::optional<double> along = wordToNumber(takeWord(spacing));
+        if (isLayerMissing && (axis + 1 == kMostAxes || (!word.empty() && word != "domain" && word != "space"))) {
+            isLayerMissing = false;
+            directions.emplace_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+            continue;
+        }
+        directions.emplace_back((along && std::isfinite(*along) ? *along : 1.0) *
+                                Vec3::Unit(static_cast<Eigen::Index>(std::min<std::size_t>(place, 2))));
+        ++place;
+    }
+    return directions;
+}
+
+/// Finds the axis of the layers, and the directions of the others.
+Status NrrdParser::takeAxes()
+{
+    std::vector<Vec3> directions;
+    const std::string text = value("space directions");
+    std::string_view rest = text;
+    while (!trimmed(rest).empty()) {
+        const std::optional<Vec3> direction = takeVector(rest);
+        if (!direction || directions.size() == m_sizes.size()) {
+            return wrong("space directions", Message(PALPATE_TEXT("a vector of three numbers for each axis, or none")));
+        }
+        directions.push_back(*direction);
+    }
+    if (directions.empty()) { // without a space
+        directions = directionsWithoutSpace();
+    }
+    if (directions.size() != m_sizes.size()) {
+        return wrong("space directions", Message(PALPATE_TEXT("a vector of three numbers for each axis, or none")));
+    }
+    const auto isNone = [](const Vec3& direction) { return std::isnan(direction.x()); };
+    const auto nones = std::count_if(directions.begin(), directions.end(), isNone);
+    m_listAxis =
+        static_cast<std::size_t>(std::find_if(directions.begin(), directions.end(), isNone) - directions.begin());
+    const bool isLayered = m_sizes.size() == kMostAxes;
+    if (nones != (isLayered ? 1 : 0) || (isLayered && m_listAxis != 0 && m_listAxis != kMostAxes - 1)) {
+        return wrong("space directions",
+                     Message(PALPATE_TEXT(
+                         "three axes in space and, for overlapping segments, one list axis before or after them")));
+    }
+    for (std::size_t axis = 0, at = 0; axis < m_sizes.size(); ++axis) {
+        if (isLayered && axis == m_listAxis) {
+            m_layout.layers = static_cast<std::uint32_t>(m_sizes[axis]);
+            continue;
+        }
+        m_layout.size[at] = static_cast<std::uint32_t>(m_sizes[axis]);
+        m_layout.steps.col(static_cast<Eigen::Index>(at)) = directions[axis];
+        ++at;
+    }
+    m_layout.isInterleaved = isLayered && m_listAxis == 0;
+    return {};
+}
+
+Status NrrdParser::takePlace()
+{
+    const Space space = spaceNamed(value("space"));
+    const std::string origin = value("space origin");
+    std::string_view rest = origin;
+    const std::optional<Vec3> place = origin.empty() ? Vec3(Vec3::Zero()) : takeVector(rest);
+    if (!place || !place->allFinite()) {
+        return wrong("space origin", Message(PALPATE_TEXT("a vector of three numbers")));
+    }
+    double unit_mm = 1.0;
+    if (const std::string units = value("space units"); !units.empty()) {
+        static constexpr auto kUnits = std::to_array<std::pair<std::string_view, double>>(
+            {{"\"mm\"", 1.0}, {"\"m\"", 1000.0}, {"\"cm\"", 10.0}, {"\"um\"", 1e-3}});
+        std::string_view words = units;
+        const std::string_view first = takeWord(words);
+        const auto* const known =
+            std::find_if(kUnits.begin(), kUnits.end(), [&](const auto& one) { return one.first == first; });
+        if (known == kUnits.end()) {
+            return wrong("space units", Message(PALPATE_TEXT("\"mm\", \"cm\", \"m\" or \"um\"")),
+                         StatusCode::Unsupported);
+        }
+        unit_mm = known->second;
+    }
+    m_layout.frame = space.frame;
+    m_layout.steps = unit_mm * (space.sign.asDiagonal() * m_layout.steps);
+    m_layout.origin = unit_mm * space.sign.cwiseProduct(*place);
+    return {};
+}
+
+Status NrrdParser::takeDataFiles()
+{
+    m_layout.offset = m_fields.size;
+    for (const char* field : {"data file", "datafile"}) {
+        const std::string name = value(field);
+        if (name.empty()) {
+            continue;
+        }
+        const bool isList = name.starts_with("LIST");
+        if (!m_layout.dataFiles.empty() || (isList && m_layout.isPacked)) {
+            return wrong(field, Message(PALPATE_TEXT("one file, or uncompressed files in a LIST")),
+                         StatusCode::Unsupported);
+        }
+        if (!isList && name.find('%') != std::string::npos) {
+            return wrong(field, Message(PALPATE_TEXT("the name of one file, or LIST and one name on each line")),
+                         StatusCode::Unsupported);
+        }
+        m_layout.dataFiles = isList ? m_fields.dataFiles : std::vector<std::string>{name};
+        m_layout.offset = 0;
+        if (m_layout.dataFiles.empty()) {
+            return wrong(field, Message(PALPATE_TEXT("one name on each line after LIST")));
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+bool looksLikeNrrd(std::string_view bytes)
+{
+    return bytes.starts_with("NRRD000");
+}
+
+Result<VolumeLayout> nrrdLayout(std::string_view bytes, const std::string& file)
+{
+    Result<NrrdFields> fields = fieldsOf(bytes, file);
+    return fields.isOk() ? NrrdParser(std::move(fields).value(), file).parse() : fields.status();
+}
+
+} // namespace palpate::meshio::internal
