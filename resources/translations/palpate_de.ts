@@ -2290,6 +2290,2526 @@
         <source>%1: the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
         <translation>%1: dorthin kommt die berührte Oberfläche; dort liegt eine andere Datei, erwartet wurde keine oder ein älterer Export. Wählen Sie einen anderen Namen</translation>
     </message>
+    <message>
+        <source>%1 is a recording and keeps its own layers</source>
+        <translation>%1 ist eine Aufzeichnung und behält ihre eigenen Schichten</translation>
+    </message>
+    <message>
+        <source>%1 is a scene file and keeps its own layers</source>
+        <translation>%1 ist eine Szenendatei und behält ihre eigenen Schichten</translation>
+    </message>
+    <message>
+        <source>nothing lies in another structure: all is in one layer</source>
+        <translation>nichts liegt in einer anderen Struktur: alles ist in einer Schicht</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>the steps of %1 are felt, with forces that are wrong by a multiple: --smooth smooths them</source>
+        <translation>die Stufen von %1 sind zu fühlen, mit um ein Vielfaches falschen Kräften: --smooth glättet sie</translation>
+    </message>
+    <message>
+        <source>1 surface is inside out and felt from within only: %1; --outwards turns closed surfaces outwards</source>
+        <translation>1 Oberfläche ist umgestülpt und nur von innen zu fühlen: %1; --outwards wendet geschlossene Oberflächen nach außen</translation>
+    </message>
+    <message>
+        <source>%1 surfaces are inside out and felt from within only: %2; --outwards turns closed surfaces outwards</source>
+        <translation>%1 Oberflächen sind umgestülpt und nur von innen zu fühlen: %2; --outwards wendet geschlossene Oberflächen nach außen</translation>
+    </message>
+    <message>
+        <source>%1: found %2, expected 0 to %3 %4</source>
+        <translation>%1: %2 gefunden, erwartet 0 bis %3 %4</translation>
+    </message>
+    <message>
+        <source>friction_dynamic: found %1, expected at most %2 (friction_static)</source>
+        <translation>friction_dynamic: %1 gefunden, erwartet höchstens %2 (friction_static)</translation>
+    </message>
+    <message>
+        <source>1 value of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
+        <translation>1 Wert wich um mehr als 10 % von einem anderen am selben Eckpunkt ab: das Mittel gilt</translation>
+    </message>
+    <message>
+        <source>%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
+        <translation>%1 Werte wichen um mehr als 10 % von einem anderen am selben Eckpunkt ab: das Mittel gilt</translation>
+    </message>
+    <message>
+        <source>1 triangle without area left out</source>
+        <translation>1 Dreieck ohne Fläche weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area left out</source>
+        <translation>%1 Dreiecke ohne Fläche weggelassen</translation>
+    </message>
+    <message>
+        <source>1 duplicate triangle left out</source>
+        <translation>1 doppeltes Dreieck weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles left out</source>
+        <translation>%1 doppelte Dreiecke weggelassen</translation>
+    </message>
+    <message>
+        <source>1 triangle turned round to face the same way as the rest</source>
+        <translation>1 Dreieck gewendet, damit es zur selben Seite zeigt wie die übrigen</translation>
+    </message>
+    <message>
+        <source>%1 triangles turned round to face the same way as the rest</source>
+        <translation>%1 Dreiecke gewendet, damit sie zur selben Seite zeigen wie die übrigen</translation>
+    </message>
+    <message>
+        <source>1 open edge: the surface has holes or a rim</source>
+        <translation>1 offene Kante: die Oberfläche hat Löcher oder einen Rand</translation>
+    </message>
+    <message>
+        <source>%1 open edges: the surface has holes or a rim</source>
+        <translation>%1 offene Kanten: die Oberfläche hat Löcher oder einen Rand</translation>
+    </message>
+    <message>
+        <source>1 edge shared by more than two triangles</source>
+        <translation>1 Kante gehört zu mehr als zwei Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1 edges shared by more than two triangles</source>
+        <translation>%1 Kanten gehören zu mehr als zwei Dreiecken</translation>
+    </message>
+    <message>
+        <source>1 part without a consistent front</source>
+        <translation>1 Teil ohne einheitliche Vorderseite</translation>
+    </message>
+    <message>
+        <source>%1 parts without a consistent front</source>
+        <translation>%1 Teile ohne einheitliche Vorderseite</translation>
+    </message>
+    <message>
+        <source>1 part without an inside, touched from both sides</source>
+        <translation>1 Teil ohne Inneres, von beiden Seiten zu fühlen</translation>
+    </message>
+    <message>
+        <source>%1 parts without an inside, touched from both sides</source>
+        <translation>%1 Teile ohne Inneres, von beiden Seiten zu fühlen</translation>
+    </message>
+    <message>
+        <source>1 closed part looks inside out: touched from within only, unless turned outwards</source>
+        <translation>1 geschlossener Teil sieht umgestülpt aus: nur von innen berührbar, solange er nicht umgedreht wird</translation>
+    </message>
+    <message>
+        <source>%1 closed parts look inside out: touched from within only, unless turned outwards</source>
+        <translation>%1 geschlossene Teile sehen umgestülpt aus: nur von innen berührbar, solange sie nicht umgedreht werden</translation>
+    </message>
+    <message>
+        <source>1 closed part was inside out and turned to face outwards</source>
+        <translation>1 geschlossener Teil war umgestülpt und wurde nach außen gewendet</translation>
+    </message>
+    <message>
+        <source>%1 closed parts were inside out and turned to face outwards</source>
+        <translation>%1 geschlossene Teile waren umgestülpt und wurden nach außen gewendet</translation>
+    </message>
+    <message>
+        <source>surface from a label map of %1 × %2 × %3 mm voxels, with its steps</source>
+        <translation>Oberfläche aus einer Labelkarte mit Voxeln von %1 × %2 × %3 mm, mit ihren Stufen</translation>
+    </message>
+    <message>
+        <source>staircase of about %1 × %2 × %3 mm voxels (%4 % of the area in %5 directions)</source>
+        <translation>Treppe aus Voxeln von etwa %1 × %2 × %3 mm (%4 % der Fläche in %5 Richtungen)</translation>
+    </message>
+    <message>
+        <source>the mesh has no triangles, expected at least 1</source>
+        <translation>das Netz hat keine Dreiecke, erwartet mindestens 1</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices or triangles, expected at most %2</source>
+        <translation>das Netz hat %1 Eckpunkte oder Dreiecke, erwartet höchstens %2</translation>
+    </message>
+    <message>
+        <source>triangle %1 uses vertex %2, expected a number below %3</source>
+        <translation>Dreieck %1 verwendet Eckpunkt %2, erwartet eine Nummer unter %3</translation>
+    </message>
+    <message>
+        <source>vertex %1 has the coordinate %2, expected a finite number</source>
+        <translation>Eckpunkt %1 hat die Koordinate %2, erwartet eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>vertex %1 has the coordinate %2 mm, expected at most %3 mm; check the unit</source>
+        <translation>Eckpunkt %1 hat die Koordinate %2 mm, erwartet höchstens %3 mm; prüfen Sie die Einheit</translation>
+    </message>
+    <message>
+        <source>array %1 has %2 values, expected %3</source>
+        <translation>Feld %1 hat %2 Werte, erwartet %3</translation>
+    </message>
+    <message>
+        <source>weldWithin_mm: found %1, expected 0 to %2 mm</source>
+        <translation>weldWithin_mm: %1 gefunden, erwartet 0 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>none of the %1 triangles has an area; check the unit, expected mm</source>
+        <translation>keines der %1 Dreiecke hat eine Fläche; prüfen Sie die Einheit, erwartet mm</translation>
+    </message>
+    <message>
+        <source>found structure %1, expected a number below %2</source>
+        <translation>Struktur %1 gefunden, erwartet eine Nummer unter %2</translation>
+    </message>
+    <message>
+        <source>structure %1 (%2)</source>
+        <translation>Struktur %1 (%2)</translation>
+    </message>
+    <message>
+        <source>fingertip: found a radius of %1, expected 0 to %2 mm</source>
+        <translation>Fingerspitze: Radius %1 gefunden, erwartet 0 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>structure %1 (%2): found no surface, expected at least one triangle</source>
+        <translation>Struktur %1 (%2): keine Oberfläche gefunden, erwartet mindestens ein Dreieck</translation>
+    </message>
+    <message>
+        <source>found %1</source>
+        <translation>gefunden %1</translation>
+    </message>
+    <message>
+        <source>the keyword %1 or %2</source>
+        <translation>das Schlüsselwort %1 oder %2</translation>
+    </message>
+    <message>
+        <source>found %1 as corner %2 of a facet</source>
+        <translation>%1 als Ecke %2 einer Facette gefunden</translation>
+    </message>
+    <message>
+        <source>the keyword %1, three times in each facet</source>
+        <translation>das Schlüsselwort %1, dreimal in jeder Facette</translation>
+    </message>
+    <message>
+        <source>the vertex has fewer than three coordinates</source>
+        <translation>der Eckpunkt hat weniger als drei Koordinaten</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>drei Zahlen</translation>
+    </message>
+    <message>
+        <source>finite coordinates within 10 km</source>
+        <translation>endliche Koordinaten innerhalb von 10 km</translation>
+    </message>
+    <message>
+        <source>found %1 after the third coordinate</source>
+        <translation>%1 nach der dritten Koordinate gefunden</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>das Ende der Zeile</translation>
+    </message>
+    <message>
+        <source>the keyword %1</source>
+        <translation>das Schlüsselwort %1</translation>
+    </message>
+    <message>
+        <source>found %1 after three corners</source>
+        <translation>%1 nach drei Ecken gefunden</translation>
+    </message>
+    <message>
+        <source>found a zero byte</source>
+        <translation>ein Null-Byte gefunden</translation>
+    </message>
+    <message>
+        <source>the file ends after one complete triangle</source>
+        <translation>die Datei endet nach einem ganzen Dreieck</translation>
+    </message>
+    <message>
+        <source>the file ends after %1 complete triangles</source>
+        <translation>die Datei endet nach %1 ganzen Dreiecken</translation>
+    </message>
+    <message>
+        <source>the rest of a facet, then the keyword %1</source>
+        <translation>der Rest einer Facette, dann das Schlüsselwort %1</translation>
+    </message>
+    <message>
+        <source>%1; --partial opens the complete triangles</source>
+        <translation>%1; --partial öffnet die vollständigen Dreiecke</translation>
+    </message>
+    <message>
+        <source>0 triangles</source>
+        <translation>keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>at least one triangle</source>
+        <translation>mindestens ein Dreieck</translation>
+    </message>
+    <message>
+        <source>the last line, &quot;endsolid&quot;, is missing: if the file was cut off there, triangles are missing</source>
+        <translation>die letzte Zeile, „endsolid“, fehlt: falls die Datei dort abgeschnitten wurde, fehlen Dreiecke</translation>
+    </message>
+    <message>
+        <source>everything after the first triangle is lost</source>
+        <translation>alles nach dem ersten Dreieck fehlt</translation>
+    </message>
+    <message>
+        <source>everything after the first %1 triangles is lost</source>
+        <translation>alles nach den ersten %1 Dreiecken fehlt</translation>
+    </message>
+    <message>
+        <source>a cell of VTK&apos;s type %1: not a surface, but a volume mesh or curved cells</source>
+        <translation>eine Zelle vom VTK-Typ %1: keine Oberfläche, sondern ein Volumennetz oder gekrümmte Zellen</translation>
+    </message>
+    <message>
+        <source>number of corners of a cell of VTK&apos;s type %1: %2</source>
+        <translation>Anzahl der Ecken einer Zelle vom VTK-Typ %1: %2</translation>
+    </message>
+    <message>
+        <source>triangles and quadrilaterals: extract the surface first (ParaView: Extract Surface)</source>
+        <translation>Dreiecke und Vierecke: zuerst die Oberfläche extrahieren (ParaView: Extract Surface)</translation>
+    </message>
+    <message>
+        <source>vertices and lines left out: %1</source>
+        <translation>weggelassene Punkte und Linien: %1</translation>
+    </message>
+    <message>
+        <source>names and colours from the ITK-SNAP label description %1</source>
+        <translation>Namen und Farben aus der ITK-SNAP-Labelbeschreibung %1</translation>
+    </message>
+    <message>
+        <source>the file has no names: names by the numbers of %1, check them</source>
+        <translation>die Datei hat keine Namen: Namen nach den Nummern von %1, bitte prüfen</translation>
+    </message>
+    <message>
+        <source>structures of at most %1 voxels, whose shape is uncertain: %2</source>
+        <translation>Strukturen von höchstens %1 Voxeln, deren Form ungewiss ist: %2</translation>
+    </message>
+    <message>
+        <source>no voxels of %1</source>
+        <translation>keine Voxel von %1</translation>
+    </message>
+    <message>
+        <source>%1: found %2</source>
+        <translation>%1: gefunden %2</translation>
+    </message>
+    <message>
+        <source>a whole number from 0</source>
+        <translation>eine ganze Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>%1: declared %2</source>
+        <translation>%1: angekündigt %2</translation>
+    </message>
+    <message>
+        <source>at most %1, one for each byte that follows</source>
+        <translation>höchstens %1, je eines für jedes folgende Byte</translation>
+    </message>
+    <message>
+        <source>the line %1</source>
+        <translation>die Zeile %1</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>number of points</source>
+        <translation>Anzahl der Punkte</translation>
+    </message>
+    <message>
+        <source>points of type %1</source>
+        <translation>Punkte vom Typ %1</translation>
+    </message>
+    <message>
+        <source>a number type</source>
+        <translation>ein Zahlentyp</translation>
+    </message>
+    <message>
+        <source>a coordinate of point %1 of %2 is missing or not a number</source>
+        <translation>eine Koordinate von Punkt %1 von %2 fehlt oder ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>three numbers for each point</source>
+        <translation>drei Zahlen für jeden Punkt</translation>
+    </message>
+    <message>
+        <source>point %1: %2</source>
+        <translation>Punkt %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: a point index is missing or not a whole number</source>
+        <translation>%1: die Nummer eines Punkts fehlt oder ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>as many whole numbers as are declared</source>
+        <translation>so viele ganze Zahlen, wie angekündigt sind</translation>
+    </message>
+    <message>
+        <source>%1 use point %2</source>
+        <translation>%1 verwenden den Punkt %2</translation>
+    </message>
+    <message>
+        <source>%1 before this section</source>
+        <translation>%1 vor diesem Abschnitt</translation>
+    </message>
+    <message>
+        <source>no index, because there are no points</source>
+        <translation>keine Nummer, denn es gibt keine Punkte</translation>
+    </message>
+    <message>
+        <source>%1: number of corners of cell %2: %3</source>
+        <translation>%1: Anzahl der Ecken von Zelle %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: the number of corners of cell %2 is missing</source>
+        <translation>%1: die Anzahl der Ecken von Zelle %2 fehlt</translation>
+    </message>
+    <message>
+        <source>%1 to %2, as many as the declared values allow</source>
+        <translation>%1 bis %2, so viele, wie die angekündigten Werte zulassen</translation>
+    </message>
+    <message>
+        <source>%1: number of values: declared %2</source>
+        <translation>%1: Anzahl der Werte: angekündigt %2</translation>
+    </message>
+    <message>
+        <source>%1, as many as the cells use</source>
+        <translation>%1, so viele, wie die Zellen verwenden</translation>
+    </message>
+    <message>
+        <source>found %1 and %2</source>
+        <translation>gefunden %1 und %2</translation>
+    </message>
+    <message>
+        <source>the keyword %1 and an integer type</source>
+        <translation>das Schlüsselwort %1 und ein ganzzahliger Typ</translation>
+    </message>
+    <message>
+        <source>%1: offset %2 is %3</source>
+        <translation>%1: Offset %2 ist %3</translation>
+    </message>
+    <message>
+        <source>%1: offset %2 is missing or not a whole number</source>
+        <translation>%1: Offset %2 fehlt oder ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>exactly %1</source>
+        <translation>genau %1</translation>
+    </message>
+    <message>
+        <source>%1: number of corners: declared %2</source>
+        <translation>%1: Anzahl der Ecken: angekündigt %2</translation>
+    </message>
+    <message>
+        <source>%1, the last offset</source>
+        <translation>%1, der letzte Offset</translation>
+    </message>
+    <message>
+        <source>number of cells</source>
+        <translation>Anzahl der Zellen</translation>
+    </message>
+    <message>
+        <source>number of values</source>
+        <translation>Anzahl der Werte</translation>
+    </message>
+    <message>
+        <source>number of cell types</source>
+        <translation>Anzahl der Zelltypen</translation>
+    </message>
+    <message>
+        <source>%1, one for each cell</source>
+        <translation>%1, eine je Zelle</translation>
+    </message>
+    <message>
+        <source>%1: a value is missing or not a whole number</source>
+        <translation>%1: ein Wert fehlt oder ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>length of a text: %1 bytes</source>
+        <translation>Länge eines Textes: %1 Byte</translation>
+    </message>
+    <message>
+        <source>at most %1, the number of bytes that follow</source>
+        <translation>höchstens %1, die Anzahl der folgenden Bytes</translation>
+    </message>
+    <message>
+        <source>number of arrays</source>
+        <translation>Anzahl der Arrays</translation>
+    </message>
+    <message>
+        <source>number of components</source>
+        <translation>Anzahl der Komponenten</translation>
+    </message>
+    <message>
+        <source>number of tuples</source>
+        <translation>Anzahl der Tupel</translation>
+    </message>
+    <message>
+        <source>array %1: %2</source>
+        <translation>Array %1: %2</translation>
+    </message>
+    <message>
+        <source>number of values: declared %1, of type %2</source>
+        <translation>Anzahl der Werte: angekündigt %1, vom Typ %2</translation>
+    </message>
+    <message>
+        <source>a known type and as many numbers as are declared</source>
+        <translation>ein bekannter Typ und so viele Zahlen, wie angekündigt sind</translation>
+    </message>
+    <message>
+        <source>a second section %1</source>
+        <translation>ein zweiter Abschnitt %1</translation>
+    </message>
+    <message>
+        <source>each section once</source>
+        <translation>jeder Abschnitt einmal</translation>
+    </message>
+    <message>
+        <source>a VTK file of type %1</source>
+        <translation>eine VTK-Datei vom Typ %1</translation>
+    </message>
+    <message>
+        <source>the type %1</source>
+        <translation>der Typ %1</translation>
+    </message>
+    <message>
+        <source>one of the keywords %1</source>
+        <translation>eines der Schlüsselwörter %1</translation>
+    </message>
+    <message>
+        <source>colours not read: those of %1</source>
+        <translation>Farben nicht gelesen: die von %1</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>ein ZIP-Archiv</translation>
+    </message>
+    <message>
+        <source>a PNG image</source>
+        <translation>ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>an SQLite database (a recording?)</source>
+        <translation>eine SQLite-Datenbank (eine Aufzeichnung?)</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <translation>eine DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>a mesh in one of the formats %1</source>
+        <translation>eine Oberfläche in einem der Formate %1</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>a web page (HTML), perhaps a failed download</source>
+        <translation>eine Webseite (HTML), vielleicht ein misslungener Download</translation>
+    </message>
+    <message>
+        <source>a Git LFS pointer, not the file itself (fetch it with `git lfs pull`)</source>
+        <translation>ein Zeiger von Git LFS, nicht die Datei selbst (sie lässt sich mit `git lfs pull` holen)</translation>
+    </message>
+    <message>
+        <source>is %1, which Palpate does not read</source>
+        <translation>ist %1; das liest Palpate nicht</translation>
+    </message>
+    <message>
+        <source>a mesh saved in one of the formats %1</source>
+        <translation>eine Oberfläche, gespeichert in einem der Formate %1</translation>
+    </message>
+    <message>
+        <source>the content is no known mesh format</source>
+        <translation>der Inhalt ist kein bekanntes Format einer Oberfläche</translation>
+    </message>
+    <message>
+        <source>three numbers after %1</source>
+        <translation>drei Zahlen nach %1</translation>
+    </message>
+    <message>
+        <source>%1 is not a vertex index</source>
+        <translation>%1 ist keine Nummer eines Eckpunkts</translation>
+    </message>
+    <message>
+        <source>whole numbers after %1</source>
+        <translation>ganze Zahlen nach %1</translation>
+    </message>
+    <message>
+        <source>vertex index %1 (number of vertices so far: %2)</source>
+        <translation>die Eckpunktnummer %1 (Anzahl der Eckpunkte bis hier: %2)</translation>
+    </message>
+    <message>
+        <source>indices from 1, or negative indices that count back from the last vertex</source>
+        <translation>Nummern ab 1 oder negative Nummern, die vom letzten Eckpunkt zurückzählen</translation>
+    </message>
+    <message>
+        <source>a face with one corner</source>
+        <translation>eine Fläche mit einer Ecke</translation>
+    </message>
+    <message>
+        <source>a face with %1 corners</source>
+        <translation>eine Fläche mit %1 Ecken</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>vertex index %1</source>
+        <translation>die Eckpunktnummer %1</translation>
+    </message>
+    <message>
+        <source>at most %1, the number of vertices</source>
+        <translation>höchstens %1, die Anzahl der Eckpunkte</translation>
+    </message>
+    <message>
+        <source>colours not read: those of its material</source>
+        <translation>Farben nicht gelesen: die des Materials</translation>
+    </message>
+    <message>
+        <source>colours not read: those of its %1 materials</source>
+        <translation>Farben nicht gelesen: die der %1 Materialien</translation>
+    </message>
+    <message>
+        <source>number of line, point and curve elements that are ignored: %1</source>
+        <translation>Anzahl der nicht beachteten Linien-, Punkt- und Kurvenelemente: %1</translation>
+    </message>
+    <message>
+        <source>colours not read: those of its vertices</source>
+        <translation>Farben nicht gelesen: die der Eckpunkte</translation>
+    </message>
+    <message>
+        <source>the file ends in a line; that line is lost</source>
+        <translation>die Datei endet mitten in einer Zeile; diese Zeile fehlt</translation>
+    </message>
+    <message>
+        <source>a mesh saved as STL, PLY, OBJ or VTK (MeshLab or Blender convert it)</source>
+        <translation>ein als STL, PLY, OBJ oder VTK gespeichertes Netz (MeshLab oder Blender wandeln es um)</translation>
+    </message>
+    <message>
+        <source>a mesh in VTK format: convert it with FreeSurfer&apos;s mris_convert to a name that ends in .vtk</source>
+        <translation>ein Netz im VTK-Format: mit mris_convert von FreeSurfer in eine Datei mit der Endung .vtk umwandeln</translation>
+    </message>
+    <message>
+        <source>an AppleDouble file, in which macOS keeps the attributes of another file</source>
+        <translation>eine AppleDouble-Datei, in der macOS die Attribute einer anderen Datei ablegt</translation>
+    </message>
+    <message>
+        <source>the file of the same name without &quot;._&quot;</source>
+        <translation>die Datei desselben Namens ohne „._“</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer surface</source>
+        <translation>eine FreeSurfer-Oberfläche</translation>
+    </message>
+    <message>
+        <source>a file compressed by gzip</source>
+        <translation>eine mit gzip komprimierte Datei</translation>
+    </message>
+    <message>
+        <source>the mesh itself: unpack it first (gunzip)</source>
+        <translation>das Netz selbst: zuerst auspacken (gunzip)</translation>
+    </message>
+    <message>
+        <source>a glTF file</source>
+        <translation>eine glTF-Datei</translation>
+    </message>
+    <message>
+        <source>an FBX file</source>
+        <translation>eine FBX-Datei</translation>
+    </message>
+    <message>
+        <source>a Blender file</source>
+        <translation>eine Blender-Datei</translation>
+    </message>
+    <message>
+        <source>a mesh exported from Blender as STL, PLY or OBJ</source>
+        <translation>ein aus Blender als STL, PLY oder OBJ exportiertes Netz</translation>
+    </message>
+    <message>
+        <source>a Gmsh mesh</source>
+        <translation>ein Gmsh-Netz</translation>
+    </message>
+    <message>
+        <source>its surface saved as VTK or STL (Gmsh: Export)</source>
+        <translation>seine Oberfläche, als VTK oder STL gespeichert (Gmsh: Export)</translation>
+    </message>
+    <message>
+        <source>a VRML file</source>
+        <translation>eine VRML-Datei</translation>
+    </message>
+    <message>
+        <source>a STEP model</source>
+        <translation>ein STEP-Modell</translation>
+    </message>
+    <message>
+        <source>a mesh made of it (FreeCAD: Export as STL)</source>
+        <translation>ein daraus erzeugtes Netz (FreeCAD: als STL exportieren)</translation>
+    </message>
+    <message>
+        <source>a GIFTI surface</source>
+        <translation>eine GIFTI-Oberfläche</translation>
+    </message>
+    <message>
+        <source>a 3D Slicer scene (MRML)</source>
+        <translation>eine Szene von 3D Slicer (MRML)</translation>
+    </message>
+    <message>
+        <source>the files of its models, which are beside the scene: open them or their folder</source>
+        <translation>die Dateien ihrer Modelle, die neben der Szene liegen: diese oder ihren Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>an AMF file</source>
+        <translation>eine AMF-Datei</translation>
+    </message>
+    <message>
+        <source>a COLLADA file</source>
+        <translation>eine COLLADA-Datei</translation>
+    </message>
+    <message>
+        <source>an X3D file</source>
+        <translation>eine X3D-Datei</translation>
+    </message>
+    <message>
+        <source>an OFF file</source>
+        <translation>eine OFF-Datei</translation>
+    </message>
+    <message>
+        <source>a surface in MNI&apos;s object format</source>
+        <translation>eine Oberfläche im Objektformat des MNI</translation>
+    </message>
+    <message>
+        <source>a JSON document</source>
+        <translation>ein JSON-Dokument</translation>
+    </message>
+    <message>
+        <source>a mesh, or a scene of Palpate with a name that ends in .json</source>
+        <translation>ein Netz oder eine Szene von Palpate, deren Name auf .json endet</translation>
+    </message>
+    <message>
+        <source>%1 is not a number, in element %2 %3 of %4</source>
+        <translation>%1 ist keine Zahl, im Element %2 %3 von %4</translation>
+    </message>
+    <message>
+        <source>the file ends in element %1 %2 of %3</source>
+        <translation>die Datei endet im Element %1 %2 von %3</translation>
+    </message>
+    <message>
+        <source>vertex %1: %2</source>
+        <translation>Eckpunkt %1: %2</translation>
+    </message>
+    <message>
+        <source>number of corners of face %1: %2</source>
+        <translation>Anzahl der Ecken von Fläche %1: %2</translation>
+    </message>
+    <message>
+        <source>face %1 uses vertex %2</source>
+        <translation>die Fläche %1 verwendet den Eckpunkt %2</translation>
+    </message>
+    <message>
+        <source>the property %1</source>
+        <translation>die Eigenschaft %1</translation>
+    </message>
+    <message>
+        <source>element %1 %2: length of a list: %3</source>
+        <translation>Element %1 %2: Länge einer Liste: %3</translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>no faces with a list of vertex indices</source>
+        <translation>keine Flächen mit einer Liste von Eckpunkten</translation>
+    </message>
+    <message>
+        <source>found the element %1</source>
+        <translation>das Element %1 gefunden</translation>
+    </message>
+    <message>
+        <source>%1, then %2, once each</source>
+        <translation>%1, dann %2, je einmal</translation>
+    </message>
+    <message>
+        <source>no vertices with x, y and z</source>
+        <translation>keine Eckpunkte mit x, y und z</translation>
+    </message>
+    <message>
+        <source>one of each</source>
+        <translation>je eines davon</translation>
+    </message>
+    <message>
+        <source>number of vertices: %1, of faces: %2</source>
+        <translation>Anzahl der Eckpunkte: %1, der Flächen: %2</translation>
+    </message>
+    <message>
+        <source>at most %1 of each</source>
+        <translation>jeweils höchstens %1</translation>
+    </message>
+    <message>
+        <source>more data after the last element</source>
+        <translation>weitere Daten nach dem letzten Element</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>das Ende der Datei</translation>
+    </message>
+    <message>
+        <source>0 faces</source>
+        <translation>keine Flächen</translation>
+    </message>
+    <message>
+        <source>at least one face</source>
+        <translation>mindestens eine Fläche</translation>
+    </message>
+    <message>
+        <source>lines with more numbers than the header declares: %1; the surplus is left out</source>
+        <translation>Zeilen mit mehr Zahlen, als der Kopf angibt: %1; das Überzählige ist weggelassen</translation>
+    </message>
+    <message>
+        <source>the file ends there: %1 of %2 faces lost</source>
+        <translation>die Datei endet dort: %1 von %2 Flächen fehlen</translation>
+    </message>
+    <message>
+        <source>the format %1</source>
+        <translation>das Format %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 or %3</source>
+        <translation>%1, %2 oder %3</translation>
+    </message>
+    <message>
+        <source>the element count %1</source>
+        <translation>die Anzahl der Elemente %1</translation>
+    </message>
+    <message>
+        <source>a type and a name, below an element</source>
+        <translation>ein Typ und ein Name, unter einem Element</translation>
+    </message>
+    <message>
+        <source>lines of the header that are none of PLY left out: %1</source>
+        <translation>weggelassene Kopfzeilen, die nicht zu PLY gehören: %1</translation>
+    </message>
+    <message>
+        <source>the header has no line %1</source>
+        <translation>im Kopf fehlt die Zeile %1</translation>
+    </message>
+    <message>
+        <source>one such line</source>
+        <translation>eine solche Zeile</translation>
+    </message>
+    <message>
+        <source>the file ends in the header</source>
+        <translation>die Datei endet in ihrem Kopf</translation>
+    </message>
+    <message>
+        <source>colours not read: those of its elements %1</source>
+        <translation>Farben nicht gelesen: die der Elemente %1</translation>
+    </message>
+    <message>
+        <source>number of elements %1: declared %2</source>
+        <translation>Anzahl der Elemente %1: angekündigt %2</translation>
+    </message>
+    <message>
+        <source>at most %1, as many as the %2 bytes that follow can hold</source>
+        <translation>höchstens %1, so viele, wie in die folgenden %2 Byte passen</translation>
+    </message>
+    <message>
+        <source>coordinates are not numbers in %1 of %2 triangles (first: triangle %3)</source>
+        <translation>Koordinaten sind keine Zahlen in %1 von %2 Dreiecken (als erstes Dreieck %3)</translation>
+    </message>
+    <message>
+        <source>coordinates are farther than 10 km from the origin in %1 of %2 triangles (first: triangle %3)</source>
+        <translation>Koordinaten sind weiter als 10 km vom Ursprung entfernt in %1 von %2 Dreiecken (als erstes Dreieck %3)</translation>
+    </message>
+    <message>
+        <source>coordinates are not numbers, or farther than 10 km from the origin, in %1 of %2 triangles (first: triangle %3)</source>
+        <translation>Koordinaten sind keine Zahlen oder weiter als 10 km vom Ursprung entfernt in %1 von %2 Dreiecken (als erstes Dreieck %3)</translation>
+    </message>
+    <message>
+        <source>the count of triangles in the header, 0, is wrong: the size of the file says %1</source>
+        <translation>die Anzahl der Dreiecke im Kopf, 0, ist falsch: nach der Dateigröße sind es %1</translation>
+    </message>
+    <message>
+        <source>the last triangle is whole, but the attribute behind it is cut off</source>
+        <translation>das letzte Dreieck ist vollständig, aber das Attribut dahinter ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the file ends there: %1 of %2 triangles lost</source>
+        <translation>die Datei endet dort: %1 von %2 Dreiecken fehlen</translation>
+    </message>
+    <message>
+        <source>cut off: the binary STL declares %1 triangles, but the %2 bytes hold %3</source>
+        <translation>abgeschnitten: das binäre STL nennt %1 Dreiecke, aber die %2 Bytes enthalten %3</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 Byte</translation>
+    </message>
+    <message>
+        <source>%1 bytes; --partial opens the first %2 of %3 triangles</source>
+        <translation>%1 Bytes; --partial öffnet die ersten %2 von %3 Dreiecken</translation>
+    </message>
+    <message>
+        <source>number of triangles of the binary STL: declared %1, but the %2 bytes hold %3</source>
+        <translation>Anzahl der Dreiecke der binären STL-Datei: angekündigt %1, aber in den %2 Byte sind %3</translation>
+    </message>
+    <message>
+        <source>colours not read: those of %1 of the triangles, as a structure has one colour</source>
+        <translation>Farben nicht gelesen: die von %1 der Dreiecke, denn eine Struktur hat eine Farbe</translation>
+    </message>
+    <message>
+        <source>the file ends in the STL header</source>
+        <translation>die Datei endet im Kopf der STL-Datei</translation>
+    </message>
+    <message>
+        <source>at least %1 bytes</source>
+        <translation>mindestens %1 Byte</translation>
+    </message>
+    <message>
+        <source>a number in the range of %1</source>
+        <translation>eine Zahl im Bereich von %1</translation>
+    </message>
+    <message>
+        <source>a blank or a line end after it</source>
+        <translation>ein Leerzeichen oder ein Zeilenende dahinter</translation>
+    </message>
+    <message>
+        <source>its type is %1</source>
+        <translation>sein Typ ist %1</translation>
+    </message>
+    <message>
+        <source>size of its data: %1 bytes</source>
+        <translation>Größe seiner Daten: %1 Byte</translation>
+    </message>
+    <message>
+        <source>a multiple of %1 bytes</source>
+        <translation>ein Vielfaches von %1 Byte</translation>
+    </message>
+    <message>
+        <source>value %1 is %2</source>
+        <translation>Wert %1 ist %2</translation>
+    </message>
+    <message>
+        <source>a number of type %1</source>
+        <translation>eine Zahl vom Typ %1</translation>
+    </message>
+    <message>
+        <source>number of values: %1</source>
+        <translation>Anzahl der Werte: %1</translation>
+    </message>
+    <message>
+        <source>number of points: declared %1, but there is no array of points</source>
+        <translation>Anzahl der Punkte: angekündigt %1, aber es gibt kein Array mit Punkten</translation>
+    </message>
+    <message>
+        <source>an array of points</source>
+        <translation>ein Array mit Punkten</translation>
+    </message>
+    <message>
+        <source>number of components: %1</source>
+        <translation>Anzahl der Komponenten: %1</translation>
+    </message>
+    <message>
+        <source>its compressed data are damaged</source>
+        <translation>seine komprimierten Daten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>data that can be decompressed</source>
+        <translation>Daten, die sich dekomprimieren lassen</translation>
+    </message>
+    <message>
+        <source>%1: declared %2 cells, but an array is missing</source>
+        <translation>%1: %2 Zellen sind angekündigt, aber ein Array fehlt</translation>
+    </message>
+    <message>
+        <source>the arrays %1 and %2</source>
+        <translation>die Arrays %1 und %2</translation>
+    </message>
+    <message>
+        <source>its type is %1, its number of components %2</source>
+        <translation>sein Typ ist %1, seine Anzahl von Komponenten %2</translation>
+    </message>
+    <message>
+        <source>whole numbers with one component</source>
+        <translation>ganze Zahlen mit einer Komponente</translation>
+    </message>
+    <message>
+        <source>value %1 is point %2</source>
+        <translation>Wert %1 ist der Punkt %2</translation>
+    </message>
+    <message>
+        <source>character %1 is %2</source>
+        <translation>Zeichen %1 ist %2</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>its last string has no end</source>
+        <translation>seine letzte Zeichenkette hat kein Ende</translation>
+    </message>
+    <message>
+        <source>a zero after each string</source>
+        <translation>eine Null nach jeder Zeichenkette</translation>
+    </message>
+    <message>
+        <source>number of tuples: declared %1, of components in each: %2</source>
+        <translation>Anzahl der Tupel: angekündigt %1, der Komponenten in jedem: %2</translation>
+    </message>
+    <message>
+        <source>exactly %1 values, as many as it contains</source>
+        <translation>genau %1 Werte, so viele, wie darin sind</translation>
+    </message>
+    <message>
+        <source>at most %1 values, as many as it contains</source>
+        <translation>höchstens %1 Werte, so viele, wie darin sind</translation>
+    </message>
+    <message>
+        <source>colours not read: the array %1 of its points</source>
+        <translation>Farben nicht gelesen: das Array %1 der Punkte</translation>
+    </message>
+    <message>
+        <source>colours not read: the array %1 of its polygons</source>
+        <translation>Farben nicht gelesen: das Array %1 der Vielecke</translation>
+    </message>
+    <message>
+        <source>%1, one for each point</source>
+        <translation>%1, einer für jeden Punkt</translation>
+    </message>
+    <message>
+        <source>%1, one for each polygon</source>
+        <translation>%1, einer für jedes Vieleck</translation>
+    </message>
+    <message>
+        <source>the array %1 is damaged and not used</source>
+        <translation>das Array %1 ist beschädigt und wird nicht verwendet</translation>
+    </message>
+    <message>
+        <source>number of elements: declared %1</source>
+        <translation>Anzahl der Elemente: angekündigt %1</translation>
+    </message>
+    <message>
+        <source>number of points: %1, of polygons and strips: %2</source>
+        <translation>Anzahl der Punkte: %1, der Vielecke und Streifen: %2</translation>
+    </message>
+    <message>
+        <source>the cells have no types</source>
+        <translation>die Zellen haben keine Typen</translation>
+    </message>
+    <message>
+        <source>the array %1</source>
+        <translation>das Feld %1</translation>
+    </message>
+    <message>
+        <source>number of points: %1</source>
+        <translation>Anzahl der Punkte: %1</translation>
+    </message>
+    <message>
+        <source>the file ends in the header of its data</source>
+        <translation>die Datei endet im Kopf seiner Daten</translation>
+    </message>
+    <message>
+        <source>size of its data: declared %1 bytes</source>
+        <translation>Größe seiner Daten: angekündigt %1 Byte</translation>
+    </message>
+    <message>
+        <source>at most %1, the number of characters that follow</source>
+        <translation>höchstens %1, die Anzahl der folgenden Zeichen</translation>
+    </message>
+    <message>
+        <source>block %1 reaches beyond the end of the file; its size is %2 bytes</source>
+        <translation>Block %1 reicht über das Ende der Datei hinaus; seine Größe ist %2 Byte</translation>
+    </message>
+    <message>
+        <source>at most %1 bytes</source>
+        <translation>höchstens %1 Byte</translation>
+    </message>
+    <message>
+        <source>block %1: declared sizes are %2 bytes compressed and %3 bytes decompressed</source>
+        <translation>Block %1: angekündigt sind %2 Byte komprimiert und %3 Byte dekomprimiert</translation>
+    </message>
+    <message>
+        <source>at most %1 bytes decompressed</source>
+        <translation>höchstens %1 Byte dekomprimiert</translation>
+    </message>
+    <message>
+        <source>number of blocks: declared %1</source>
+        <translation>Anzahl der Blöcke: angekündigt %1</translation>
+    </message>
+    <message>
+        <source>at most %1, the number of header words that follow</source>
+        <translation>höchstens %1, die Anzahl der folgenden Wörter des Kopfs</translation>
+    </message>
+    <message>
+        <source>block size %1 bytes, size of the last block %2 bytes</source>
+        <translation>Blockgröße %1 Byte, Größe des letzten Blocks %2 Byte</translation>
+    </message>
+    <message>
+        <source>a block size of at least one byte and a last block that is not larger</source>
+        <translation>eine Blockgröße von mindestens einem Byte und ein letzter Block, der nicht größer ist</translation>
+    </message>
+    <message>
+        <source>its data begin at offset %1</source>
+        <translation>seine Daten beginnen bei Offset %1</translation>
+    </message>
+    <message>
+        <source>less than %1, the length of the appended data</source>
+        <translation>weniger als %1, die Länge der angehängten Daten</translation>
+    </message>
+    <message>
+        <source>found %1=%2</source>
+        <translation>gefunden %1=%2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>the compressor %1</source>
+        <translation>das Kompressionsverfahren %1</translation>
+    </message>
+    <message>
+        <source>found an array %1 under %2</source>
+        <translation>ein Array %1 unter %2 gefunden</translation>
+    </message>
+    <message>
+        <source>one array of points, one array %1 and one array %2</source>
+        <translation>ein Array mit Punkten, ein Array %1 und ein Array %2</translation>
+    </message>
+    <message>
+        <source>found an element %1 under %2</source>
+        <translation>ein Element %1 unter %2 gefunden</translation>
+    </message>
+    <message>
+        <source>an XML document of type %1</source>
+        <translation>ein XML-Dokument vom Typ %1</translation>
+    </message>
+    <message>
+        <source>found a document type or an entity</source>
+        <translation>ein Dokumenttyp oder eine Entität gefunden</translation>
+    </message>
+    <message>
+        <source>a VTP file without them</source>
+        <translation>eine VTP-Datei ohne solche Angaben</translation>
+    </message>
+    <message>
+        <source>elements nested in more than %1 levels</source>
+        <translation>Elemente in mehr als %1 Ebenen verschachtelt</translation>
+    </message>
+    <message>
+        <source>at most %1 levels</source>
+        <translation>höchstens %1 Ebenen</translation>
+    </message>
+    <message>
+        <source>invalid XML: %1</source>
+        <translation>ungültiges XML: %1</translation>
+    </message>
+    <message>
+        <source>well-formed XML to the end of the file</source>
+        <translation>fehlerfreies XML bis zum Ende der Datei</translation>
+    </message>
+    <message>
+        <source>the appended data do not begin with %1</source>
+        <translation>die angehängten Daten beginnen nicht mit %1</translation>
+    </message>
+    <message>
+        <source>%1 and the data</source>
+        <translation>%1 und die Daten</translation>
+    </message>
+    <message>
+        <source>more than 2 GiB of XML</source>
+        <translation>mehr als 2 GiB XML</translation>
+    </message>
+    <message>
+        <source>arrays as appended data</source>
+        <translation>Arrays als angehängte Daten</translation>
+    </message>
+    <message>
+        <source>no element %1</source>
+        <translation>kein Element %1</translation>
+    </message>
+    <message>
+        <source>at least one such element</source>
+        <translation>mindestens ein solches Element</translation>
+    </message>
+    <message>
+        <source>not enough memory to read it: %1</source>
+        <translation>nicht genug Speicher, um sie zu lesen: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>the file became shorter while it was read</source>
+        <translation>die Datei wurde kürzer, während sie gelesen wurde</translation>
+    </message>
+    <message>
+        <source>a readable file</source>
+        <translation>eine lesbare Datei</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>a mesh file</source>
+        <translation>eine Datei mit einer Oberfläche</translation>
+    </message>
+    <message>
+        <source>the frame SPACE=%1 is not used: expected LPS or RAS</source>
+        <translation>das Achsensystem SPACE=%1 wird nicht verwendet; erwartet: LPS oder RAS</translation>
+    </message>
+    <message>
+        <source>SCALE=%1 in the header is not used: expected %2 to %3</source>
+        <translation>SCALE=%1 im Kopf wird nicht verwendet; erwartet: %2 bis %3</translation>
+    </message>
+    <message>
+        <source>1 vertex without finite coordinates left out: no face uses it</source>
+        <translation>1 Eckpunkt ohne endliche Koordinaten weggelassen: keine Fläche benutzt ihn</translation>
+    </message>
+    <message>
+        <source>%1 vertices without finite coordinates left out: no face uses them</source>
+        <translation>%1 Eckpunkte ohne endliche Koordinaten weggelassen: keine Fläche benutzt sie</translation>
+    </message>
+    <message>
+        <source>1 face of fewer than 3 corners left out</source>
+        <translation>1 Fläche mit weniger als 3 Ecken weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 faces of fewer than 3 corners left out</source>
+        <translation>%1 Flächen mit weniger als 3 Ecken weggelassen</translation>
+    </message>
+    <message>
+        <source>1 hidden cell left out</source>
+        <translation>1 ausgeblendete Zelle weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 hidden cells left out</source>
+        <translation>%1 ausgeblendete Zellen weggelassen</translation>
+    </message>
+    <message>
+        <source>1 byte behind the last face left out</source>
+        <translation>1 Byte hinter der letzten Fläche weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 bytes behind the last face left out</source>
+        <translation>%1 Bytes hinter der letzten Fläche weggelassen</translation>
+    </message>
+    <message>
+        <source>0 faces, but %1 points: a point cloud</source>
+        <translation>0 Flächen, aber %1 Punkte: eine Punktwolke</translation>
+    </message>
+    <message>
+        <source>a surface: reconstruct one first (MeshLab: Screened Poisson)</source>
+        <translation>eine Oberfläche: zuerst eine rekonstruieren (MeshLab: Screened Poisson)</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a finite number (%1)</source>
+        <translation>eine Koordinate ist keine endliche Zahl (%1)</translation>
+    </message>
+    <message>
+        <source>a coordinate is farther than 10 km from the origin (%1)</source>
+        <translation>eine Koordinate ist weiter als 10 km vom Ursprung entfernt (%1)</translation>
+    </message>
+    <message>
+        <source>header: %1</source>
+        <translation>Kopf: %1</translation>
+    </message>
+    <message>
+        <source>header: the file of its voxels</source>
+        <translation>Kopf: die Datei der Voxel</translation>
+    </message>
+    <message>
+        <source>an empty LIST</source>
+        <translation>eine leere LIST</translation>
+    </message>
+    <message>
+        <source>a file name on each line below it</source>
+        <translation>ein Dateiname in jeder Zeile darunter</translation>
+    </message>
+    <message>
+        <source>a LIST of compressed files</source>
+        <translation>eine LIST komprimierter Dateien</translation>
+    </message>
+    <message>
+        <source>a single file, or uncompressed files</source>
+        <translation>eine einzelne Datei oder unkomprimierte Dateien</translation>
+    </message>
+    <message>
+        <source>the name of one file, or LIST and one file name on each line</source>
+        <translation>der Name einer Datei oder LIST und ein Dateiname je Zeile</translation>
+    </message>
+    <message>
+        <source>no file %1</source>
+        <translation>keine Datei %1</translation>
+    </message>
+    <message>
+        <source>this file in the folder of the header</source>
+        <translation>diese Datei im Ordner des Kopfes</translation>
+    </message>
+    <message>
+        <source>%1 twice</source>
+        <translation>%1 zweimal</translation>
+    </message>
+    <message>
+        <source>each field once</source>
+        <translation>jedes Feld einmal</translation>
+    </message>
+    <message>
+        <source>no field `dimension` before `sizes`</source>
+        <translation>kein Feld `dimension` vor `sizes`</translation>
+    </message>
+    <message>
+        <source>`dimension` first</source>
+        <translation>zuerst `dimension`</translation>
+    </message>
+    <message>
+        <source>three numbers of voxels</source>
+        <translation>drei Anzahlen von Voxeln</translation>
+    </message>
+    <message>
+        <source>both &quot;data file&quot; and &quot;datafile&quot;</source>
+        <translation>sowohl &quot;data file&quot; als auch &quot;datafile&quot;</translation>
+    </message>
+    <message>
+        <source>one of the two</source>
+        <translation>eines von beiden</translation>
+    </message>
+    <message>
+        <source>the name of one file</source>
+        <translation>der Name einer Datei</translation>
+    </message>
+    <message>
+        <source>unreadable directions of its axes</source>
+        <translation>unlesbare Richtungen der Achsen</translation>
+    </message>
+    <message>
+        <source>three vectors that are not in one plane</source>
+        <translation>drei Vektoren, die nicht in einer Ebene liegen</translation>
+    </message>
+    <message>
+        <source>it has no end</source>
+        <translation>er hat kein Ende</translation>
+    </message>
+    <message>
+        <source>a header that ends before the voxels, or with the name of their file</source>
+        <translation>ein Kopf, der vor den Voxeln oder mit dem Namen ihrer Datei endet</translation>
+    </message>
+    <message>
+        <source>a byte of 0 in its text</source>
+        <translation>ein Byte 0 im Text</translation>
+    </message>
+    <message>
+        <source>a header that consists of text only</source>
+        <translation>ein Kopf, der nur aus Text besteht</translation>
+    </message>
+    <message>
+        <source>not a digit</source>
+        <translation>keine Ziffer</translation>
+    </message>
+    <message>
+        <source>a line of %1 characters</source>
+        <translation>eine Zeile mit %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>voxels in another encoding</source>
+        <translation>Voxel in einer anderen Kodierung</translation>
+    </message>
+    <message>
+        <source>no NIfTI header</source>
+        <translation>kein NIfTI-Kopf</translation>
+    </message>
+    <message>
+        <source>a header of %1 or %2 bytes</source>
+        <translation>ein Kopf von %1 oder %2 Bytes</translation>
+    </message>
+    <message>
+        <source>voxels of type %1</source>
+        <translation>Voxel vom Typ %1</translation>
+    </message>
+    <message>
+        <source>a type of the NIfTI format, e.g. 16 for float</source>
+        <translation>ein Typ des NIfTI-Formats, z. B. 16 für float</translation>
+    </message>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 Achsen</translation>
+    </message>
+    <message>
+        <source>%1 voxels along axis %2</source>
+        <translation>%1 Voxel entlang der Achse %2</translation>
+    </message>
+    <message>
+        <source>it does not end with its last tag</source>
+        <translation>es endet nicht mit seinem letzten Tag</translation>
+    </message>
+    <message>
+        <source>`&lt;/VTKFile&gt;` at the end</source>
+        <translation>`&lt;/VTKFile&gt;` am Ende</translation>
+    </message>
+    <message>
+        <source>a document type or an entity</source>
+        <translation>ein Dokumenttyp oder eine Entität</translation>
+    </message>
+    <message>
+        <source>a VTI file without these</source>
+        <translation>eine VTI-Datei ohne diese</translation>
+    </message>
+    <message>
+        <source>an array with more numbers than its file can hold</source>
+        <translation>ein Datenfeld mit mehr Zahlen, als seine Datei enthalten kann</translation>
+    </message>
+    <message>
+        <source>values of NumberOfComponents and NumberOfTuples that match the data</source>
+        <translation>Werte von NumberOfComponents und NumberOfTuples, die zu den Daten passen</translation>
+    </message>
+    <message>
+        <source>the XML is broken: %1</source>
+        <translation>das XML ist fehlerhaft: %1</translation>
+    </message>
+    <message>
+        <source>well-formed XML to the end</source>
+        <translation>fehlerfreies XML bis zum Ende</translation>
+    </message>
+    <message>
+        <source>a label map: whole numbers from 0, one for each structure. As a map of stiffness, a volume is named in a scene (maps.md)</source>
+        <translation>eine Labelkarte: ganze Zahlen ab 0, eine je Struktur. Als Steifigkeitskarte wird ein Volumen in einer Szene genannt (maps.md)</translation>
+    </message>
+    <message>
+        <source>a %1 volume with more than %2 intensities, not labels</source>
+        <translation>ein %1-Volumen mit mehr als %2 Intensitäten, keine Labels</translation>
+    </message>
+    <message>
+        <source>a %1 volume with %2 intensities, not labels</source>
+        <translation>ein %1-Volumen mit %2 Intensitäten, keine Labels</translation>
+    </message>
+    <message>
+        <source>a label map with %1 labels</source>
+        <translation>eine Labelkarte mit %1 Labels</translation>
+    </message>
+    <message>
+        <source>at most %1 labels</source>
+        <translation>höchstens %1 Labels</translation>
+    </message>
+    <message>
+        <source>a %1 volume without labels: every voxel is 0</source>
+        <translation>ein %1-Volumen ohne Labels: jedes Voxel ist 0</translation>
+    </message>
+    <message>
+        <source>at least one voxel with a label</source>
+        <translation>mindestens ein Voxel mit einem Label</translation>
+    </message>
+    <message>
+        <source>a file that can be read</source>
+        <translation>eine lesbare Datei</translation>
+    </message>
+    <message>
+        <source>content in proportion to the size of the file</source>
+        <translation>Inhalt, der zur Größe der Datei passt</translation>
+    </message>
+    <message>
+        <source>the process to read it could not be started</source>
+        <translation>der Prozess, der sie lesen sollte, ließ sich nicht starten</translation>
+    </message>
+    <message>
+        <source>room for one more process with some open files and memory (`ulimit -a` lists the limits)</source>
+        <translation>Platz für einen weiteren Prozess mit einigen offenen Dateien und Speicher (`ulimit -a` listet die Grenzen auf)</translation>
+    </message>
+    <message>
+        <source>reading it took more than %1 s of processor time</source>
+        <translation>sie zu lesen brauchte mehr als %1 s Rechenzeit</translation>
+    </message>
+    <message>
+        <source>a file that can be read in this time</source>
+        <translation>eine Datei, die sich in dieser Zeit lesen lässt</translation>
+    </message>
+    <message>
+        <source>its content is larger than %1 MiB</source>
+        <translation>der Inhalt ist größer als %1 MiB</translation>
+    </message>
+    <message>
+        <source>the system ended the process that read it, perhaps because memory ran out</source>
+        <translation>das System beendete den Prozess, der sie las, vielleicht aus Mangel an Speicher</translation>
+    </message>
+    <message>
+        <source>a smaller file, or more free memory</source>
+        <translation>eine kleinere Datei oder mehr freier Speicher</translation>
+    </message>
+    <message>
+        <source>the process that read it crashed (%1)</source>
+        <translation>der Prozess, der sie las, ist abgestürzt (%1)</translation>
+    </message>
+    <message>
+        <source>the process to read it could not limit its memory and time</source>
+        <translation>der Prozess, der sie lesen sollte, konnte seinen Speicher und seine Zeit nicht begrenzen</translation>
+    </message>
+    <message>
+        <source>limits of this program above its own limits (`ulimit -a` lists them)</source>
+        <translation>Grenzen dieses Programms, die über den eigenen des Prozesses liegen (`ulimit -a` listet sie auf)</translation>
+    </message>
+    <message>
+        <source>the process that read it could not write the result</source>
+        <translation>der Prozess, der sie las, konnte das Ergebnis nicht schreiben</translation>
+    </message>
+    <message>
+        <source>enough memory and no lower limit on the size of files (`ulimit -v`, `ulimit -f`)</source>
+        <translation>genug Speicher und keine kleinere Grenze für die Größe von Dateien (`ulimit -v`, `ulimit -f`)</translation>
+    </message>
+    <message>
+        <source>the process that read it ended with exit code %1</source>
+        <translation>der Prozess, der sie las, endete mit dem Rückgabewert %1</translation>
+    </message>
+    <message>
+        <source>the process to read it could not be started: %1</source>
+        <translation>der Prozess, der sie lesen sollte, ließ sich nicht starten: %1</translation>
+    </message>
+    <message>
+        <source>reading it took more than %1 s</source>
+        <translation>sie zu lesen brauchte mehr als %1 s</translation>
+    </message>
+    <message>
+        <source>reading it takes more than %1 MiB of memory</source>
+        <translation>sie zu lesen braucht mehr als %1 MiB Speicher</translation>
+    </message>
+    <message>
+        <source>a coordinate is not finite or is farther than 10 km from the origin</source>
+        <translation>eine Koordinate ist nicht endlich oder weiter als 10 km vom Ursprung entfernt</translation>
+    </message>
+    <message>
+        <source>a vertex index is out of range</source>
+        <translation>die Nummer eines Eckpunkts liegt außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>an array is incomplete</source>
+        <translation>ein Array ist unvollständig</translation>
+    </message>
+    <message>
+        <source>its frame is unknown</source>
+        <translation>sein Achsensystem ist unbekannt</translation>
+    </message>
+    <message>
+        <source>its unit is not positive and finite</source>
+        <translation>seine Einheit ist nicht positiv und endlich</translation>
+    </message>
+    <message>
+        <source>its voxels have no size or no axes</source>
+        <translation>seine Voxel haben keine Größe oder keine Achsen</translation>
+    </message>
+    <message>
+        <source>a colour is out of range</source>
+        <translation>eine Farbe liegt außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>a count is out of range</source>
+        <translation>eine Anzahl liegt außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>its counts do not match its size</source>
+        <translation>seine Anzahlen passen nicht zu seiner Größe</translation>
+    </message>
+    <message>
+        <source>SCALE=%1 in the header: a unit of the file is taken as %2 mm</source>
+        <translation>SCALE=%1 im Kopf: eine Einheit der Datei gilt als %2 mm</translation>
+    </message>
+    <message>
+        <source>SCALE=%1 in the header: not used, because the unit was given</source>
+        <translation>SCALE=%1 im Kopf: nicht verwendet, weil die Einheit angegeben war</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>a positive number of millimetres per unit of the file</source>
+        <translation>eine positive Anzahl von Millimetern je Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>not enough memory to read it</source>
+        <translation>nicht genug Speicher, um sie zu lesen</translation>
+    </message>
+    <message>
+        <source>polygon %1</source>
+        <translation>Vieleck %1</translation>
+    </message>
+    <message>
+        <source>number of corners: %1</source>
+        <translation>Anzahl der Ecken: %1</translation>
+    </message>
+    <message>
+        <source>it uses point %1</source>
+        <translation>es verwendet den Punkt %1</translation>
+    </message>
+    <message>
+        <source>at most %1 arrays of the points are used; number of arrays left out: %2</source>
+        <translation>höchstens %1 Arrays der Punkte werden verwendet; Anzahl der weggelassenen Arrays: %2</translation>
+    </message>
+    <message>
+        <source>at most %1 arrays of the polygons are used; number of arrays left out: %2</source>
+        <translation>höchstens %1 Arrays der Vielecke werden verwendet; Anzahl der weggelassenen Arrays: %2</translation>
+    </message>
+    <message>
+        <source>one polygon has no simple outline</source>
+        <translation>ein Vieleck hat keinen einfachen Umriss</translation>
+    </message>
+    <message>
+        <source>%1 polygons have no simple outline</source>
+        <translation>%1 Vielecke haben keinen einfachen Umriss</translation>
+    </message>
+    <message>
+        <source>%1 components per voxel</source>
+        <translation>%1 Komponenten je Voxel</translation>
+    </message>
+    <message>
+        <source>one number for each voxel</source>
+        <translation>eine Zahl für jedes Voxel</translation>
+    </message>
+    <message>
+        <source>an axis without a voxel</source>
+        <translation>eine Achse ohne Voxel</translation>
+    </message>
+    <message>
+        <source>at least one along each axis</source>
+        <translation>mindestens eines entlang jeder Achse</translation>
+    </message>
+    <message>
+        <source>%1 voxels declared</source>
+        <translation>%1 Voxel sind angekündigt</translation>
+    </message>
+    <message>
+        <source>as many as its %1 bytes can hold</source>
+        <translation>so viele, wie in seine %1 Bytes passen</translation>
+    </message>
+    <message>
+        <source>its compressed voxels are cut off or broken</source>
+        <translation>seine komprimierten Voxel sind abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 bytes when unpacked</source>
+        <translation>%1 Bytes, wenn sie entpackt sind</translation>
+    </message>
+    <message>
+        <source>%1 bytes of voxels</source>
+        <translation>%1 Bytes an Voxeln</translation>
+    </message>
+    <message>
+        <source>an unknown file extension</source>
+        <translation>eine unbekannte Dateiendung</translation>
+    </message>
+    <message>
+        <source>a volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz</source>
+        <translation>ein Volumen: .vti, .mha, .mhd, .nrrd, .nhdr, .nii oder .nii.gz</translation>
+    </message>
+    <message>
+        <source>no numbers</source>
+        <translation>keine Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 numbers for %2 voxels</source>
+        <translation>%1 Zahlen für %2 Voxel</translation>
+    </message>
+    <message>
+        <source>axes or spacings of its voxels that do not define positions</source>
+        <translation>Achsen oder Abstände der Voxel, die keine Positionen festlegen</translation>
+    </message>
+    <message>
+        <source>three directions that are not in one plane, and spacings other than 0</source>
+        <translation>drei Richtungen, die nicht in einer Ebene liegen, und Abstände ungleich 0</translation>
+    </message>
+    <message>
+        <source>voxels of a non-numeric type</source>
+        <translation>Voxel eines nicht numerischen Typs</translation>
+    </message>
+    <message>
+        <source>VTK could not read it: %1</source>
+        <translation>VTK konnte es nicht lesen: %1</translation>
+    </message>
+    <message>
+        <source>a readable volume</source>
+        <translation>ein lesbares Volumen</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>die Datei ist nicht da</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>ein Volumen</translation>
+    </message>
+    <message>
+        <source>a smaller volume, or more free memory</source>
+        <translation>ein kleineres Volumen oder mehr freier Speicher</translation>
+    </message>
+    <message>
+        <source>its axes are not finite numbers</source>
+        <translation>seine Achsen sind keine endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>its voxels are incomplete</source>
+        <translation>seine Voxel sind unvollständig</translation>
+    </message>
+    <message>
+        <source>a valid %1 file</source>
+        <translation>eine gültige %1-Datei</translation>
+    </message>
+    <message>
+        <source>number of points read by VTK: %1, of polygons: %2</source>
+        <translation>Anzahl der Punkte, die VTK gelesen hat: %1, der Vielecke: %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>the result of the import process is damaged: %1</source>
+        <translation>das Ergebnis des Importprozesses ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>a result that passed all checks</source>
+        <translation>ein Ergebnis, das alle Prüfungen bestanden hat</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>es ist leer</translation>
+    </message>
+    <message>
+        <source>its header has no end</source>
+        <translation>sein Kopf hat kein Ende</translation>
+    </message>
+    <message>
+        <source>its header is incomplete</source>
+        <translation>sein Kopf ist unvollständig</translation>
+    </message>
+    <message>
+        <source>it has an error without a message</source>
+        <translation>es enthält einen Fehler ohne Meldung</translation>
+    </message>
+    <message>
+        <source>the file name %1</source>
+        <translation>der Dateiname %1</translation>
+    </message>
+    <message>
+        <source>a file in this folder or below it</source>
+        <translation>eine Datei in diesem Ordner oder darunter</translation>
+    </message>
+    <message>
+        <source>more than %1 files</source>
+        <translation>mehr als %1 Dateien</translation>
+    </message>
+    <message>
+        <source>a VTK file without either</source>
+        <translation>eine VTK-Datei ohne beides</translation>
+    </message>
+    <message>
+        <source>a series of %1 time steps</source>
+        <translation>eine Reihe von %1 Zeitschritten</translation>
+    </message>
+    <message>
+        <source>one time step: open the file of that step</source>
+        <translation>ein Zeitschritt: die Datei dieses Schritts öffnen</translation>
+    </message>
+    <message>
+        <source>it names no files</source>
+        <translation>sie nennt keine Dateien</translation>
+    </message>
+    <message>
+        <source>at least one element %1</source>
+        <translation>mindestens ein Element %1</translation>
+    </message>
+    <message>
+        <source>no column %1</source>
+        <translation>keine Spalte %1</translation>
+    </message>
+    <message>
+        <source>a header with %1 and %2</source>
+        <translation>eine Kopfzeile mit %1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 ist %2</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>at least one</source>
+        <translation>mindestens eines</translation>
+    </message>
+    <message>
+        <source>%1: taken as %2, as the scene file says; not as %3</source>
+        <translation>%1: als %2 gelesen, wie es die Szenendatei angibt; nicht als %3</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation>der Ordner kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>a folder of meshes</source>
+        <translation>ein Ordner mit Oberflächen</translation>
+    </message>
+    <message>
+        <source>a folder without mesh files</source>
+        <translation>ein Ordner ohne Dateien mit Oberflächen</translation>
+    </message>
+    <message>
+        <source>%1 files in it</source>
+        <translation>Dateien darin: %1</translation>
+    </message>
+    <message>
+        <source>%1: changed since the scene was saved: found SHA-256 %2..., expected %3...; opened as it is now</source>
+        <translation>%1: seit dem Speichern der Szene geändert: SHA-256 gefunden: %2..., erwartet: %3...; geöffnet, wie es jetzt ist</translation>
+    </message>
+    <message>
+        <source>no structure %1</source>
+        <translation>keine Struktur %1</translation>
+    </message>
+    <message>
+        <source>one of that name</source>
+        <translation>eine dieses Namens</translation>
+    </message>
+    <message>
+        <source>%1: all triangles have zero area (number of triangles: %2); expected at least one with an area</source>
+        <translation>%1: alle Dreiecke haben keine Fläche (Anzahl der Dreiecke: %2); erwartet: mindestens eines mit einer Fläche</translation>
+    </message>
+    <message>
+        <source>%1: tagged SPACE=%2, but taken as %3, as was chosen</source>
+        <translation>%1: mit SPACE=%2 gekennzeichnet, aber wie gewählt als %3 gelesen</translation>
+    </message>
+    <message>
+        <source>%1: tagged SPACE=RAS: x and y negated to get LPS</source>
+        <translation>%1: mit SPACE=RAS gekennzeichnet: Vorzeichen von x und y umgekehrt, um LPS zu erhalten</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more files: no SPACE tag: coordinates taken as LPS</source>
+        <translation>%1 und %2 weitere Dateien: keine Angabe SPACE: Koordinaten als LPS gelesen</translation>
+    </message>
+    <message>
+        <source>%1 and %2: no SPACE tag: coordinates taken as LPS</source>
+        <translation>%1 und %2: keine Angabe SPACE: Koordinaten als LPS gelesen</translation>
+    </message>
+    <message>
+        <source>%1: no SPACE tag: coordinates taken as LPS</source>
+        <translation>%1: keine Angabe SPACE: Koordinaten als LPS gelesen</translation>
+    </message>
+    <message>
+        <source>%1: only %2 units wide, taken as mm; looks like metres: open with --unit m</source>
+        <translation>%1: nur %2 Einheiten breit, als mm gelesen; vermutlich Meter: mit --unit m öffnen</translation>
+    </message>
+    <message>
+        <source>%1: %2 units wide, with units of %3 mm; looks like millimetres: open with --unit mm</source>
+        <translation>%1: %2 Einheiten zu je %3 mm breit; vermutlich Millimeter: mit --unit mm öffnen</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>not enough memory to open it</source>
+        <translation>nicht genug Speicher zum Öffnen</translation>
+    </message>
+    <message>
+        <source>a smaller scene, or more free memory</source>
+        <translation>eine kleinere Szene oder mehr freier Speicher</translation>
+    </message>
+    <message>
+        <source>a matrix that is not rigid</source>
+        <translation>eine Matrix, die keine starre Bewegung beschreibt</translation>
+    </message>
+    <message>
+        <source>a rotation and a translation, row by row</source>
+        <translation>eine Drehung und eine Verschiebung, zeilenweise</translation>
+    </message>
+    <message>
+        <source>at most `static`, which is %1</source>
+        <translation>höchstens `static`, also %1</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von: %1</translation>
+    </message>
+    <message>
+        <source>neither `array` nor `file`</source>
+        <translation>weder `array` noch `file`</translation>
+    </message>
+    <message>
+        <source>both `array` and `file`</source>
+        <translation>sowohl `array` als auch `file`</translation>
+    </message>
+    <message>
+        <source>the unit of the numbers: scale, N_per_mm, young_kPa or shear_kPa</source>
+        <translation>die Einheit der Zahlen: scale, N_per_mm, young_kPa oder shear_kPa</translation>
+    </message>
+    <message>
+        <source>a unit of `%1`</source>
+        <translation>eine Einheit von `%1`</translation>
+    </message>
+    <message>
+        <source>a larger number before a smaller one</source>
+        <translation>eine größere Zahl vor einer kleineren</translation>
+    </message>
+    <message>
+        <source>the minimum, then the maximum</source>
+        <translation>das Minimum, dann das Maximum</translation>
+    </message>
+    <message>
+        <source>%1 together with `inside`</source>
+        <translation>%1 zusammen mit `inside`</translation>
+    </message>
+    <message>
+        <source>one of the two: a structure felt through its organ has no layer of its own</source>
+        <translation>eines von beiden: eine durch ihr Organ gefühlte Struktur hat keine eigene Schicht</translation>
+    </message>
+    <message>
+        <source>its own name</source>
+        <translation>der eigene Name</translation>
+    </message>
+    <message>
+        <source>the name of the organ around it</source>
+        <translation>der Name des Organs darum herum</translation>
+    </message>
+    <message>
+        <source>the path of a mesh file</source>
+        <translation>der Pfad einer Datei mit einer Oberfläche</translation>
+    </message>
+    <message>
+        <source>LPS, RAS or Y-up</source>
+        <translation>LPS, RAS oder Y-up</translation>
+    </message>
+    <message>
+        <source>a fraction</source>
+        <translation>ein Bruch</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>64 hex digits</source>
+        <translation>64 Hexadezimalziffern</translation>
+    </message>
+    <message>
+        <source>the path of a recording</source>
+        <translation>der Pfad einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>a time in UTC, e.g. %1</source>
+        <translation>eine Zeit in UTC, z. B. %1</translation>
+    </message>
+    <message>
+        <source>the name of a structure of this scene</source>
+        <translation>der Name einer Struktur dieser Szene</translation>
+    </message>
+    <message>
+        <source>`felt:` and a quantity, or `array:` and its name</source>
+        <translation>`felt:` und eine Größe oder `array:` und der Name</translation>
+    </message>
+    <message>
+        <source>%1, the name of %2 structures</source>
+        <translation>%1, der Name von %2 Strukturen</translation>
+    </message>
+    <message>
+        <source>the name of one structure: rename the others</source>
+        <translation>der Name einer einzigen Struktur: die anderen umbenennen</translation>
+    </message>
+    <message>
+        <source>%1, which lies inside %2</source>
+        <translation>%1, das in %2 liegt</translation>
+    </message>
+    <message>
+        <source>the outermost structure around it</source>
+        <translation>die äußerste Struktur darum herum</translation>
+    </message>
+    <message>
+        <source>a scene as a JSON object</source>
+        <translation>eine Szene als JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>both `points` and `file`</source>
+        <translation>sowohl `points` als auch `file`</translation>
+    </message>
+    <message>
+        <source>points [[depth_mm, force_N], …] or the file of a curve</source>
+        <translation>Punkte [[depth_mm, force_N], …] oder die Datei einer Kurve</translation>
+    </message>
+    <message>
+        <source>not smoothed: too small, it would lose more than half of its volume</source>
+        <translation>nicht geglättet: zu klein, sie verlöre mehr als die Hälfte ihres Volumens</translation>
+    </message>
+    <message>
+        <source>surface from a label map of %1 × %2 × %3 mm voxels, %4</source>
+        <translation>Fläche aus einer Labelkarte mit Voxeln von %1 × %2 × %3 mm, %4</translation>
+    </message>
+    <message>
+        <source>surface from a label map of %1 × %2 × %3 mm voxels, smoothed by %4: at most %5 mm from the voxel boundary</source>
+        <translation>Oberfläche aus einer Labelkarte mit Voxeln von %1 × %2 × %3 mm, geglättet mit %4: höchstens %5 mm von der Voxelgrenze</translation>
+    </message>
+    <message>
+        <source>smoothed: vertices moved by at most %1 mm</source>
+        <translation>geglättet: Eckpunkte höchstens um %1 mm verschoben</translation>
+    </message>
+    <message>
+        <source>surface from a label map of %1 × %2 × %3 mm voxels, smoothed by %4: volume changed by %5 %, at most %6 mm from the voxel boundary</source>
+        <translation>Oberfläche aus einer Labelkarte mit Voxeln von %1 × %2 × %3 mm, geglättet mit %4: Volumen um %5 % geändert, höchstens %6 mm von der Voxelgrenze</translation>
+    </message>
+    <message>
+        <source>smoothed: vertices moved by at most %1 mm, volume %2 %</source>
+        <translation>geglättet: Eckpunkte höchstens um %1 mm verschoben, Volumen %2 %</translation>
+    </message>
+    <message>
+        <source>curved facets would be %1 triangles, expected at most %2; the surface is felt and drawn as facets</source>
+        <translation>gekrümmte Facetten ergäben %1 Dreiecke, erwartet höchstens %2; die Fläche wird mit ebenen Facetten ertastet und gezeichnet</translation>
+    </message>
+    <message>
+        <source>no facet is curved: all edges are flat or sharp</source>
+        <translation>keine Facette wird gekrümmt: alle Kanten sind flach oder scharf</translation>
+    </message>
+    <message>
+        <source>curved facets: %1 triangles instead of %2; facets kept flat, because they would fold: %3</source>
+        <translation>gekrümmte Facetten: %1 Dreiecke statt %2; eben gelassen, weil sie sich falten würden: %3 Facetten</translation>
+    </message>
+    <message>
+        <source>curved facets: %1 triangles instead of %2</source>
+        <translation>gekrümmte Facetten: %1 Dreiecke statt %2</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>it is farther than 10 km from the origin</source>
+        <translation>er ist weiter als 10 km vom Ursprung entfernt</translation>
+    </message>
+    <message>
+        <source>its coordinates are not numbers</source>
+        <translation>seine Koordinaten sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>all triangles have zero area (number of triangles: %1)</source>
+        <translation>keines der Dreiecke hat eine Fläche (Anzahl der Dreiecke: %1)</translation>
+    </message>
+    <message>
+        <source>at least one with an area</source>
+        <translation>mindestens eines mit einer Fläche</translation>
+    </message>
+    <message>
+        <source>a mesh with arrays: this one has none</source>
+        <translation>eine Oberfläche mit Datenfeldern: diese hat keine</translation>
+    </message>
+    <message>
+        <source>the volume</source>
+        <translation>das Volumen</translation>
+    </message>
+    <message>
+        <source>%1: %2 has no value at %3 of %4 places, more than a fifth: the structure&apos;s own value is felt there</source>
+        <translation>%1: %2 hat an %3 von %4 Stellen keinen Wert, mehr als einem Fünftel: dort wird der eigene Wert der Struktur gefühlt</translation>
+    </message>
+    <message>
+        <source>%1: %2 has no value at %3 of %4 places: the structure&apos;s own value is felt there</source>
+        <translation>%1: %2 hat an %3 von %4 Stellen keinen Wert: dort wird der eigene Wert der Struktur gefühlt</translation>
+    </message>
+    <message>
+        <source>no array %1</source>
+        <translation>kein Datenfeld %1</translation>
+    </message>
+    <message>
+        <source>%1; expected %2</source>
+        <translation>%1; erwartet: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <translation>%1: %2: %3</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>Byte %1</translation>
+    </message>
+    <message>
+        <source>an array of %1</source>
+        <translation>eine Liste von %1</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>%1: %2: found %3, expected %4</source>
+        <translation>%1: %2: gefunden: %3, erwartet: %4</translation>
+    </message>
+    <message>
+        <source>a text without the character U+0000</source>
+        <translation>ein Text ohne das Zeichen U+0000</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 Zahlen</translation>
+    </message>
+    <message>
+        <source>at most %1 pairs of numbers</source>
+        <translation>höchstens %1 Zahlenpaare</translation>
+    </message>
+    <message>
+        <source>two numbers</source>
+        <translation>zwei Zahlen</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a byte of 0 in the header</source>
+        <translation>ein Byte 0 im Kopf</translation>
+    </message>
+    <message>
+        <source>%1 a second time</source>
+        <translation>%1 ein zweites Mal</translation>
+    </message>
+    <message>
+        <source>the header does not end</source>
+        <translation>der Kopf endet nicht</translation>
+    </message>
+    <message>
+        <source>a line with ElementDataFile</source>
+        <translation>eine Zeile mit ElementDataFile</translation>
+    </message>
+    <message>
+        <source>3 or 4</source>
+        <translation>3 oder 4</translation>
+    </message>
+    <message>
+        <source>one count of at least 1 for each of %1 axes</source>
+        <translation>eine Anzahl von mindestens 1 für jede der %1 Achsen</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>a type of number, as MET_UCHAR or MET_SHORT</source>
+        <translation>eine Zahlenart wie MET_UCHAR oder MET_SHORT</translation>
+    </message>
+    <message>
+        <source>True: voxels as binary numbers</source>
+        <translation>True: Voxel als Binärzahlen</translation>
+    </message>
+    <message>
+        <source>0: voxels from the first byte on</source>
+        <translation>0: Voxel vom ersten Byte an</translation>
+    </message>
+    <message>
+        <source>one file, or uncompressed files in a LIST</source>
+        <translation>eine Datei oder unkomprimierte Dateien in einer LIST</translation>
+    </message>
+    <message>
+        <source>the name of one file, or LIST and one name on each line</source>
+        <translation>der Name einer Datei, oder LIST und ein Name in jeder Zeile</translation>
+    </message>
+    <message>
+        <source>header: dim</source>
+        <translation>Kopf: dim</translation>
+    </message>
+    <message>
+        <source>%1 axes of %2 × %3 × %4 voxels</source>
+        <translation>%1 Achsen mit %2 × %3 × %4 Voxeln</translation>
+    </message>
+    <message>
+        <source>1 to 7 axes of at least 1 voxel</source>
+        <translation>1 bis 7 Achsen mit mindestens 1 Voxel</translation>
+    </message>
+    <message>
+        <source>no complete header of a NIfTI file</source>
+        <translation>kein vollständiger Kopf einer NIfTI-Datei</translation>
+    </message>
+    <message>
+        <source>348 or 540 bytes</source>
+        <translation>348 oder 540 Bytes</translation>
+    </message>
+    <message>
+        <source>voxels in a separate .img file</source>
+        <translation>Voxel in einer eigenen .img-Datei</translation>
+    </message>
+    <message>
+        <source>a single file: save it as .nii or .nii.gz</source>
+        <translation>eine einzige Datei: als .nii oder .nii.gz speichern</translation>
+    </message>
+    <message>
+        <source>header: datatype</source>
+        <translation>Kopf: datatype</translation>
+    </message>
+    <message>
+        <source>one number for each voxel, as 2 or 4</source>
+        <translation>eine Zahl je Voxel, wie 2 oder 4</translation>
+    </message>
+    <message>
+        <source>header: vox_offset</source>
+        <translation>Kopf: vox_offset</translation>
+    </message>
+    <message>
+        <source>the byte of the first voxel, %1 or more</source>
+        <translation>das Byte des ersten Voxels, %1 oder mehr</translation>
+    </message>
+    <message>
+        <source>a field and its value</source>
+        <translation>ein Feld und sein Wert</translation>
+    </message>
+    <message>
+        <source>an empty line after it</source>
+        <translation>eine leere Zeile danach</translation>
+    </message>
+    <message>
+        <source>a type of number, as &quot;uchar&quot; or &quot;short&quot;</source>
+        <translation>eine Zahlenart wie &quot;uchar&quot; oder &quot;short&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;little&quot; or &quot;big&quot;</source>
+        <translation>&quot;little&quot; oder &quot;big&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;raw&quot; or &quot;gzip&quot;</source>
+        <translation>&quot;raw&quot; oder &quot;gzip&quot;</translation>
+    </message>
+    <message>
+        <source>a vector of three numbers for each axis, or none</source>
+        <translation>ein Vektor aus drei Zahlen für jede Achse, oder none</translation>
+    </message>
+    <message>
+        <source>three axes in space and, for overlapping segments, one list axis before or after them</source>
+        <translation>drei Achsen im Raum und für überlappende Segmente eine Listenachse davor oder danach</translation>
+    </message>
+    <message>
+        <source>a vector of three numbers</source>
+        <translation>ein Vektor aus drei Zahlen</translation>
+    </message>
+    <message>
+        <source>&quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; or &quot;um&quot;</source>
+        <translation>&quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; oder &quot;um&quot;</translation>
+    </message>
+    <message>
+        <source>one name on each line after LIST</source>
+        <translation>ein Name in jeder Zeile nach LIST</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels in %4 layers</source>
+        <translation>%1 × %2 × %3 Voxel in %4 Schichten</translation>
+    </message>
+    <message>
+        <source>1 to %1 voxels</source>
+        <translation>1 bis %1 Voxel</translation>
+    </message>
+    <message>
+        <source>three perpendicular axes with a voxel size above 0</source>
+        <translation>drei senkrechte Achsen mit einer Voxelgröße über 0</translation>
+    </message>
+    <message>
+        <source>voxels of %1 × %2 × %3 mm</source>
+        <translation>Voxel von %1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>axes that lie in one plane</source>
+        <translation>Achsen, die in einer Ebene liegen</translation>
+    </message>
+    <message>
+        <source>axes %1 and %2 are sheared by %3°</source>
+        <translation>Achsen %1 und %2 sind um %3° geschert</translation>
+    </message>
+    <message>
+        <source>perpendicular axes: resample the volume first (3D Slicer: Resample Image)</source>
+        <translation>senkrechte Achsen: das Volumen zuerst neu abtasten (3D Slicer: Resample Image)</translation>
+    </message>
+    <message>
+        <source>header: file of the voxels</source>
+        <translation>Kopf: Datei der Voxel</translation>
+    </message>
+    <message>
+        <source>a file in the folder of the header</source>
+        <translation>eine Datei im Ordner des Kopfes</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes of voxels</source>
+        <translation>%1 von %2 Bytes an Voxeln</translation>
+    </message>
+    <message>
+        <source>compressed data that are complete and undamaged</source>
+        <translation>vollständige, unbeschädigte komprimierte Daten</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>damaged compressed data</source>
+        <translation>beschädigte komprimierte Daten</translation>
+    </message>
+    <message>
+        <source>more bytes than its %1 voxels have</source>
+        <translation>mehr Bytes, als die %1 Voxel haben</translation>
+    </message>
+    <message>
+        <source>number of triangles to write: %1</source>
+        <translation>Anzahl der zu schreibenden Dreiecke: %1</translation>
+    </message>
+    <message>
+        <source>structure %1</source>
+        <translation>Struktur %1</translation>
+    </message>
+    <message>
+        <source>a triangle with a missing vertex</source>
+        <translation>ein Dreieck, dem ein Eckpunkt fehlt</translation>
+    </message>
+    <message>
+        <source>indices below %1</source>
+        <translation>Nummern kleiner als %1</translation>
+    </message>
+    <message>
+        <source>the extension %1</source>
+        <translation>die Endung %1</translation>
+    </message>
+    <message>
+        <source>the program has locked its memory itself</source>
+        <translation>das Programm hat seinen Speicher selbst gesperrt</translation>
+    </message>
+    <message>
+        <source>structure %1 (%2) has no surface to embed; pass StructureSource::embed to setScene, or record without surfaces</source>
+        <translation>Struktur %1 (%2) hat keine Oberfläche zum Einbetten; übergeben Sie StructureSource::embed an setScene, oder zeichnen Sie ohne Oberflächen auf</translation>
+    </message>
+    <message>
+        <source>lumps felt through their organ: %1</source>
+        <translation>Knoten, durch ihr Organ gefühlt: %1</translation>
+    </message>
+    <message>
+        <source>malignant tumour of the liver</source>
+        <translation>bösartiger Lebertumor</translation>
+    </message>
+    <message>
+        <source>benign tumour of the liver</source>
+        <translation>gutartiger Lebertumor</translation>
+    </message>
+    <message>
+        <source>tumour of the liver</source>
+        <translation>Lebertumor</translation>
+    </message>
+    <message>
+        <source>fibrotic liver</source>
+        <translation>fibrotische Leber</translation>
+    </message>
+    <message>
+        <source>cancer of the prostate</source>
+        <translation>Karzinom der Prostata</translation>
+    </message>
+    <message>
+        <source>nodule of the prostate</source>
+        <translation>Knoten der Prostata</translation>
+    </message>
+    <message>
+        <source>malignant tumour of the breast</source>
+        <translation>bösartiger Brusttumor</translation>
+    </message>
+    <message>
+        <source>benign tumour of the breast</source>
+        <translation>gutartiger Brusttumor</translation>
+    </message>
+    <message>
+        <source>tumour of the breast</source>
+        <translation>Brusttumor</translation>
+    </message>
+    <message>
+        <source>malignant nodule of the thyroid</source>
+        <translation>bösartiger Schilddrüsenknoten</translation>
+    </message>
+    <message>
+        <source>benign nodule of the thyroid</source>
+        <translation>gutartiger Schilddrüsenknoten</translation>
+    </message>
+    <message>
+        <source>nodule of the thyroid</source>
+        <translation>Schilddrüsenknoten</translation>
+    </message>
+    <message>
+        <source>cancer of the pancreas</source>
+        <translation>Pankreaskarzinom</translation>
+    </message>
+    <message>
+        <source>benign tumour of the pancreas</source>
+        <translation>gutartiger Pankreastumor</translation>
+    </message>
+    <message>
+        <source>tumour of the pancreas</source>
+        <translation>Pankreastumor</translation>
+    </message>
+    <message>
+        <source>cyst</source>
+        <translation>Zyste</translation>
+    </message>
+    <message>
+        <source>vessel</source>
+        <translation>Gefäß</translation>
+    </message>
+    <message>
+        <source>%1 %2 (%3 to %4)</source>
+        <translation>%1 %2 (%3 bis %4)</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: the stiffness ratio to %2 is not known, so no verdict is given; expected a ratio, as --ratio &quot;%1=R&quot; or `young_ratio` in a scene file. Published: %3</source>
+        <translation>%1: das Steifigkeitsverhältnis zu %2 ist nicht bekannt, daher kein Urteil; erwartet: ein Verhältnis, als --ratio &quot;%1=R&quot; oder `young_ratio` in einer Szenendatei. Veröffentlicht: %3</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are the same surface twice</source>
+        <translation>%1 und %2 sind zweimal dieselbe Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2, which is felt in the last of %3 layers: both are felt in that one</source>
+        <translation>%1 liegt in %2, das in der letzten von %3 Schichten gefühlt wird: beide werden in dieser gefühlt</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and is felt below it</source>
+        <translation>%1 liegt in %2 und wird darunter gefühlt</translation>
+    </message>
+    <message>
+        <source>%1 seems to lie in %2, whose surface is open or inside out: it is not felt below it</source>
+        <translation>%1 liegt wohl in %2, dessen Oberfläche offen oder umgestülpt ist: es wird nicht darunter gefühlt</translation>
+    </message>
+    <message>
+        <source>%1 and %2 come within %3 mm of each other at (%4, %5, %6) without touching: a point falls into the gap, a fingertip of 0.5 mm or more rides over it</source>
+        <translation>%1 und %2 kommen sich bei (%4, %5, %6) auf %3 mm nahe, ohne sich zu berühren: Ein Punkt fällt in den Spalt, eine Fingerspitze ab 0,5 mm gleitet darüber</translation>
+    </message>
+    <message>
+        <source>%1 and %2 touch in one layer and differ %3-fold in stiffness: the force steps at the seam</source>
+        <translation>%1 und %2 berühren sich in einer Schicht, und ihre Steifigkeiten unterscheiden sich um das %3-Fache: an der Naht springt die Kraft</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and in the same layer: it is never felt; a deeper layer lets it be felt (--layers auto for mesh files, the field layer in a scene file)</source>
+        <translation>%1 liegt in %2 und in derselben Schicht: es ist nie zu fühlen; in einer tieferen Schicht wird es fühlbar (--layers auto für Oberflächendateien, das Feld layer in einer Szenendatei)</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and in the same layer: it is felt only where it reaches out; a deeper layer lets it be felt (--layers auto for mesh files, the field layer in a scene file)</source>
+        <translation>%1 liegt in %2 und in derselben Schicht: es ist nur dort zu fühlen, wo es herausragt; in einer tieferen Schicht wird es fühlbar (--layers auto für Oberflächendateien, das Feld layer in einer Szenendatei)</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3 (and %4 more)</source>
+        <translation>%1: %2: %3 (und %4 weitere)</translation>
+    </message>
+    <message>
+        <source>found version %1, expected 1.0: read as far as it is the same</source>
+        <translation>gefunden: Version %1, erwartet: 1.0; gelesen, soweit sie übereinstimmt</translation>
+    </message>
+    <message>
+        <source>found no version, expected 1.0: read as far as it is the same</source>
+        <translation>keine Version gefunden, erwartet: 1.0; gelesen, soweit sie übereinstimmt</translation>
+    </message>
+    <message>
+        <source>found %1, expected a list of points: left out</source>
+        <translation>gefunden: %1, erwartet: eine Punktliste; weggelassen</translation>
+    </message>
+    <message>
+        <source>found %1, expected LPS or RAS: the list is left out</source>
+        <translation>gefunden: %1, erwartet: LPS oder RAS; die Liste wird weggelassen</translation>
+    </message>
+    <message>
+        <source>found another unit, expected mm or um: the list is left out</source>
+        <translation>andere Einheit gefunden, erwartet: mm oder um; die Liste wird weggelassen</translation>
+    </message>
+    <message>
+        <source>found more than %1 points: left out</source>
+        <translation>mehr als %1 Punkte gefunden: weggelassen</translation>
+    </message>
+    <message>
+        <source>found no position: left out</source>
+        <translation>keine Position gefunden: weggelassen</translation>
+    </message>
+    <message>
+        <source>found a coordinate that is not a number within 1e7 mm: left out</source>
+        <translation>Koordinate gefunden, die keine Zahl bis 1e7 mm ist: weggelassen</translation>
+    </message>
+    <message>
+        <source>found a text of %1 characters, expected at most %2: shortened</source>
+        <translation>Text von %1 Zeichen gefunden, erwartet: höchstens %2; gekürzt</translation>
+    </message>
+    <message>
+        <source>%1: found none of the surfaces that it was made on: %2</source>
+        <translation>%1: keine der Oberflächen gefunden, auf denen sie aufgezeichnet wurde: %2</translation>
+    </message>
+    <message>
+        <source>it contains none and names no mesh</source>
+        <translation>sie enthält keine und nennt keine Datei</translation>
+    </message>
+    <message>
+        <source>%1: %2: no such file, neither where it was nor beside the recording</source>
+        <translation>%1: %2: die Datei ist nicht da, weder am alten Ort noch neben der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>%1: %2: is another surface now than was recorded; opened as it is now</source>
+        <translation>%1: %2: ist jetzt eine andere Oberfläche als bei der Aufzeichnung; geöffnet, wie sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>%1: its recorded map is of another surface; it is not felt</source>
+        <translation>%1: die aufgezeichnete Karte gehört zu einer anderen Oberfläche; sie wird nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>%1: the recorded effect of its lumps is of another surface; it is not felt</source>
+        <translation>%1: die aufgezeichnete Wirkung der Knoten gehört zu einer anderen Oberfläche; sie wird nicht gefühlt</translation>
+    </message>
+    <message>
+        <source>%1 (in English)</source>
+        <translation>%1 (auf Englisch)</translation>
+    </message>
+    <message>
+        <source>polygon %1 has %2 corners, expected 3 to %3</source>
+        <translation>Polygon %1 hat %2 Ecken, erwartet 3 bis %3</translation>
+    </message>
+    <message>
+        <source>polygon %1 uses point %2, expected 0 to %3</source>
+        <translation>Polygon %1 verwendet Punkt %2, erwartet 0 bis %3</translation>
+    </message>
+    <message>
+        <source>found no points, expected a surface; was the filter before it updated?</source>
+        <translation>keine Punkte gefunden, erwartet eine Oberfläche; wurde der Filter davor aktualisiert?</translation>
+    </message>
+    <message>
+        <source>unit_mm: found %1, expected more than 0 and at most %2</source>
+        <translation>unit_mm: %1 gefunden, erwartet mehr als 0 und höchstens %2</translation>
+    </message>
+    <message>
+        <source>found %1 values for %2 vertices and %3 points, expected one for each vertex of a surface from surfaceOf</source>
+        <translation>%1 Werte für %2 Eckpunkte und %3 Punkte gefunden, erwartet einer je Eckpunkt einer Oberfläche von surfaceOf</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::CoordinatesPart</name>
@@ -3505,986 +6025,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     </message>
 </context>
 <context>
-    <name>palpate::ui::Engine</name>
-    <message>
-        <source>the file is empty</source>
-        <translation>die Datei ist leer</translation>
-    </message>
-    <message>
-        <source>a web page (HTML), perhaps a failed download</source>
-        <translation>eine Webseite (HTML), vielleicht ein misslungener Download</translation>
-    </message>
-    <message>
-        <source>the content is no known mesh format</source>
-        <translation>der Inhalt ist kein bekanntes Format einer Oberfläche</translation>
-    </message>
-    <message>
-        <source>is %1, which Palpate does not read</source>
-        <translation>ist %1; das liest Palpate nicht</translation>
-    </message>
-    <message>
-        <source>a glTF file</source>
-        <translation>eine glTF-Datei</translation>
-    </message>
-    <message>
-        <source>a ZIP archive</source>
-        <translation>ein ZIP-Archiv</translation>
-    </message>
-    <message>
-        <source>a gzip file</source>
-        <translation>eine gzip-Datei</translation>
-    </message>
-    <message>
-        <source>an NRRD image</source>
-        <translation>ein NRRD-Bild</translation>
-    </message>
-    <message>
-        <source>a PNG image</source>
-        <translation>ein PNG-Bild</translation>
-    </message>
-    <message>
-        <source>a PDF document</source>
-        <translation>ein PDF-Dokument</translation>
-    </message>
-    <message>
-        <source>an SQLite database (a recording?)</source>
-        <translation>eine SQLite-Datenbank (eine Aufzeichnung?)</translation>
-    </message>
-    <message>
-        <source>a DICOM file</source>
-        <translation>eine DICOM-Datei</translation>
-    </message>
-    <message>
-        <source>an %1 mesh</source>
-        <translation>eine Oberfläche (%1)</translation>
-    </message>
-    <message>
-        <source>an %1 mesh: save it as one of these</source>
-        <translation>eine Oberfläche (%1): in einem dieser Formate speichern</translation>
-    </message>
-    <message>
-        <source>%1 or %2</source>
-        <translation>%1 oder %2</translation>
-    </message>
-    <message>
-        <source>a readable file</source>
-        <translation>eine lesbare Datei</translation>
-    </message>
-    <message>
-        <source>a mesh file</source>
-        <translation>eine Datei mit einer Oberfläche</translation>
-    </message>
-    <message>
-        <source>is a folder</source>
-        <translation>ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>is not a regular file</source>
-        <translation>ist keine gewöhnliche Datei</translation>
-    </message>
-    <message>
-        <source>cannot be opened</source>
-        <translation>kann nicht geöffnet werden</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>kann nicht gelesen werden</translation>
-    </message>
-    <message>
-        <source>cannot be written</source>
-        <translation>kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>cannot be written: %1; choose another folder</source>
-        <translation>kann nicht geschrieben werden: %1; bitte einen anderen Ordner wählen</translation>
-    </message>
-    <message>
-        <source>No such file or directory</source>
-        <translation>die Datei oder der Ordner ist nicht da</translation>
-    </message>
-    <message>
-        <source>Permission denied</source>
-        <translation>keine Berechtigung</translation>
-    </message>
-    <message>
-        <source>Read-only file system</source>
-        <translation>der Datenträger ist schreibgeschützt</translation>
-    </message>
-    <message>
-        <source>No space left on device</source>
-        <translation>der Datenträger ist voll</translation>
-    </message>
-    <message>
-        <source>Is a directory</source>
-        <translation>ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>the disk is full</source>
-        <translation>der Datenträger ist voll</translation>
-    </message>
-    <message>
-        <source>no memory to read it</source>
-        <translation>kein Speicher, um sie zu lesen</translation>
-    </message>
-    <message>
-        <source>not enough memory to read it</source>
-        <translation>nicht genug Speicher, um sie zu lesen</translation>
-    </message>
-    <message>
-        <source>a mesh that fits</source>
-        <translation>eine Oberfläche, die hineinpasst</translation>
-    </message>
-    <message>
-        <source>the file became shorter while it was read</source>
-        <translation>die Datei wurde kürzer, während sie gelesen wurde</translation>
-    </message>
-    <message>
-        <source>a folder without mesh files</source>
-        <translation>ein Ordner ohne Dateien mit Oberflächen</translation>
-    </message>
-    <message>
-        <source>%1 files in it</source>
-        <translation>Dateien darin: %1</translation>
-    </message>
-    <message>
-        <source>the folder cannot be read: %1</source>
-        <translation>der Ordner kann nicht gelesen werden: %1</translation>
-    </message>
-    <message>
-        <source>a folder of meshes</source>
-        <translation>ein Ordner mit Oberflächen</translation>
-    </message>
-    <message>
-        <source>no such file</source>
-        <translation>die Datei ist nicht da</translation>
-    </message>
-    <message>
-        <source>none of %1 triangle has an area</source>
-        <translation>das Dreieck (%1) hat keine Fläche</translation>
-    </message>
-    <message>
-        <source>none of %1 triangles has an area</source>
-        <translation>keines von %1 Dreiecken hat eine Fläche</translation>
-    </message>
-    <message>
-        <source>at least one that has</source>
-        <translation>mindestens eines mit Fläche</translation>
-    </message>
-    <message>
-        <source>at least one</source>
-        <translation>mindestens eines</translation>
-    </message>
-    <message>
-        <source>0 triangles</source>
-        <translation>keine Dreiecke</translation>
-    </message>
-    <message>
-        <source>0 faces</source>
-        <translation>keine Flächen</translation>
-    </message>
-    <message>
-        <source>0 polygons and strips</source>
-        <translation>keine Vielecke und Streifen</translation>
-    </message>
-    <message>
-        <source>%1 triangle</source>
-        <translation>%1 Dreieck</translation>
-    </message>
-    <message>
-        <source>%1 triangles</source>
-        <translation>%1 Dreiecke</translation>
-    </message>
-    <message>
-        <source>%1 point</source>
-        <translation>%1 Punkt</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 Punkte</translation>
-    </message>
-    <message>
-        <source>%1 byte</source>
-        <translation>%1 Byte</translation>
-    </message>
-    <message>
-        <source>%1 bytes</source>
-        <translation>%1 Byte</translation>
-    </message>
-    <message>
-        <source>%1 whole triangle</source>
-        <translation>%1 ganzes Dreieck</translation>
-    </message>
-    <message>
-        <source>%1 whole triangles</source>
-        <translation>%1 ganze Dreiecke</translation>
-    </message>
-    <message>
-        <source>%1 polygon</source>
-        <translation>%1 Vieleck</translation>
-    </message>
-    <message>
-        <source>%1 polygons</source>
-        <translation>%1 Vielecke</translation>
-    </message>
-    <message>
-        <source>%1 face</source>
-        <translation>%1 Fläche</translation>
-    </message>
-    <message>
-        <source>%1 faces</source>
-        <translation>%1 Flächen</translation>
-    </message>
-    <message>
-        <source>%1 corner</source>
-        <translation>%1 Ecke</translation>
-    </message>
-    <message>
-        <source>%1 corners</source>
-        <translation>%1 Ecken</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 have coordinates that are not numbers</source>
-        <translation>%1 von %2 haben Koordinaten, die keine Zahlen sind</translation>
-    </message>
-    <message>
-        <source>%1 of %2 have coordinates that are farther than 10 km from the origin</source>
-        <translation>%1 von %2 haben Koordinaten, die weiter als 10 km vom Ursprung sind</translation>
-    </message>
-    <message>
-        <source>finite coordinates within 10 km</source>
-        <translation>endliche Koordinaten innerhalb von 10 km</translation>
-    </message>
-    <message>
-        <source>the file ends in the STL header</source>
-        <translation>die Datei endet im Kopf der STL-Datei</translation>
-    </message>
-    <message>
-        <source>the file ends in the header</source>
-        <translation>die Datei endet in ihrem Kopf</translation>
-    </message>
-    <message>
-        <source>at least %1 bytes</source>
-        <translation>mindestens %1 Byte</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>höchstens %1</translation>
-    </message>
-    <message>
-        <source>the binary STL declares %1 but its %2 hold %3</source>
-        <translation>die binäre STL-Datei kündigt %1 an, aber in ihren %2 sind nur %3</translation>
-    </message>
-    <message>
-        <source>the file ends there: %1 of %2 lost</source>
-        <translation>die Datei endet dort: %1 von %2 fehlen</translation>
-    </message>
-    <message>
-        <source>the file ends after %1</source>
-        <translation>die Datei endet nach %1</translation>
-    </message>
-    <message>
-        <source>what came after %1 lost</source>
-        <translation>was nach %1 kam, fehlt</translation>
-    </message>
-    <message>
-        <source>the file ends in a line: that line and what came after it lost</source>
-        <translation>die Datei endet mitten in einer Zeile: diese Zeile und was danach kam fehlen</translation>
-    </message>
-    <message>
-        <source>too many elements</source>
-        <translation>zu viele Elemente</translation>
-    </message>
-    <message>
-        <source>%1 elements declared</source>
-        <translation>%1 Elemente sind angekündigt</translation>
-    </message>
-    <message>
-        <source>%1 is not a number</source>
-        <translation>%1 ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>three numbers</source>
-        <translation>drei Zahlen</translation>
-    </message>
-    <message>
-        <source>the vertex has fewer than three coordinates</source>
-        <translation>der Eckpunkt hat weniger als drei Koordinaten</translation>
-    </message>
-    <message>
-        <source>it uses point %1</source>
-        <translation>verwendet den Punkt %1</translation>
-    </message>
-    <message>
-        <source>no faces with a list of vertex indices</source>
-        <translation>keine Flächen mit einer Liste von Eckpunkten</translation>
-    </message>
-    <message>
-        <source>no vertices with x, y and z</source>
-        <translation>keine Eckpunkte mit x, y und z</translation>
-    </message>
-    <message>
-        <source>one of each</source>
-        <translation>beides</translation>
-    </message>
-    <message>
-        <source>vertex index %1 (%2 vertices so far)</source>
-        <translation>der Eckpunkt mit der Nummer %1 (bis hier gibt es %2)</translation>
-    </message>
-    <message>
-        <source>face %1 uses vertex %2</source>
-        <translation>die Fläche %1 verwendet den Eckpunkt %2</translation>
-    </message>
-    <message>
-        <source>a zero byte</source>
-        <translation>ein Null-Byte</translation>
-    </message>
-    <message>
-        <source>text</source>
-        <translation>Text</translation>
-    </message>
-    <message>
-        <source>the end of the line</source>
-        <translation>das Ende der Zeile</translation>
-    </message>
-    <message>
-        <source>the XML is broken: %1</source>
-        <translation>das XML ist fehlerhaft: %1</translation>
-    </message>
-    <message>
-        <source>well-formed XML to the end</source>
-        <translation>fehlerfreies XML bis zum Ende</translation>
-    </message>
-    <message>
-        <source>its mesh is larger than %1 MiB</source>
-        <translation>die Oberfläche ist größer als %1 MiB</translation>
-    </message>
-    <message>
-        <source>a mesh that fits its file&apos;s size</source>
-        <translation>eine Oberfläche, die zur Größe der Datei passt</translation>
-    </message>
-    <message>
-        <source>reading it takes more than %1 MiB of memory</source>
-        <translation>sie zu lesen braucht mehr als %1 MiB Speicher</translation>
-    </message>
-    <message>
-        <source>reading it took more than %1 s</source>
-        <translation>sie zu lesen dauerte länger als %1 s</translation>
-    </message>
-    <message>
-        <source>reading it took more than %1 s of processor time</source>
-        <translation>sie zu lesen brauchte mehr als %1 s Rechenzeit</translation>
-    </message>
-    <message>
-        <source>a mesh that can be read sooner</source>
-        <translation>eine Oberfläche, die schneller zu lesen ist</translation>
-    </message>
-    <message>
-        <source>the system ended the process that read it, perhaps for want of memory</source>
-        <translation>das System beendete das Lesen, vielleicht aus Mangel an Speicher</translation>
-    </message>
-    <message>
-        <source>a file that can be read</source>
-        <translation>eine lesbare Datei</translation>
-    </message>
-    <message>
-        <source>no structure %1</source>
-        <translation>keine Struktur %1</translation>
-    </message>
-    <message>
-        <source>one of that name</source>
-        <translation>eine dieses Namens</translation>
-    </message>
-    <message>
-        <source>%1 open edge: the surface has holes or a rim</source>
-        <translation>%1 offene Kante: die Oberfläche hat Löcher oder einen Rand</translation>
-    </message>
-    <message>
-        <source>%1 open edges: the surface has holes or a rim</source>
-        <translation>%1 offene Kanten: die Oberfläche hat Löcher oder einen Rand</translation>
-    </message>
-    <message>
-        <source>%1 triangle without area left out</source>
-        <translation>%1 Dreieck ohne Fläche weggelassen</translation>
-    </message>
-    <message>
-        <source>%1 triangles without area left out</source>
-        <translation>%1 Dreiecke ohne Fläche weggelassen</translation>
-    </message>
-    <message>
-        <source>%1 duplicate triangle left out</source>
-        <translation>%1 doppeltes Dreieck weggelassen</translation>
-    </message>
-    <message>
-        <source>%1 duplicate triangles left out</source>
-        <translation>%1 doppelte Dreiecke weggelassen</translation>
-    </message>
-    <message>
-        <source>%1 triangle turned round to face the same way as the rest</source>
-        <translation>%1 Dreieck gewendet, damit es zur selben Seite zeigt wie die übrigen</translation>
-    </message>
-    <message>
-        <source>%1 triangles turned round to face the same way as the rest</source>
-        <translation>%1 Dreiecke gewendet, damit sie zur selben Seite zeigen wie die übrigen</translation>
-    </message>
-    <message>
-        <source>%1 edge shared by more than two triangles</source>
-        <translation>%1 Kante gehört zu mehr als zwei Dreiecken</translation>
-    </message>
-    <message>
-        <source>%1 edges shared by more than two triangles</source>
-        <translation>%1 Kanten gehören zu mehr als zwei Dreiecken</translation>
-    </message>
-    <message>
-        <source>%1 part without a consistent front</source>
-        <translation>%1 Teil ohne einheitliche Vorderseite</translation>
-    </message>
-    <message>
-        <source>%1 parts without a consistent front</source>
-        <translation>%1 Teile ohne einheitliche Vorderseite</translation>
-    </message>
-    <message>
-        <source>%1 part without an inside, touched from both sides</source>
-        <translation>%1 Teil ohne Inneres, von beiden Seiten zu fühlen</translation>
-    </message>
-    <message>
-        <source>%1 parts without an inside, touched from both sides</source>
-        <translation>%1 Teile ohne Inneres, von beiden Seiten zu fühlen</translation>
-    </message>
-    <message>
-        <source>%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
-        <translation>%1 Werte wichen um mehr als 10 % von einem anderen am selben Eckpunkt ab: das Mittel gilt</translation>
-    </message>
-    <message>
-        <source>no SPACE tag: coordinates taken as LPS</source>
-        <translation>ohne Angabe SPACE: die Koordinaten gelten als LPS</translation>
-    </message>
-    <message>
-        <source>%1 and %2 more file</source>
-        <translation>%1 und %2 weitere Datei</translation>
-    </message>
-    <message>
-        <source>%1 and %2 more files</source>
-        <translation>%1 und %2 weitere Dateien</translation>
-    </message>
-    <message>
-        <source>tagged SPACE=RAS: x and y negated to get LPS</source>
-        <translation>Angabe SPACE=RAS: x und y umgekehrt, so dass es LPS ist</translation>
-    </message>
-    <message>
-        <source>tagged SPACE=%1, but taken as %2, as was chosen</source>
-        <translation>Angabe SPACE=%1, aber als %2 gelesen, wie gewählt wurde</translation>
-    </message>
-    <message>
-        <source>taken as %1, as the scene file says; not as %2</source>
-        <translation>als %1 gelesen, wie die Szene es sagt; nicht als %2</translation>
-    </message>
-    <message>
-        <source>only %1 units wide, taken as %2; looks like %3: open with --unit %4</source>
-        <translation>nur %1 Einheiten breit, als %2 gelesen; wahrscheinlich sind es %3: mit --unit %4 öffnen</translation>
-    </message>
-    <message>
-        <source>%1 units wide, taken as %2; looks like %3: open with --unit %4</source>
-        <translation>%1 Einheiten breit, als %2 gelesen; wahrscheinlich sind es %3: mit --unit %4 öffnen</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>Meter</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>Millimeter</translation>
-    </message>
-    <message>
-        <source>larger ones</source>
-        <translation>größere</translation>
-    </message>
-    <message>
-        <source>%1 and %2 are the same surface twice</source>
-        <translation>%1 und %2 sind zweimal dieselbe Oberfläche</translation>
-    </message>
-    <message>
-        <source>%1 lies in %2 and is felt below it</source>
-        <translation>%1 liegt in %2 und wird darunter gefühlt</translation>
-    </message>
-    <message>
-        <source>%1 lies in %2, which is felt in the last of %3 layers: both are felt in that one</source>
-        <translation>%1 liegt in %2, das in der letzten von %3 Schichten gefühlt wird: beide werden in dieser gefühlt</translation>
-    </message>
-    <message>
-        <source>%1 seems to lie in %2, whose surface is open or inside out: it is not felt below it</source>
-        <translation>%1 liegt wohl in %2, dessen Oberfläche offen oder umgestülpt ist: es wird nicht darunter gefühlt</translation>
-    </message>
-    <message>
-        <source>colours not read: those of its %1</source>
-        <translation>die Farben werden nicht gelesen: %1</translation>
-    </message>
-    <message>
-        <source>changed since the scene was saved: found SHA-256 %1, expected %2; opened as it is now</source>
-        <translation>geändert, seit die Szene gespeichert wurde: Prüfsumme %1, erwartet %2; geöffnet, wie es jetzt ist</translation>
-    </message>
-    <message>
-        <source>is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the marks in with File &gt; Import findings</source>
-        <translation>ist eine Liste von Marken aus 3D Slicer, keine Szene von Palpate: erst die Anatomie öffnen, dann die Marken mit Datei &gt; Befunde einlesen dazunehmen</translation>
-    </message>
-    <message>
-        <source>is not a Palpate scene: found neither `version` nor `structures`; expected a file that Palpate saved (.palpate.json)</source>
-        <translation>ist keine Szene von Palpate: weder `version` noch `structures` ist darin; erwartet: eine Datei, die Palpate gespeichert hat (.palpate.json)</translation>
-    </message>
-    <message>
-        <source>version: found %1, expected at most %2: it was made by a newer Palpate</source>
-        <translation>Version: gefunden %1, erwartet höchstens %2: eine neuere Fassung von Palpate hat sie geschrieben</translation>
-    </message>
-    <message>
-        <source>no JSON object</source>
-        <translation>kein JSON-Objekt</translation>
-    </message>
-    <message>
-        <source>a scene as a JSON object</source>
-        <translation>eine Szene als JSON-Objekt</translation>
-    </message>
-    <message>
-        <source>an array</source>
-        <translation>eine Liste</translation>
-    </message>
-    <message>
-        <source>an object</source>
-        <translation>ein Objekt</translation>
-    </message>
-    <message>
-        <source>a text</source>
-        <translation>ein Text</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>eine Zahl</translation>
-    </message>
-    <message>
-        <source>true or false</source>
-        <translation>true oder false</translation>
-    </message>
-    <message>
-        <source>an array of %1</source>
-        <translation>eine Liste von %1</translation>
-    </message>
-    <message>
-        <source>%1 numbers</source>
-        <translation>%1 Zahlen</translation>
-    </message>
-    <message>
-        <source>a whole number</source>
-        <translation>eine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>a fraction</source>
-        <translation>ein Bruch</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
-        <source>the path of a mesh file</source>
-        <translation>der Pfad einer Datei mit einer Oberfläche</translation>
-    </message>
-    <message>
-        <source>the path of a recording</source>
-        <translation>der Pfad einer Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>the name of a structure of this scene</source>
-        <translation>der Name einer Struktur dieser Szene</translation>
-    </message>
-    <message>
-        <source>one of %1</source>
-        <translation>eines von: %1</translation>
-    </message>
-    <message>
-        <source>found none of the surfaces that it was made on</source>
-        <translation>keine der Oberflächen, auf denen sie gemacht wurde, ist da</translation>
-    </message>
-    <message>
-        <source>it holds none and names no mesh</source>
-        <translation>sie enthält keine und nennt keine</translation>
-    </message>
-    <message>
-        <source>no such file, neither where it was nor beside the recording</source>
-        <translation>die Datei ist nicht da, weder an ihrem Ort noch neben der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>is another surface now than was recorded; opened as it is now</source>
-        <translation>ist jetzt eine andere Oberfläche als die aufgezeichnete; geöffnet, wie sie jetzt ist</translation>
-    </message>
-    <message>
-        <source>its recorded map is of another surface; it is not felt</source>
-        <translation>die aufgezeichnete Karte gehört zu einer anderen Oberfläche; sie wird nicht gefühlt</translation>
-    </message>
-    <message>
-        <source>what lumps below it made is of another surface; it is not felt</source>
-        <translation>was Knoten darunter bewirkten, gehört zu einer anderen Oberfläche; es wird nicht gefühlt</translation>
-    </message>
-    <message>
-        <source>the recording does not say what scene it was made on</source>
-        <translation>die Aufzeichnung sagt nicht, auf welcher Szene sie gemacht wurde</translation>
-    </message>
-    <message>
-        <source>lumps felt through their organ: %1</source>
-        <translation>Knoten, durch ihr Organ gefühlt: %1</translation>
-    </message>
-    <message>
-        <source>left out, its surface is open: it has no volume to be felt</source>
-        <translation>weggelassen: die Oberfläche ist offen, es gibt kein Volumen zu fühlen</translation>
-    </message>
-    <message>
-        <source>left out, its surface is inside out</source>
-        <translation>weggelassen: die Oberfläche ist umgestülpt</translation>
-    </message>
-    <message>
-        <source>left out, it lies outside %1</source>
-        <translation>weggelassen: liegt außerhalb von %1</translation>
-    </message>
-    <message>
-        <source>%1 and %2 reach into each other: where both are felt is not judged</source>
-        <translation>%1 und %2 reichen ineinander: wo beide zu fühlen sind, wird nicht beurteilt</translation>
-    </message>
-    <message>
-        <source>%1 was read as %2</source>
-        <translation>%1 wurde als %2 gelesen</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>Zeile %1</translation>
-    </message>
-    <message>
-        <source>byte %1</source>
-        <translation>Byte %1</translation>
-    </message>
-    <message>
-        <source>polygon %1</source>
-        <translation>Vieleck %1</translation>
-    </message>
-    <message>
-        <source>point %1</source>
-        <translation>Punkt %1</translation>
-    </message>
-    <message>
-        <source>header</source>
-        <translation>Kopf</translation>
-    </message>
-    <message>
-        <source>structures</source>
-        <translation>Strukturen</translation>
-    </message>
-    <message>
-        <source>%1; expected %2</source>
-        <translation>%1; erwartet: %2</translation>
-    </message>
-    <message>
-        <source>found %1, expected %2</source>
-        <translation>gefunden: %1, erwartet: %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 (in English)</source>
-        <extracomment>around a line that has no translation</extracomment>
-        <translation>%1 (auf Englisch)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 have coordinates that are not numbers (first: triangle %3)</source>
-        <translation>%1 von %2 haben Koordinaten, die keine Zahlen sind (als erstes Dreieck %3)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 have coordinates that are farther than 10 km from the origin (first: triangle %3)</source>
-        <translation>%1 von %2 haben Koordinaten, die weiter als 10 km vom Ursprung sind (als erstes Dreieck %3)</translation>
-    </message>
-    <message>
-        <source>its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %1 % from what is shown; a finer mesh mends it</source>
-        <translation>seine Dreiecke sind breiter als die Kontaktfläche eines Fingers: was die Hand von seinen Knoten fühlt, weicht um bis zu %1 % vom Gezeigten ab; ein feineres Netz behebt das</translation>
-    </message>
-    <message>
-        <source>its volume is larger than %1 MiB</source>
-        <translation>sein Volumen ist größer als %1 MiB</translation>
-    </message>
-    <message>
-        <source>a volume that fits its file&apos;s size</source>
-        <translation>ein Volumen, das zur Größe der Datei passt</translation>
-    </message>
-    <message>
-        <source>a volume that fits</source>
-        <translation>ein Volumen, das hineinpasst</translation>
-    </message>
-    <message>
-        <source>a volume that can be read sooner</source>
-        <translation>ein Volumen, das schneller zu lesen ist</translation>
-    </message>
-    <message>
-        <source>the process that read it gave up (exit code %1)</source>
-        <translation>der Prozess, der es las, hat aufgegeben (Rückgabewert %1)</translation>
-    </message>
-    <message>
-        <source>reading was cancelled</source>
-        <translation>das Lesen wurde abgebrochen</translation>
-    </message>
-    <message>
-        <source>a volume</source>
-        <translation>ein Volumen</translation>
-    </message>
-    <message>
-        <source>a readable volume</source>
-        <translation>ein lesbares Volumen</translation>
-    </message>
-    <message>
-        <source>it does not end</source>
-        <translation>er endet nicht</translation>
-    </message>
-    <message>
-        <source>a header that says where the voxels are</source>
-        <translation>ein Dateikopf, der sagt, wo die Voxel stehen</translation>
-    </message>
-    <message>
-        <source>it does not end with its last tag</source>
-        <translation>es endet nicht mit seinem letzten Tag</translation>
-    </message>
-    <message>
-        <source>`&lt;/VTKFile&gt;` at the end</source>
-        <translation>`&lt;/VTKFile&gt;` am Ende</translation>
-    </message>
-    <message>
-        <source>its compressed voxels are cut off or broken</source>
-        <translation>seine komprimierten Voxel sind abgeschnitten oder beschädigt</translation>
-    </message>
-    <message>
-        <source>%1 bytes when unpacked</source>
-        <translation>%1 Bytes, wenn sie entpackt sind</translation>
-    </message>
-    <message>
-        <source>%1 bytes of voxels</source>
-        <translation>%1 Bytes an Voxeln</translation>
-    </message>
-    <message>
-        <source>%1 voxels declared</source>
-        <translation>%1 Voxel sind angekündigt</translation>
-    </message>
-    <message>
-        <source>as many as its %1 bytes can hold</source>
-        <translation>so viele, wie in seine %1 Bytes passen</translation>
-    </message>
-    <message>
-        <source>an axis without a voxel</source>
-        <translation>eine Achse ohne Voxel</translation>
-    </message>
-    <message>
-        <source>at least one along each axis</source>
-        <translation>mindestens eines entlang jeder Achse</translation>
-    </message>
-    <message>
-        <source>%1 components a voxel</source>
-        <translation>%1 Komponenten je Voxel</translation>
-    </message>
-    <message>
-        <source>no numbers</source>
-        <translation>keine Zahlen</translation>
-    </message>
-    <message>
-        <source>one number for each voxel</source>
-        <translation>eine Zahl für jedes Voxel</translation>
-    </message>
-    <message>
-        <source>axes or distances of its voxels that say no place</source>
-        <translation>Achsen oder Abstände seiner Voxel, die keinen Ort angeben</translation>
-    </message>
-    <message>
-        <source>three directions that are not in a plane, and distances that are not 0</source>
-        <translation>drei Richtungen, die nicht in einer Ebene liegen, und Abstände, die nicht 0 sind</translation>
-    </message>
-    <message>
-        <source>directions of its axes that can&apos;t be read</source>
-        <translation>Richtungen seiner Achsen, die nicht lesbar sind</translation>
-    </message>
-    <message>
-        <source>three vectors that are not in a plane</source>
-        <translation>drei Vektoren, die nicht in einer Ebene liegen</translation>
-    </message>
-    <message>
-        <source>voxels in another encoding</source>
-        <translation>Voxel in einer anderen Kodierung</translation>
-    </message>
-    <message>
-        <source>`raw` or `gzip`</source>
-        <translation>`raw` oder `gzip`</translation>
-    </message>
-    <message>
-        <source>the process that read it crashed (%1)</source>
-        <translation>der Prozess, der es las, ist abgestürzt (%1)</translation>
-    </message>
-    <message>
-        <source>%1 twice</source>
-        <translation>%1 zweimal</translation>
-    </message>
-    <message>
-        <source>each field once</source>
-        <translation>jedes Feld einmal</translation>
-    </message>
-    <message>
-        <source>no dimension before them</source>
-        <translation>keine Dimension davor</translation>
-    </message>
-    <message>
-        <source>a dimension</source>
-        <translation>eine Dimension</translation>
-    </message>
-    <message>
-        <source>three counts of voxels</source>
-        <translation>drei Anzahlen von Voxeln</translation>
-    </message>
-    <message>
-        <source>the name of one file</source>
-        <translation>der Name einer Datei</translation>
-    </message>
-    <message>
-        <source>no header of NIfTI</source>
-        <translation>kein NIfTI-Kopf</translation>
-    </message>
-    <message>
-        <source>348 or 540 bytes of it</source>
-        <translation>348 oder 540 Byte davon</translation>
-    </message>
-    <message>
-        <source>voxels of kind %1</source>
-        <translation>Voxel der Art %1</translation>
-    </message>
-    <message>
-        <source>one of NIfTI&apos;s kinds, as 16 for float</source>
-        <translation>eine der Arten von NIfTI, etwa 16 für float</translation>
-    </message>
-    <message>
-        <source>%1 axes</source>
-        <translation>%1 Achsen</translation>
-    </message>
-    <message>
-        <source>1 to 7</source>
-        <translation>1 bis 7</translation>
-    </message>
-    <message>
-        <source>a byte of 0 in its text</source>
-        <translation>ein Byte 0 im Text</translation>
-    </message>
-    <message>
-        <source>a header of text alone</source>
-        <translation>ein Kopf nur aus Text</translation>
-    </message>
-    <message>
-        <source>what is not one number</source>
-        <translation>keine einzelne Zahl</translation>
-    </message>
-    <message>
-        <source>%1 dimension</source>
-        <translation>%1 Dimension</translation>
-    </message>
-    <message>
-        <source>%1 dimensions</source>
-        <translation>%1 Dimensionen</translation>
-    </message>
-    <message>
-        <source>1 to 4</source>
-        <translation>1 bis 4</translation>
-    </message>
-    <message>
-        <source>value %1 is %2</source>
-        <translation>Wert %1 ist %2</translation>
-    </message>
-    <message>
-        <source>a number that an Int32 can hold</source>
-        <translation>eine Zahl, die in ein Int32 passt</translation>
-    </message>
-    <message>
-        <source>a number that a %1 can hold</source>
-        <translation>eine Zahl, die in ein %1 passt</translation>
-    </message>
-    <message>
-        <source>a blank or a new line behind it</source>
-        <translation>ein Leerzeichen oder eine neue Zeile dahinter</translation>
-    </message>
-    <message>
-        <source>%1: %2: this version does not know this field; it is kept, but not used</source>
-        <translation>%1: %2: Dieses Feld ist dieser Version unbekannt; es bleibt erhalten, wird aber nicht verwendet</translation>
-    </message>
-    <message>
-        <source>File too large</source>
-        <translation>Datei zu groß</translation>
-    </message>
-    <message>
-        <source>Disk quota exceeded</source>
-        <translation>Speicherkontingent überschritten</translation>
-    </message>
-    <message>
-        <source>Input/output error</source>
-        <translation>Ein-/Ausgabefehler</translation>
-    </message>
-    <message>
-        <source>Not a directory</source>
-        <translation>Kein Ordner</translation>
-    </message>
-    <message>
-        <source>File name too long</source>
-        <translation>Dateiname zu lang</translation>
-    </message>
-    <message>
-        <source>not a file</source>
-        <translation>keine Datei</translation>
-    </message>
-    <message>
-        <source>the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
-        <translation>dorthin kommt die berührte Oberfläche; dort liegt eine andere Datei, erwartet wurde keine oder ein älterer Export. Wählen Sie einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>%1 closed part looks inside out: touched from within only, unless turned outwards</source>
-        <translation>%1 geschlossener Teil sieht umgestülpt aus: nur von innen berührbar, solange er nicht umgedreht wird</translation>
-    </message>
-    <message>
-        <source>%1 closed parts look inside out: touched from within only, unless turned outwards</source>
-        <translation>%1 geschlossene Teile sehen umgestülpt aus: nur von innen berührbar, solange sie nicht umgedreht werden</translation>
-    </message>
-    <message>
-        <source>staircase of about %1 × %2 × %3 mm voxels (%4 % of the area in %5 directions)</source>
-        <translation>Treppe aus Voxeln von etwa %1 × %2 × %3 mm (%4 % der Fläche in %5 Richtungen)</translation>
-    </message>
-    <message>
-        <source>smoothed: vertices moved by at most %1 mm, volume %2 %</source>
-        <translation>geglättet: Eckpunkte höchstens um %1 mm verschoben, Volumen %2 %</translation>
-    </message>
-    <message>
-        <source>smoothed: vertices moved by at most %1 mm</source>
-        <translation>geglättet: Eckpunkte höchstens um %1 mm verschoben</translation>
-    </message>
-    <message>
-        <source>surface &quot;smooth&quot;: curved facets are not available in this version; felt and drawn as facets</source>
-        <translation>Oberfläche „smooth“: Gekrümmte Facetten gibt es in dieser Version nicht; als Facetten gefühlt und gezeichnet</translation>
-    </message>
-    <message>
-        <source>%1 and %2 come within %3 mm of each other at (%4, %5, %6) without touching: a point falls into the gap, a fingertip of 0.5 mm or more rides over it</source>
-        <translation>%1 und %2 kommen sich bei (%4, %5, %6) auf %3 mm nahe, ohne sich zu berühren: Ein Punkt fällt in den Spalt, eine Fingerspitze ab 0,5 mm gleitet darüber</translation>
-    </message>
-    <message>
-        <source>how many times as stiff as %1 it is, is not known, so no verdict is given; expected a ratio, as --ratio &quot;%2=R&quot; or `young_ratio` in a scene file. Published: %3</source>
-        <translation>wievielmal so steif wie %1 es ist, ist nicht bekannt, daher kein Urteil; erwartet ein Verhältnis, als --ratio &quot;%2=R&quot; oder `young_ratio` in einer Szenendatei. Veröffentlicht: %3</translation>
-    </message>
-    <message>
-        <source>%1 and %2 touch in one layer and differ %3-fold in stiffness: the force steps at the seam</source>
-        <translation>%1 und %2 berühren sich in einer Schicht, und ihre Steifigkeiten unterscheiden sich um das %3-Fache: an der Naht springt die Kraft</translation>
-    </message>
-</context>
-<context>
     <name>palpate::ui::EngineeringPanel</name>
     <message>
         <source>%1 µs</source>
@@ -4906,74 +6446,6 @@ sonst „Beliebig“ wählen.</translation>
     <message>
         <source>published for such lumps</source>
         <translation>für solche Knoten veröffentlicht</translation>
-    </message>
-    <message>
-        <source>malignant tumour of the liver</source>
-        <translation>bösartiger Lebertumor</translation>
-    </message>
-    <message>
-        <source>benign tumour of the liver</source>
-        <translation>gutartiger Lebertumor</translation>
-    </message>
-    <message>
-        <source>tumour of the liver</source>
-        <translation>Lebertumor</translation>
-    </message>
-    <message>
-        <source>fibrotic liver</source>
-        <translation>fibrotische Leber</translation>
-    </message>
-    <message>
-        <source>cancer of the prostate</source>
-        <translation>Karzinom der Prostata</translation>
-    </message>
-    <message>
-        <source>nodule of the prostate</source>
-        <translation>Knoten der Prostata</translation>
-    </message>
-    <message>
-        <source>malignant tumour of the breast</source>
-        <translation>bösartiger Brusttumor</translation>
-    </message>
-    <message>
-        <source>benign tumour of the breast</source>
-        <translation>gutartiger Brusttumor</translation>
-    </message>
-    <message>
-        <source>tumour of the breast</source>
-        <translation>Brusttumor</translation>
-    </message>
-    <message>
-        <source>malignant nodule of the thyroid</source>
-        <translation>bösartiger Schilddrüsenknoten</translation>
-    </message>
-    <message>
-        <source>benign nodule of the thyroid</source>
-        <translation>gutartiger Schilddrüsenknoten</translation>
-    </message>
-    <message>
-        <source>nodule of the thyroid</source>
-        <translation>Schilddrüsenknoten</translation>
-    </message>
-    <message>
-        <source>cancer of the pancreas</source>
-        <translation>Pankreaskarzinom</translation>
-    </message>
-    <message>
-        <source>benign tumour of the pancreas</source>
-        <translation>gutartiger Pankreastumor</translation>
-    </message>
-    <message>
-        <source>tumour of the pancreas</source>
-        <translation>Pankreastumor</translation>
-    </message>
-    <message>
-        <source>cyst</source>
-        <translation>Zyste</translation>
-    </message>
-    <message>
-        <source>vessel</source>
-        <translation>Gefäß</translation>
     </message>
     <message>
         <source>%1 (at %2: %3; at %4: %5)</source>
@@ -6287,6 +7759,10 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <source>Palpable</source>
         <translation>Tastbar</translation>
     </message>
+    <message>
+        <source>The surface is not smoothed: it is too small</source>
+        <translation>Die Oberfläche ist nicht geglättet: sie ist zu klein</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructurePanel</name>
@@ -6519,10 +7995,6 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Tiefenlage</translation>
     </message>
     <message>
-        <source>Smoothing removes voxel steps for display and touch, moving the surface by at most half a voxel. The file is not changed.</source>
-        <translation>Glätten entfernt Voxelstufen für Anzeige und Tasten und verschiebt die Oberfläche um höchstens ein halbes Voxel. Die Datei wird nicht verändert.</translation>
-    </message>
-    <message>
         <source>See the list of messages (F4) for details</source>
         <translation>Einzelheiten stehen in der Liste der Meldungen (F4)</translation>
     </message>
@@ -6625,6 +8097,22 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
     <message>
         <source>Dry (0.40, assumed)</source>
         <translation>Trocken (0,40, angenommen)</translation>
+    </message>
+    <message>
+        <source>Curved facets</source>
+        <translation>Gekrümmte Facetten</translation>
+    </message>
+    <message>
+        <source>Smoothed, curved facets</source>
+        <translation>Geglättet, gekrümmte Facetten</translation>
+    </message>
+    <message>
+        <source>Smoothing removes voxel steps for display and touch, moving the surface by at most half a voxel. Curved facets make coarse facets round; edges of more than 40° stay sharp. The file is not changed.</source>
+        <translation>Das Glätten entfernt Voxelstufen für Anzeige und Tasten und verschiebt die Fläche um höchstens einen halben Voxel. Gekrümmte Facetten machen grobe Facetten rund; Kanten von mehr als 40° bleiben scharf. Die Datei wird nicht verändert.</translation>
+    </message>
+    <message>
+        <source>%1 triangles, %2 MiB for touch</source>
+        <translation>%1 Dreiecke, %2 MiB zum Tasten</translation>
     </message>
 </context>
 <context>

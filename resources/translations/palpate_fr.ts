@@ -2290,6 +2290,2526 @@
         <source>%1: the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
         <translation>%1&#x202f;: la surface touchée va là&#x202f;; un autre fichier s’y trouve, aucun ou un export antérieur était attendu. Choisissez un autre nom</translation>
     </message>
+    <message>
+        <source>%1 is a recording and keeps its own layers</source>
+        <translation>%1 est un enregistrement et garde ses propres couches</translation>
+    </message>
+    <message>
+        <source>%1 is a scene file and keeps its own layers</source>
+        <translation>%1 est un fichier de scène et garde ses propres couches</translation>
+    </message>
+    <message>
+        <source>nothing lies in another structure: all is in one layer</source>
+        <translation>rien n’est dans une autre structure : tout est dans une seule couche</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 de plus</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>the steps of %1 are felt, with forces that are wrong by a multiple: --smooth smooths them</source>
+        <translation>les marches de %1 se sentent, avec des forces fausses d’un multiple : --smooth les lisse</translation>
+    </message>
+    <message>
+        <source>1 surface is inside out and felt from within only: %1; --outwards turns closed surfaces outwards</source>
+        <translation>1 surface est à l’envers et ne se sent que de l’intérieur : %1 ; --outwards tourne les surfaces fermées vers l’extérieur</translation>
+    </message>
+    <message>
+        <source>%1 surfaces are inside out and felt from within only: %2; --outwards turns closed surfaces outwards</source>
+        <translation>%1 surfaces sont à l’envers et ne se sentent que de l’intérieur : %2 ; --outwards tourne les surfaces fermées vers l’extérieur</translation>
+    </message>
+    <message>
+        <source>%1: found %2, expected 0 to %3 %4</source>
+        <translation>%1 : trouvé %2, attendu 0 à %3 %4</translation>
+    </message>
+    <message>
+        <source>friction_dynamic: found %1, expected at most %2 (friction_static)</source>
+        <translation>friction_dynamic : trouvé %1, attendu au plus %2 (friction_static)</translation>
+    </message>
+    <message>
+        <source>1 value of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
+        <translation>1 valeur de tableau différait de plus de 10 % d’une autre au même sommet : la moyenne est prise</translation>
+    </message>
+    <message>
+        <source>%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
+        <translation>%1 valeurs de tableaux différaient de plus de 10 % d’une autre au même sommet : la moyenne est prise</translation>
+    </message>
+    <message>
+        <source>1 triangle without area left out</source>
+        <translation>1 triangle sans aire laissé de côté</translation>
+    </message>
+    <message>
+        <source>%1 triangles without area left out</source>
+        <translation>%1 triangles sans aire laissés de côté</translation>
+    </message>
+    <message>
+        <source>1 duplicate triangle left out</source>
+        <translation>1 triangle en double laissé de côté</translation>
+    </message>
+    <message>
+        <source>%1 duplicate triangles left out</source>
+        <translation>%1 triangles en double laissés de côté</translation>
+    </message>
+    <message>
+        <source>1 triangle turned round to face the same way as the rest</source>
+        <translation>1 triangle retourné pour regarder du même côté que les autres</translation>
+    </message>
+    <message>
+        <source>%1 triangles turned round to face the same way as the rest</source>
+        <translation>%1 triangles retournés pour regarder du même côté que les autres</translation>
+    </message>
+    <message>
+        <source>1 open edge: the surface has holes or a rim</source>
+        <translation>1 arête ouverte : la surface a des trous ou un bord</translation>
+    </message>
+    <message>
+        <source>%1 open edges: the surface has holes or a rim</source>
+        <translation>%1 arêtes ouvertes : la surface a des trous ou un bord</translation>
+    </message>
+    <message>
+        <source>1 edge shared by more than two triangles</source>
+        <translation>1 arête partagée par plus de deux triangles</translation>
+    </message>
+    <message>
+        <source>%1 edges shared by more than two triangles</source>
+        <translation>%1 arêtes partagées par plus de deux triangles</translation>
+    </message>
+    <message>
+        <source>1 part without a consistent front</source>
+        <translation>1 partie sans face avant cohérente</translation>
+    </message>
+    <message>
+        <source>%1 parts without a consistent front</source>
+        <translation>%1 parties sans face avant cohérente</translation>
+    </message>
+    <message>
+        <source>1 part without an inside, touched from both sides</source>
+        <translation>1 partie sans intérieur, touchée des deux côtés</translation>
+    </message>
+    <message>
+        <source>%1 parts without an inside, touched from both sides</source>
+        <translation>%1 parties sans intérieur, touchées des deux côtés</translation>
+    </message>
+    <message>
+        <source>1 closed part looks inside out: touched from within only, unless turned outwards</source>
+        <translation>1 partie fermée semble à l’envers : touchée de l’intérieur seulement, sauf si elle est retournée</translation>
+    </message>
+    <message>
+        <source>%1 closed parts look inside out: touched from within only, unless turned outwards</source>
+        <translation>%1 parties fermées semblent à l’envers : touchées de l’intérieur seulement, sauf si elles sont retournées</translation>
+    </message>
+    <message>
+        <source>1 closed part was inside out and turned to face outwards</source>
+        <translation>1 partie fermée était retournée et a été tournée vers l’extérieur</translation>
+    </message>
+    <message>
+        <source>%1 closed parts were inside out and turned to face outwards</source>
+        <translation>%1 parties fermées étaient retournées et ont été tournées vers l’extérieur</translation>
+    </message>
+    <message>
+        <source>surface from a label map of %1 × %2 × %3 mm voxels, with its steps</source>
+        <translation>surface d’une carte d’étiquettes à voxels de %1 × %2 × %3 mm, avec ses marches</translation>
+    </message>
+    <message>
+        <source>staircase of about %1 × %2 × %3 mm voxels (%4 % of the area in %5 directions)</source>
+        <translation>escalier de voxels d’environ %1 × %2 × %3 mm (%4 % de l’aire dans %5 directions)</translation>
+    </message>
+    <message>
+        <source>the mesh has no triangles, expected at least 1</source>
+        <translation>le maillage n’a pas de triangles, attendu au moins 1</translation>
+    </message>
+    <message>
+        <source>the mesh has %1 vertices or triangles, expected at most %2</source>
+        <translation>le maillage a %1 sommets ou triangles, attendu au plus %2</translation>
+    </message>
+    <message>
+        <source>triangle %1 uses vertex %2, expected a number below %3</source>
+        <translation>le triangle %1 utilise le sommet %2, attendu un numéro inférieur à %3</translation>
+    </message>
+    <message>
+        <source>vertex %1 has the coordinate %2, expected a finite number</source>
+        <translation>le sommet %1 a la coordonnée %2, attendu un nombre fini</translation>
+    </message>
+    <message>
+        <source>vertex %1 has the coordinate %2 mm, expected at most %3 mm; check the unit</source>
+        <translation>le sommet %1 a la coordonnée %2 mm, attendu au plus %3 mm ; vérifiez l’unité</translation>
+    </message>
+    <message>
+        <source>array %1 has %2 values, expected %3</source>
+        <translation>le tableau %1 a %2 valeurs, attendu %3</translation>
+    </message>
+    <message>
+        <source>weldWithin_mm: found %1, expected 0 to %2 mm</source>
+        <translation>weldWithin_mm : trouvé %1, attendu 0 à %2 mm</translation>
+    </message>
+    <message>
+        <source>none of the %1 triangles has an area; check the unit, expected mm</source>
+        <translation>aucun des %1 triangles n’a d’aire ; vérifiez l’unité, attendu mm</translation>
+    </message>
+    <message>
+        <source>found structure %1, expected a number below %2</source>
+        <translation>structure %1 trouvée, attendu un numéro inférieur à %2</translation>
+    </message>
+    <message>
+        <source>structure %1 (%2)</source>
+        <translation>structure %1 (%2)</translation>
+    </message>
+    <message>
+        <source>fingertip: found a radius of %1, expected 0 to %2 mm</source>
+        <translation>bout du doigt : rayon %1 trouvé, attendu 0 à %2 mm</translation>
+    </message>
+    <message>
+        <source>structure %1 (%2): found no surface, expected at least one triangle</source>
+        <translation>structure %1 (%2) : aucune surface trouvée, attendu au moins un triangle</translation>
+    </message>
+    <message>
+        <source>found %1</source>
+        <translation>trouvé %1</translation>
+    </message>
+    <message>
+        <source>the keyword %1 or %2</source>
+        <translation>le mot-clé %1 ou %2</translation>
+    </message>
+    <message>
+        <source>found %1 as corner %2 of a facet</source>
+        <translation>trouvé %1 comme coin %2 d’une facette</translation>
+    </message>
+    <message>
+        <source>the keyword %1, three times in each facet</source>
+        <translation>le mot-clé %1, trois fois dans chaque facette</translation>
+    </message>
+    <message>
+        <source>the vertex has fewer than three coordinates</source>
+        <translation>le sommet a moins de trois coordonnées</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>trois nombres</translation>
+    </message>
+    <message>
+        <source>finite coordinates within 10 km</source>
+        <translation>des coordonnées finies à moins de 10 km</translation>
+    </message>
+    <message>
+        <source>found %1 after the third coordinate</source>
+        <translation>trouvé %1 après la troisième coordonnée</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>la fin de la ligne</translation>
+    </message>
+    <message>
+        <source>the keyword %1</source>
+        <translation>le mot-clé %1</translation>
+    </message>
+    <message>
+        <source>found %1 after three corners</source>
+        <translation>trouvé %1 après trois coins</translation>
+    </message>
+    <message>
+        <source>found a zero byte</source>
+        <translation>trouvé un octet nul</translation>
+    </message>
+    <message>
+        <source>the file ends after one complete triangle</source>
+        <translation>le fichier finit après un triangle entier</translation>
+    </message>
+    <message>
+        <source>the file ends after %1 complete triangles</source>
+        <translation>le fichier finit après %1 triangles entiers</translation>
+    </message>
+    <message>
+        <source>the rest of a facet, then the keyword %1</source>
+        <translation>le reste d’une facette, puis le mot-clé %1</translation>
+    </message>
+    <message>
+        <source>%1; --partial opens the complete triangles</source>
+        <translation>%1 ; --partial ouvre les triangles complets</translation>
+    </message>
+    <message>
+        <source>0 triangles</source>
+        <translation>aucun triangle</translation>
+    </message>
+    <message>
+        <source>at least one triangle</source>
+        <translation>au moins un triangle</translation>
+    </message>
+    <message>
+        <source>the last line, &quot;endsolid&quot;, is missing: if the file was cut off there, triangles are missing</source>
+        <translation>la dernière ligne, « endsolid », manque : si le fichier a été coupé là, des triangles manquent</translation>
+    </message>
+    <message>
+        <source>everything after the first triangle is lost</source>
+        <translation>tout ce qui suit le premier triangle est perdu</translation>
+    </message>
+    <message>
+        <source>everything after the first %1 triangles is lost</source>
+        <translation>tout ce qui suit les %1 premiers triangles est perdu</translation>
+    </message>
+    <message>
+        <source>a cell of VTK&apos;s type %1: not a surface, but a volume mesh or curved cells</source>
+        <translation>une cellule de type VTK %1 : non pas une surface, mais un maillage volumique ou des cellules courbes</translation>
+    </message>
+    <message>
+        <source>number of corners of a cell of VTK&apos;s type %1: %2</source>
+        <translation>nombre de sommets d’une cellule de type VTK %1 : %2</translation>
+    </message>
+    <message>
+        <source>triangles and quadrilaterals: extract the surface first (ParaView: Extract Surface)</source>
+        <translation>des triangles et des quadrilatères : extraire d’abord la surface (ParaView : Extract Surface)</translation>
+    </message>
+    <message>
+        <source>vertices and lines left out: %1</source>
+        <translation>points et lignes omis : %1</translation>
+    </message>
+    <message>
+        <source>names and colours from the ITK-SNAP label description %1</source>
+        <translation>noms et couleurs de la description d’étiquettes ITK-SNAP %1</translation>
+    </message>
+    <message>
+        <source>the file has no names: names by the numbers of %1, check them</source>
+        <translation>le fichier n’a pas de noms : noms selon les numéros de %1, à vérifier</translation>
+    </message>
+    <message>
+        <source>structures of at most %1 voxels, whose shape is uncertain: %2</source>
+        <translation>structures d’au plus %1 voxels, dont la forme est incertaine : %2</translation>
+    </message>
+    <message>
+        <source>no voxels of %1</source>
+        <translation>aucun voxel de %1</translation>
+    </message>
+    <message>
+        <source>%1: found %2</source>
+        <translation>%1 : trouvé %2</translation>
+    </message>
+    <message>
+        <source>a whole number from 0</source>
+        <translation>un nombre entier à partir de 0</translation>
+    </message>
+    <message>
+        <source>%1: declared %2</source>
+        <translation>%1 : annoncé %2</translation>
+    </message>
+    <message>
+        <source>at most %1, one for each byte that follows</source>
+        <translation>au plus %1, un pour chaque octet suivant</translation>
+    </message>
+    <message>
+        <source>the line %1</source>
+        <translation>la ligne %1</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>version %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>number of points</source>
+        <translation>nombre de points</translation>
+    </message>
+    <message>
+        <source>points of type %1</source>
+        <translation>des points de type %1</translation>
+    </message>
+    <message>
+        <source>a number type</source>
+        <translation>un type numérique</translation>
+    </message>
+    <message>
+        <source>a coordinate of point %1 of %2 is missing or not a number</source>
+        <translation>une coordonnée du point %1 sur %2 manque ou n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>three numbers for each point</source>
+        <translation>trois nombres pour chaque point</translation>
+    </message>
+    <message>
+        <source>point %1: %2</source>
+        <translation>point %1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: a point index is missing or not a whole number</source>
+        <translation>%1 : un indice de point manque ou n’est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>as many whole numbers as are declared</source>
+        <translation>autant de nombres entiers qu’annoncé</translation>
+    </message>
+    <message>
+        <source>%1 use point %2</source>
+        <translation>%1 utilisent le point %2</translation>
+    </message>
+    <message>
+        <source>%1 before this section</source>
+        <translation>%1 avant cette section</translation>
+    </message>
+    <message>
+        <source>no index, because there are no points</source>
+        <translation>aucun indice, car il n’y a pas de points</translation>
+    </message>
+    <message>
+        <source>%1: number of corners of cell %2: %3</source>
+        <translation>%1 : nombre de coins de la cellule %2 : %3</translation>
+    </message>
+    <message>
+        <source>%1: the number of corners of cell %2 is missing</source>
+        <translation>%1 : le nombre de coins de la cellule %2 manque</translation>
+    </message>
+    <message>
+        <source>%1 to %2, as many as the declared values allow</source>
+        <translation>%1 à %2, autant que les valeurs annoncées le permettent</translation>
+    </message>
+    <message>
+        <source>%1: number of values: declared %2</source>
+        <translation>%1 : nombre de valeurs : annoncé %2</translation>
+    </message>
+    <message>
+        <source>%1, as many as the cells use</source>
+        <translation>%1, autant que les cellules en utilisent</translation>
+    </message>
+    <message>
+        <source>found %1 and %2</source>
+        <translation>trouvé %1 et %2</translation>
+    </message>
+    <message>
+        <source>the keyword %1 and an integer type</source>
+        <translation>le mot-clé %1 et un type entier</translation>
+    </message>
+    <message>
+        <source>%1: offset %2 is %3</source>
+        <translation>%1 : le décalage %2 est %3</translation>
+    </message>
+    <message>
+        <source>%1: offset %2 is missing or not a whole number</source>
+        <translation>%1 : le décalage %2 manque ou n’est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>exactly %1</source>
+        <translation>exactement %1</translation>
+    </message>
+    <message>
+        <source>%1: number of corners: declared %2</source>
+        <translation>%1 : nombre de coins : annoncé %2</translation>
+    </message>
+    <message>
+        <source>%1, the last offset</source>
+        <translation>%1, le dernier décalage</translation>
+    </message>
+    <message>
+        <source>number of cells</source>
+        <translation>nombre de cellules</translation>
+    </message>
+    <message>
+        <source>number of values</source>
+        <translation>nombre de valeurs</translation>
+    </message>
+    <message>
+        <source>number of cell types</source>
+        <translation>nombre de types de cellules</translation>
+    </message>
+    <message>
+        <source>%1, one for each cell</source>
+        <translation>%1, une par cellule</translation>
+    </message>
+    <message>
+        <source>%1: a value is missing or not a whole number</source>
+        <translation>%1 : une valeur manque ou n’est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>length of a text: %1 bytes</source>
+        <translation>longueur d’un texte : %1 octets</translation>
+    </message>
+    <message>
+        <source>at most %1, the number of bytes that follow</source>
+        <translation>au plus %1, le nombre d’octets suivants</translation>
+    </message>
+    <message>
+        <source>number of arrays</source>
+        <translation>nombre de tableaux</translation>
+    </message>
+    <message>
+        <source>number of components</source>
+        <translation>nombre de composantes</translation>
+    </message>
+    <message>
+        <source>number of tuples</source>
+        <translation>nombre de tuples</translation>
+    </message>
+    <message>
+        <source>array %1: %2</source>
+        <translation>tableau %1 : %2</translation>
+    </message>
+    <message>
+        <source>number of values: declared %1, of type %2</source>
+        <translation>nombre de valeurs : annoncé %1, de type %2</translation>
+    </message>
+    <message>
+        <source>a known type and as many numbers as are declared</source>
+        <translation>un type connu et autant de nombres qu’annoncé</translation>
+    </message>
+    <message>
+        <source>a second section %1</source>
+        <translation>une deuxième section %1</translation>
+    </message>
+    <message>
+        <source>each section once</source>
+        <translation>chaque section une fois</translation>
+    </message>
+    <message>
+        <source>a VTK file of type %1</source>
+        <translation>un fichier VTK de type %1</translation>
+    </message>
+    <message>
+        <source>the type %1</source>
+        <translation>le type %1</translation>
+    </message>
+    <message>
+        <source>one of the keywords %1</source>
+        <translation>l’un des mots-clés %1</translation>
+    </message>
+    <message>
+        <source>colours not read: those of %1</source>
+        <translation>couleurs non lues : celles de %1</translation>
+    </message>
+    <message>
+        <source>a ZIP archive</source>
+        <translation>une archive ZIP</translation>
+    </message>
+    <message>
+        <source>a PNG image</source>
+        <translation>une image PNG</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>un document PDF</translation>
+    </message>
+    <message>
+        <source>an SQLite database (a recording?)</source>
+        <translation>une base de données SQLite (un enregistrement ?)</translation>
+    </message>
+    <message>
+        <source>a DICOM file</source>
+        <translation>un fichier DICOM</translation>
+    </message>
+    <message>
+        <source>a mesh in one of the formats %1</source>
+        <translation>un maillage dans l’un des formats %1</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+    <message>
+        <source>a web page (HTML), perhaps a failed download</source>
+        <translation>une page web (HTML), peut-être un téléchargement manqué</translation>
+    </message>
+    <message>
+        <source>a Git LFS pointer, not the file itself (fetch it with `git lfs pull`)</source>
+        <translation>un pointeur Git LFS, non le fichier lui-même (à récupérer par `git lfs pull`)</translation>
+    </message>
+    <message>
+        <source>is %1, which Palpate does not read</source>
+        <translation>est %1, que Palpate ne lit pas</translation>
+    </message>
+    <message>
+        <source>a mesh saved in one of the formats %1</source>
+        <translation>un maillage enregistré dans l’un des formats %1</translation>
+    </message>
+    <message>
+        <source>the content is no known mesh format</source>
+        <translation>le contenu n’est d’aucun format de maillage connu</translation>
+    </message>
+    <message>
+        <source>three numbers after %1</source>
+        <translation>trois nombres après %1</translation>
+    </message>
+    <message>
+        <source>%1 is not a vertex index</source>
+        <translation>%1 n’est pas un indice de sommet</translation>
+    </message>
+    <message>
+        <source>whole numbers after %1</source>
+        <translation>des nombres entiers après %1</translation>
+    </message>
+    <message>
+        <source>vertex index %1 (number of vertices so far: %2)</source>
+        <translation>indice de sommet %1 (nombre de sommets jusque-là : %2)</translation>
+    </message>
+    <message>
+        <source>indices from 1, or negative indices that count back from the last vertex</source>
+        <translation>des indices à partir de 1, ou des indices négatifs qui comptent à rebours depuis le dernier sommet</translation>
+    </message>
+    <message>
+        <source>a face with one corner</source>
+        <translation>une face d’un seul coin</translation>
+    </message>
+    <message>
+        <source>a face with %1 corners</source>
+        <translation>une face de %1 coins</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>vertex index %1</source>
+        <translation>indice de sommet %1</translation>
+    </message>
+    <message>
+        <source>at most %1, the number of vertices</source>
+        <translation>au plus %1, le nombre de sommets</translation>
+    </message>
+    <message>
+        <source>colours not read: those of its material</source>
+        <translation>couleurs non lues : celles du matériau</translation>
+    </message>
+    <message>
+        <source>colours not read: those of its %1 materials</source>
+        <translation>couleurs non lues : celles des %1 matériaux</translation>
+    </message>
+    <message>
+        <source>number of line, point and curve elements that are ignored: %1</source>
+        <translation>nombre d’éléments de ligne, de point et de courbe ignorés : %1</translation>
+    </message>
+    <message>
+        <source>colours not read: those of its vertices</source>
+        <translation>couleurs non lues : celles des sommets</translation>
+    </message>
+    <message>
+        <source>the file ends in a line; that line is lost</source>
+        <translation>le fichier finit au milieu d’une ligne ; cette ligne est perdue</translation>
+    </message>
+    <message>
+        <source>a mesh saved as STL, PLY, OBJ or VTK (MeshLab or Blender convert it)</source>
+        <translation>un maillage enregistré en STL, PLY, OBJ ou VTK (MeshLab ou Blender le convertissent)</translation>
+    </message>
+    <message>
+        <source>a mesh in VTK format: convert it with FreeSurfer&apos;s mris_convert to a name that ends in .vtk</source>
+        <translation>un maillage au format VTK : le convertir avec mris_convert de FreeSurfer en un fichier dont le nom finit par .vtk</translation>
+    </message>
+    <message>
+        <source>an AppleDouble file, in which macOS keeps the attributes of another file</source>
+        <translation>un fichier AppleDouble, où macOS range les attributs d’un autre fichier</translation>
+    </message>
+    <message>
+        <source>the file of the same name without &quot;._&quot;</source>
+        <translation>le fichier du même nom sans « ._ »</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer surface</source>
+        <translation>une surface FreeSurfer</translation>
+    </message>
+    <message>
+        <source>a file compressed by gzip</source>
+        <translation>un fichier compressé par gzip</translation>
+    </message>
+    <message>
+        <source>the mesh itself: unpack it first (gunzip)</source>
+        <translation>le maillage lui-même : le décompresser d’abord (gunzip)</translation>
+    </message>
+    <message>
+        <source>a glTF file</source>
+        <translation>un fichier glTF</translation>
+    </message>
+    <message>
+        <source>an FBX file</source>
+        <translation>un fichier FBX</translation>
+    </message>
+    <message>
+        <source>a Blender file</source>
+        <translation>un fichier Blender</translation>
+    </message>
+    <message>
+        <source>a mesh exported from Blender as STL, PLY or OBJ</source>
+        <translation>un maillage exporté de Blender en STL, PLY ou OBJ</translation>
+    </message>
+    <message>
+        <source>a Gmsh mesh</source>
+        <translation>un maillage Gmsh</translation>
+    </message>
+    <message>
+        <source>its surface saved as VTK or STL (Gmsh: Export)</source>
+        <translation>sa surface enregistrée en VTK ou STL (Gmsh : Export)</translation>
+    </message>
+    <message>
+        <source>a VRML file</source>
+        <translation>un fichier VRML</translation>
+    </message>
+    <message>
+        <source>a STEP model</source>
+        <translation>un modèle STEP</translation>
+    </message>
+    <message>
+        <source>a mesh made of it (FreeCAD: Export as STL)</source>
+        <translation>un maillage qui en est tiré (FreeCAD : exporter en STL)</translation>
+    </message>
+    <message>
+        <source>a GIFTI surface</source>
+        <translation>une surface GIFTI</translation>
+    </message>
+    <message>
+        <source>a 3D Slicer scene (MRML)</source>
+        <translation>une scène de 3D Slicer (MRML)</translation>
+    </message>
+    <message>
+        <source>the files of its models, which are beside the scene: open them or their folder</source>
+        <translation>les fichiers de ses modèles, à côté de la scène : ouvrir ceux-ci ou leur dossier</translation>
+    </message>
+    <message>
+        <source>an AMF file</source>
+        <translation>un fichier AMF</translation>
+    </message>
+    <message>
+        <source>a COLLADA file</source>
+        <translation>un fichier COLLADA</translation>
+    </message>
+    <message>
+        <source>an X3D file</source>
+        <translation>un fichier X3D</translation>
+    </message>
+    <message>
+        <source>an OFF file</source>
+        <translation>un fichier OFF</translation>
+    </message>
+    <message>
+        <source>a surface in MNI&apos;s object format</source>
+        <translation>une surface au format objet du MNI</translation>
+    </message>
+    <message>
+        <source>a JSON document</source>
+        <translation>un document JSON</translation>
+    </message>
+    <message>
+        <source>a mesh, or a scene of Palpate with a name that ends in .json</source>
+        <translation>un maillage, ou une scène de Palpate dont le nom finit par .json</translation>
+    </message>
+    <message>
+        <source>%1 is not a number, in element %2 %3 of %4</source>
+        <translation>%1 n’est pas un nombre, dans l’élément %2 %3 sur %4</translation>
+    </message>
+    <message>
+        <source>the file ends in element %1 %2 of %3</source>
+        <translation>le fichier finit dans l’élément %1 %2 sur %3</translation>
+    </message>
+    <message>
+        <source>vertex %1: %2</source>
+        <translation>sommet %1 : %2</translation>
+    </message>
+    <message>
+        <source>number of corners of face %1: %2</source>
+        <translation>nombre de coins de la face %1 : %2</translation>
+    </message>
+    <message>
+        <source>face %1 uses vertex %2</source>
+        <translation>la face %1 utilise le sommet %2</translation>
+    </message>
+    <message>
+        <source>the property %1</source>
+        <translation>la propriété %1</translation>
+    </message>
+    <message>
+        <source>element %1 %2: length of a list: %3</source>
+        <translation>élément %1 %2 : longueur d’une liste : %3</translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation>en-tête</translation>
+    </message>
+    <message>
+        <source>no faces with a list of vertex indices</source>
+        <translation>aucune face avec une liste d’indices de sommets</translation>
+    </message>
+    <message>
+        <source>found the element %1</source>
+        <translation>trouvé l’élément %1</translation>
+    </message>
+    <message>
+        <source>%1, then %2, once each</source>
+        <translation>%1, puis %2, une fois chacun</translation>
+    </message>
+    <message>
+        <source>no vertices with x, y and z</source>
+        <translation>aucun sommet avec x, y et z</translation>
+    </message>
+    <message>
+        <source>one of each</source>
+        <translation>un de chaque</translation>
+    </message>
+    <message>
+        <source>number of vertices: %1, of faces: %2</source>
+        <translation>nombre de sommets : %1, de faces : %2</translation>
+    </message>
+    <message>
+        <source>at most %1 of each</source>
+        <translation>au plus %1 de chaque</translation>
+    </message>
+    <message>
+        <source>more data after the last element</source>
+        <translation>des données après le dernier élément</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>la fin du fichier</translation>
+    </message>
+    <message>
+        <source>0 faces</source>
+        <translation>aucune face</translation>
+    </message>
+    <message>
+        <source>at least one face</source>
+        <translation>au moins une face</translation>
+    </message>
+    <message>
+        <source>lines with more numbers than the header declares: %1; the surplus is left out</source>
+        <translation>lignes avec plus de nombres que n’en annonce l’en-tête : %1 ; le surplus est omis</translation>
+    </message>
+    <message>
+        <source>the file ends there: %1 of %2 faces lost</source>
+        <translation>le fichier finit là : %1 faces sur %2 perdues</translation>
+    </message>
+    <message>
+        <source>the format %1</source>
+        <translation>le format %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 or %3</source>
+        <translation>%1, %2 ou %3</translation>
+    </message>
+    <message>
+        <source>the element count %1</source>
+        <translation>le nombre d’éléments %1</translation>
+    </message>
+    <message>
+        <source>a type and a name, below an element</source>
+        <translation>un type et un nom, sous un élément</translation>
+    </message>
+    <message>
+        <source>lines of the header that are none of PLY left out: %1</source>
+        <translation>lignes d’en-tête étrangères à PLY, omises : %1</translation>
+    </message>
+    <message>
+        <source>the header has no line %1</source>
+        <translation>l’en-tête n’a pas de ligne %1</translation>
+    </message>
+    <message>
+        <source>one such line</source>
+        <translation>une telle ligne</translation>
+    </message>
+    <message>
+        <source>the file ends in the header</source>
+        <translation>le fichier finit dans l’en-tête</translation>
+    </message>
+    <message>
+        <source>colours not read: those of its elements %1</source>
+        <translation>couleurs non lues : celles des éléments %1</translation>
+    </message>
+    <message>
+        <source>number of elements %1: declared %2</source>
+        <translation>nombre d’éléments %1 : annoncé %2</translation>
+    </message>
+    <message>
+        <source>at most %1, as many as the %2 bytes that follow can hold</source>
+        <translation>au plus %1, autant que les %2 octets suivants peuvent en contenir</translation>
+    </message>
+    <message>
+        <source>coordinates are not numbers in %1 of %2 triangles (first: triangle %3)</source>
+        <translation>des coordonnées ne sont pas des nombres dans %1 triangles sur %2 (premier : triangle %3)</translation>
+    </message>
+    <message>
+        <source>coordinates are farther than 10 km from the origin in %1 of %2 triangles (first: triangle %3)</source>
+        <translation>des coordonnées sont à plus de 10 km de l’origine dans %1 triangles sur %2 (premier : triangle %3)</translation>
+    </message>
+    <message>
+        <source>coordinates are not numbers, or farther than 10 km from the origin, in %1 of %2 triangles (first: triangle %3)</source>
+        <translation>des coordonnées ne sont pas des nombres, ou sont à plus de 10 km de l’origine, dans %1 triangles sur %2 (premier : triangle %3)</translation>
+    </message>
+    <message>
+        <source>the count of triangles in the header, 0, is wrong: the size of the file says %1</source>
+        <translation>le nombre de triangles de l’en-tête, 0, est faux : d’après la taille du fichier, il y en a %1</translation>
+    </message>
+    <message>
+        <source>the last triangle is whole, but the attribute behind it is cut off</source>
+        <translation>le dernier triangle est entier, mais l’attribut qui le suit est coupé</translation>
+    </message>
+    <message>
+        <source>the file ends there: %1 of %2 triangles lost</source>
+        <translation>le fichier finit là : %1 triangles sur %2 perdus</translation>
+    </message>
+    <message>
+        <source>cut off: the binary STL declares %1 triangles, but the %2 bytes hold %3</source>
+        <translation>coupé : le STL binaire annonce %1 triangles, mais les %2 octets en contiennent %3</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 octets</translation>
+    </message>
+    <message>
+        <source>%1 bytes; --partial opens the first %2 of %3 triangles</source>
+        <translation>%1 octets ; --partial ouvre les %2 premiers des %3 triangles</translation>
+    </message>
+    <message>
+        <source>number of triangles of the binary STL: declared %1, but the %2 bytes hold %3</source>
+        <translation>nombre de triangles du STL binaire : annoncé %1, mais les %2 octets en contiennent %3</translation>
+    </message>
+    <message>
+        <source>colours not read: those of %1 of the triangles, as a structure has one colour</source>
+        <translation>couleurs non lues : celles de %1 des triangles, car une structure a une seule couleur</translation>
+    </message>
+    <message>
+        <source>the file ends in the STL header</source>
+        <translation>le fichier finit dans l’en-tête STL</translation>
+    </message>
+    <message>
+        <source>at least %1 bytes</source>
+        <translation>au moins %1 octets</translation>
+    </message>
+    <message>
+        <source>a number in the range of %1</source>
+        <translation>un nombre dans la plage de %1</translation>
+    </message>
+    <message>
+        <source>a blank or a line end after it</source>
+        <translation>une espace ou une fin de ligne après</translation>
+    </message>
+    <message>
+        <source>its type is %1</source>
+        <translation>son type est %1</translation>
+    </message>
+    <message>
+        <source>size of its data: %1 bytes</source>
+        <translation>taille de ses données : %1 octets</translation>
+    </message>
+    <message>
+        <source>a multiple of %1 bytes</source>
+        <translation>un multiple de %1 octets</translation>
+    </message>
+    <message>
+        <source>value %1 is %2</source>
+        <translation>la valeur %1 est %2</translation>
+    </message>
+    <message>
+        <source>a number of type %1</source>
+        <translation>un nombre de type %1</translation>
+    </message>
+    <message>
+        <source>number of values: %1</source>
+        <translation>nombre de valeurs : %1</translation>
+    </message>
+    <message>
+        <source>number of points: declared %1, but there is no array of points</source>
+        <translation>nombre de points : annoncé %1, mais il n’y a pas de tableau de points</translation>
+    </message>
+    <message>
+        <source>an array of points</source>
+        <translation>un tableau de points</translation>
+    </message>
+    <message>
+        <source>number of components: %1</source>
+        <translation>nombre de composantes : %1</translation>
+    </message>
+    <message>
+        <source>its compressed data are damaged</source>
+        <translation>ses données compressées sont endommagées</translation>
+    </message>
+    <message>
+        <source>data that can be decompressed</source>
+        <translation>des données qui se décompressent</translation>
+    </message>
+    <message>
+        <source>%1: declared %2 cells, but an array is missing</source>
+        <translation>%1 : %2 cellules annoncées, mais un tableau manque</translation>
+    </message>
+    <message>
+        <source>the arrays %1 and %2</source>
+        <translation>les tableaux %1 et %2</translation>
+    </message>
+    <message>
+        <source>its type is %1, its number of components %2</source>
+        <translation>son type est %1, son nombre de composantes %2</translation>
+    </message>
+    <message>
+        <source>whole numbers with one component</source>
+        <translation>des nombres entiers à une composante</translation>
+    </message>
+    <message>
+        <source>value %1 is point %2</source>
+        <translation>la valeur %1 est le point %2</translation>
+    </message>
+    <message>
+        <source>character %1 is %2</source>
+        <translation>le caractère %1 est %2</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>un nombre de %1 à %2</translation>
+    </message>
+    <message>
+        <source>its last string has no end</source>
+        <translation>sa dernière chaîne n’a pas de fin</translation>
+    </message>
+    <message>
+        <source>a zero after each string</source>
+        <translation>un zéro après chaque chaîne</translation>
+    </message>
+    <message>
+        <source>number of tuples: declared %1, of components in each: %2</source>
+        <translation>nombre de tuples : annoncé %1, de composantes dans chacun : %2</translation>
+    </message>
+    <message>
+        <source>exactly %1 values, as many as it contains</source>
+        <translation>exactement %1 valeurs, autant qu’il en contient</translation>
+    </message>
+    <message>
+        <source>at most %1 values, as many as it contains</source>
+        <translation>au plus %1 valeurs, autant qu’il en contient</translation>
+    </message>
+    <message>
+        <source>colours not read: the array %1 of its points</source>
+        <translation>couleurs non lues : le tableau %1 des points</translation>
+    </message>
+    <message>
+        <source>colours not read: the array %1 of its polygons</source>
+        <translation>couleurs non lues : le tableau %1 des polygones</translation>
+    </message>
+    <message>
+        <source>%1, one for each point</source>
+        <translation>%1, une pour chaque point</translation>
+    </message>
+    <message>
+        <source>%1, one for each polygon</source>
+        <translation>%1, une pour chaque polygone</translation>
+    </message>
+    <message>
+        <source>the array %1 is damaged and not used</source>
+        <translation>le tableau %1 est endommagé et n’est pas utilisé</translation>
+    </message>
+    <message>
+        <source>number of elements: declared %1</source>
+        <translation>nombre d’éléments : annoncé %1</translation>
+    </message>
+    <message>
+        <source>number of points: %1, of polygons and strips: %2</source>
+        <translation>nombre de points : %1, de polygones et de bandes : %2</translation>
+    </message>
+    <message>
+        <source>the cells have no types</source>
+        <translation>les cellules n’ont pas de types</translation>
+    </message>
+    <message>
+        <source>the array %1</source>
+        <translation>le tableau %1</translation>
+    </message>
+    <message>
+        <source>number of points: %1</source>
+        <translation>nombre de points : %1</translation>
+    </message>
+    <message>
+        <source>the file ends in the header of its data</source>
+        <translation>le fichier finit dans l’en-tête de ses données</translation>
+    </message>
+    <message>
+        <source>size of its data: declared %1 bytes</source>
+        <translation>taille de ses données : annoncé %1 octets</translation>
+    </message>
+    <message>
+        <source>at most %1, the number of characters that follow</source>
+        <translation>au plus %1, le nombre de caractères suivants</translation>
+    </message>
+    <message>
+        <source>block %1 reaches beyond the end of the file; its size is %2 bytes</source>
+        <translation>le bloc %1 dépasse la fin du fichier ; sa taille est de %2 octets</translation>
+    </message>
+    <message>
+        <source>at most %1 bytes</source>
+        <translation>au plus %1 octets</translation>
+    </message>
+    <message>
+        <source>block %1: declared sizes are %2 bytes compressed and %3 bytes decompressed</source>
+        <translation>bloc %1 : les tailles annoncées sont %2 octets compressés et %3 octets décompressés</translation>
+    </message>
+    <message>
+        <source>at most %1 bytes decompressed</source>
+        <translation>au plus %1 octets décompressés</translation>
+    </message>
+    <message>
+        <source>number of blocks: declared %1</source>
+        <translation>nombre de blocs : annoncé %1</translation>
+    </message>
+    <message>
+        <source>at most %1, the number of header words that follow</source>
+        <translation>au plus %1, le nombre de mots d’en-tête suivants</translation>
+    </message>
+    <message>
+        <source>block size %1 bytes, size of the last block %2 bytes</source>
+        <translation>taille de bloc %1 octets, taille du dernier bloc %2 octets</translation>
+    </message>
+    <message>
+        <source>a block size of at least one byte and a last block that is not larger</source>
+        <translation>une taille de bloc d’au moins un octet et un dernier bloc qui ne soit pas plus grand</translation>
+    </message>
+    <message>
+        <source>its data begin at offset %1</source>
+        <translation>ses données commencent au décalage %1</translation>
+    </message>
+    <message>
+        <source>less than %1, the length of the appended data</source>
+        <translation>moins de %1, la longueur des données annexées</translation>
+    </message>
+    <message>
+        <source>found %1=%2</source>
+        <translation>trouvé %1=%2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 ou %2</translation>
+    </message>
+    <message>
+        <source>the compressor %1</source>
+        <translation>le compresseur %1</translation>
+    </message>
+    <message>
+        <source>found an array %1 under %2</source>
+        <translation>trouvé un tableau %1 sous %2</translation>
+    </message>
+    <message>
+        <source>one array of points, one array %1 and one array %2</source>
+        <translation>un tableau de points, un tableau %1 et un tableau %2</translation>
+    </message>
+    <message>
+        <source>found an element %1 under %2</source>
+        <translation>trouvé un élément %1 sous %2</translation>
+    </message>
+    <message>
+        <source>an XML document of type %1</source>
+        <translation>un document XML de type %1</translation>
+    </message>
+    <message>
+        <source>found a document type or an entity</source>
+        <translation>trouvé un type de document ou une entité</translation>
+    </message>
+    <message>
+        <source>a VTP file without them</source>
+        <translation>un fichier VTP qui n’en contient pas</translation>
+    </message>
+    <message>
+        <source>elements nested in more than %1 levels</source>
+        <translation>éléments imbriqués sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>at most %1 levels</source>
+        <translation>au plus %1 niveaux</translation>
+    </message>
+    <message>
+        <source>invalid XML: %1</source>
+        <translation>XML non valide : %1</translation>
+    </message>
+    <message>
+        <source>well-formed XML to the end of the file</source>
+        <translation>du XML bien formé jusqu’à la fin du fichier</translation>
+    </message>
+    <message>
+        <source>the appended data do not begin with %1</source>
+        <translation>les données annexées ne commencent pas par %1</translation>
+    </message>
+    <message>
+        <source>%1 and the data</source>
+        <translation>%1 et les données</translation>
+    </message>
+    <message>
+        <source>more than 2 GiB of XML</source>
+        <translation>plus de 2 GiB de XML</translation>
+    </message>
+    <message>
+        <source>arrays as appended data</source>
+        <translation>des tableaux en données annexées</translation>
+    </message>
+    <message>
+        <source>no element %1</source>
+        <translation>aucun élément %1</translation>
+    </message>
+    <message>
+        <source>at least one such element</source>
+        <translation>au moins un tel élément</translation>
+    </message>
+    <message>
+        <source>not enough memory to read it: %1</source>
+        <translation>pas assez de mémoire pour le lire : %1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>ne peut pas être lu : %1</translation>
+    </message>
+    <message>
+        <source>the file became shorter while it was read</source>
+        <translation>le fichier est devenu plus court pendant la lecture</translation>
+    </message>
+    <message>
+        <source>a readable file</source>
+        <translation>un fichier lisible</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>ne peut pas être ouvert : %1</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>est un dossier</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>n’est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>a mesh file</source>
+        <translation>un fichier de maillage</translation>
+    </message>
+    <message>
+        <source>the frame SPACE=%1 is not used: expected LPS or RAS</source>
+        <translation>le repère SPACE=%1 n’est pas utilisé ; attendu LPS ou RAS</translation>
+    </message>
+    <message>
+        <source>SCALE=%1 in the header is not used: expected %2 to %3</source>
+        <translation>SCALE=%1 dans l’en-tête n’est pas utilisé ; attendu %2 à %3</translation>
+    </message>
+    <message>
+        <source>1 vertex without finite coordinates left out: no face uses it</source>
+        <translation>1 sommet sans coordonnées finies omis : aucune face ne l’utilise</translation>
+    </message>
+    <message>
+        <source>%1 vertices without finite coordinates left out: no face uses them</source>
+        <translation>%1 sommets sans coordonnées finies omis : aucune face ne les utilise</translation>
+    </message>
+    <message>
+        <source>1 face of fewer than 3 corners left out</source>
+        <translation>1 face de moins de 3 sommets omise</translation>
+    </message>
+    <message>
+        <source>%1 faces of fewer than 3 corners left out</source>
+        <translation>%1 faces de moins de 3 sommets omises</translation>
+    </message>
+    <message>
+        <source>1 hidden cell left out</source>
+        <translation>1 cellule masquée omise</translation>
+    </message>
+    <message>
+        <source>%1 hidden cells left out</source>
+        <translation>%1 cellules masquées omises</translation>
+    </message>
+    <message>
+        <source>1 byte behind the last face left out</source>
+        <translation>1 octet après la dernière face omis</translation>
+    </message>
+    <message>
+        <source>%1 bytes behind the last face left out</source>
+        <translation>%1 octets après la dernière face omis</translation>
+    </message>
+    <message>
+        <source>0 faces, but %1 points: a point cloud</source>
+        <translation>0 face, mais %1 points : un nuage de points</translation>
+    </message>
+    <message>
+        <source>a surface: reconstruct one first (MeshLab: Screened Poisson)</source>
+        <translation>une surface : en reconstruire une d’abord (MeshLab : Screened Poisson)</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a finite number (%1)</source>
+        <translation>une coordonnée n’est pas un nombre fini (%1)</translation>
+    </message>
+    <message>
+        <source>a coordinate is farther than 10 km from the origin (%1)</source>
+        <translation>une coordonnée est à plus de 10 km de l’origine (%1)</translation>
+    </message>
+    <message>
+        <source>header: %1</source>
+        <translation>en-tête : %1</translation>
+    </message>
+    <message>
+        <source>header: the file of its voxels</source>
+        <translation>en-tête : le fichier de ses voxels</translation>
+    </message>
+    <message>
+        <source>an empty LIST</source>
+        <translation>une LIST vide</translation>
+    </message>
+    <message>
+        <source>a file name on each line below it</source>
+        <translation>un nom de fichier sur chaque ligne suivante</translation>
+    </message>
+    <message>
+        <source>a LIST of compressed files</source>
+        <translation>une LIST de fichiers compressés</translation>
+    </message>
+    <message>
+        <source>a single file, or uncompressed files</source>
+        <translation>un seul fichier, ou des fichiers non compressés</translation>
+    </message>
+    <message>
+        <source>the name of one file, or LIST and one file name on each line</source>
+        <translation>le nom d’un fichier, ou LIST et un nom de fichier par ligne</translation>
+    </message>
+    <message>
+        <source>no file %1</source>
+        <translation>aucun fichier %1</translation>
+    </message>
+    <message>
+        <source>this file in the folder of the header</source>
+        <translation>ce fichier dans le dossier de l’en-tête</translation>
+    </message>
+    <message>
+        <source>%1 twice</source>
+        <translation>%1 deux fois</translation>
+    </message>
+    <message>
+        <source>each field once</source>
+        <translation>chaque champ une fois</translation>
+    </message>
+    <message>
+        <source>no field `dimension` before `sizes`</source>
+        <translation>aucun champ `dimension` avant `sizes`</translation>
+    </message>
+    <message>
+        <source>`dimension` first</source>
+        <translation>`dimension` d’abord</translation>
+    </message>
+    <message>
+        <source>three numbers of voxels</source>
+        <translation>trois nombres de voxels</translation>
+    </message>
+    <message>
+        <source>both &quot;data file&quot; and &quot;datafile&quot;</source>
+        <translation>à la fois &quot;data file&quot; et &quot;datafile&quot;</translation>
+    </message>
+    <message>
+        <source>one of the two</source>
+        <translation>l’un des deux</translation>
+    </message>
+    <message>
+        <source>the name of one file</source>
+        <translation>le nom d’un seul fichier</translation>
+    </message>
+    <message>
+        <source>unreadable directions of its axes</source>
+        <translation>des directions d’axes illisibles</translation>
+    </message>
+    <message>
+        <source>three vectors that are not in one plane</source>
+        <translation>trois vecteurs qui ne sont pas dans un même plan</translation>
+    </message>
+    <message>
+        <source>it has no end</source>
+        <translation>il n’a pas de fin</translation>
+    </message>
+    <message>
+        <source>a header that ends before the voxels, or with the name of their file</source>
+        <translation>un en-tête qui se termine avant les voxels, ou par le nom de leur fichier</translation>
+    </message>
+    <message>
+        <source>a byte of 0 in its text</source>
+        <translation>un octet 0 dans son texte</translation>
+    </message>
+    <message>
+        <source>a header that consists of text only</source>
+        <translation>un en-tête uniquement en texte</translation>
+    </message>
+    <message>
+        <source>not a digit</source>
+        <translation>pas un chiffre</translation>
+    </message>
+    <message>
+        <source>a line of %1 characters</source>
+        <translation>une ligne de %1 caractères</translation>
+    </message>
+    <message>
+        <source>voxels in another encoding</source>
+        <translation>des voxels dans un autre codage</translation>
+    </message>
+    <message>
+        <source>no NIfTI header</source>
+        <translation>pas d’en-tête NIfTI</translation>
+    </message>
+    <message>
+        <source>a header of %1 or %2 bytes</source>
+        <translation>un en-tête de %1 ou %2 octets</translation>
+    </message>
+    <message>
+        <source>voxels of type %1</source>
+        <translation>des voxels de type %1</translation>
+    </message>
+    <message>
+        <source>a type of the NIfTI format, e.g. 16 for float</source>
+        <translation>un type du format NIfTI, par exemple 16 pour float</translation>
+    </message>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 axes</translation>
+    </message>
+    <message>
+        <source>%1 voxels along axis %2</source>
+        <translation>%1 voxels le long de l’axe %2</translation>
+    </message>
+    <message>
+        <source>it does not end with its last tag</source>
+        <translation>il ne se termine pas par sa dernière balise</translation>
+    </message>
+    <message>
+        <source>`&lt;/VTKFile&gt;` at the end</source>
+        <translation>`&lt;/VTKFile&gt;` à la fin</translation>
+    </message>
+    <message>
+        <source>a document type or an entity</source>
+        <translation>un type de document ou une entité</translation>
+    </message>
+    <message>
+        <source>a VTI file without these</source>
+        <translation>un fichier VTI sans ceux-ci</translation>
+    </message>
+    <message>
+        <source>an array with more numbers than its file can hold</source>
+        <translation>un tableau avec plus de nombres que son fichier ne peut en contenir</translation>
+    </message>
+    <message>
+        <source>values of NumberOfComponents and NumberOfTuples that match the data</source>
+        <translation>des valeurs de NumberOfComponents et de NumberOfTuples conformes aux données</translation>
+    </message>
+    <message>
+        <source>the XML is broken: %1</source>
+        <translation>le XML est défectueux : %1</translation>
+    </message>
+    <message>
+        <source>well-formed XML to the end</source>
+        <translation>du XML bien formé jusqu’à la fin</translation>
+    </message>
+    <message>
+        <source>a label map: whole numbers from 0, one for each structure. As a map of stiffness, a volume is named in a scene (maps.md)</source>
+        <translation>une carte d’étiquettes : des nombres entiers à partir de 0, un par structure. Comme carte de raideur, un volume est nommé dans une scène (maps.md)</translation>
+    </message>
+    <message>
+        <source>a %1 volume with more than %2 intensities, not labels</source>
+        <translation>un volume %1 avec plus de %2 intensités, pas des étiquettes</translation>
+    </message>
+    <message>
+        <source>a %1 volume with %2 intensities, not labels</source>
+        <translation>un volume %1 avec %2 intensités, pas des étiquettes</translation>
+    </message>
+    <message>
+        <source>a label map with %1 labels</source>
+        <translation>une carte d’étiquettes avec %1 étiquettes</translation>
+    </message>
+    <message>
+        <source>at most %1 labels</source>
+        <translation>au plus %1 étiquettes</translation>
+    </message>
+    <message>
+        <source>a %1 volume without labels: every voxel is 0</source>
+        <translation>un volume %1 sans étiquettes : chaque voxel vaut 0</translation>
+    </message>
+    <message>
+        <source>at least one voxel with a label</source>
+        <translation>au moins un voxel avec une étiquette</translation>
+    </message>
+    <message>
+        <source>a file that can be read</source>
+        <translation>un fichier lisible</translation>
+    </message>
+    <message>
+        <source>content in proportion to the size of the file</source>
+        <translation>un contenu en rapport avec la taille du fichier</translation>
+    </message>
+    <message>
+        <source>the process to read it could not be started</source>
+        <translation>le processus qui devait le lire n’a pas pu démarrer</translation>
+    </message>
+    <message>
+        <source>room for one more process with some open files and memory (`ulimit -a` lists the limits)</source>
+        <translation>de la place pour un processus de plus avec quelques fichiers ouverts et de la mémoire (`ulimit -a` énumère les limites)</translation>
+    </message>
+    <message>
+        <source>reading it took more than %1 s of processor time</source>
+        <translation>sa lecture a pris plus de %1 s de temps processeur</translation>
+    </message>
+    <message>
+        <source>a file that can be read in this time</source>
+        <translation>un fichier lisible en ce temps</translation>
+    </message>
+    <message>
+        <source>its content is larger than %1 MiB</source>
+        <translation>son contenu dépasse %1 MiB</translation>
+    </message>
+    <message>
+        <source>the system ended the process that read it, perhaps because memory ran out</source>
+        <translation>le système a arrêté le processus qui le lisait, peut-être faute de mémoire</translation>
+    </message>
+    <message>
+        <source>a smaller file, or more free memory</source>
+        <translation>un fichier plus petit ou plus de mémoire libre</translation>
+    </message>
+    <message>
+        <source>the process that read it crashed (%1)</source>
+        <translation>le processus qui le lisait s’est arrêté brutalement (%1)</translation>
+    </message>
+    <message>
+        <source>the process to read it could not limit its memory and time</source>
+        <translation>le processus qui devait le lire n’a pas pu limiter sa mémoire et son temps</translation>
+    </message>
+    <message>
+        <source>limits of this program above its own limits (`ulimit -a` lists them)</source>
+        <translation>des limites de ce programme supérieures à celles du processus (`ulimit -a` les énumère)</translation>
+    </message>
+    <message>
+        <source>the process that read it could not write the result</source>
+        <translation>le processus qui le lisait n’a pas pu écrire le résultat</translation>
+    </message>
+    <message>
+        <source>enough memory and no lower limit on the size of files (`ulimit -v`, `ulimit -f`)</source>
+        <translation>assez de mémoire et pas de limite inférieure sur la taille des fichiers (`ulimit -v`, `ulimit -f`)</translation>
+    </message>
+    <message>
+        <source>the process that read it ended with exit code %1</source>
+        <translation>le processus qui le lisait a fini avec le code de retour %1</translation>
+    </message>
+    <message>
+        <source>the process to read it could not be started: %1</source>
+        <translation>le processus qui devait le lire n’a pas pu démarrer : %1</translation>
+    </message>
+    <message>
+        <source>reading it took more than %1 s</source>
+        <translation>sa lecture a pris plus de %1 s</translation>
+    </message>
+    <message>
+        <source>reading it takes more than %1 MiB of memory</source>
+        <translation>sa lecture demande plus de %1 MiB de mémoire</translation>
+    </message>
+    <message>
+        <source>a coordinate is not finite or is farther than 10 km from the origin</source>
+        <translation>une coordonnée n’est pas finie ou est à plus de 10 km de l’origine</translation>
+    </message>
+    <message>
+        <source>a vertex index is out of range</source>
+        <translation>un indice de sommet est hors limites</translation>
+    </message>
+    <message>
+        <source>an array is incomplete</source>
+        <translation>un tableau est incomplet</translation>
+    </message>
+    <message>
+        <source>its frame is unknown</source>
+        <translation>son repère est inconnu</translation>
+    </message>
+    <message>
+        <source>its unit is not positive and finite</source>
+        <translation>son unité n’est pas positive et finie</translation>
+    </message>
+    <message>
+        <source>its voxels have no size or no axes</source>
+        <translation>ses voxels n’ont pas de taille ou pas d’axes</translation>
+    </message>
+    <message>
+        <source>a colour is out of range</source>
+        <translation>une couleur est hors limites</translation>
+    </message>
+    <message>
+        <source>a count is out of range</source>
+        <translation>un nombre d’éléments est hors limites</translation>
+    </message>
+    <message>
+        <source>its counts do not match its size</source>
+        <translation>ses nombres d’éléments ne correspondent pas à sa taille</translation>
+    </message>
+    <message>
+        <source>SCALE=%1 in the header: a unit of the file is taken as %2 mm</source>
+        <translation>SCALE=%1 dans l’en-tête : une unité du fichier est prise comme %2 mm</translation>
+    </message>
+    <message>
+        <source>SCALE=%1 in the header: not used, because the unit was given</source>
+        <translation>SCALE=%1 dans l’en-tête : non utilisé, car l’unité était donnée</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>unité</translation>
+    </message>
+    <message>
+        <source>a positive number of millimetres per unit of the file</source>
+        <translation>un nombre positif de millimètres par unité du fichier</translation>
+    </message>
+    <message>
+        <source>not enough memory to read it</source>
+        <translation>pas assez de mémoire pour le lire</translation>
+    </message>
+    <message>
+        <source>polygon %1</source>
+        <translation>polygone %1</translation>
+    </message>
+    <message>
+        <source>number of corners: %1</source>
+        <translation>nombre de coins : %1</translation>
+    </message>
+    <message>
+        <source>it uses point %1</source>
+        <translation>il utilise le point %1</translation>
+    </message>
+    <message>
+        <source>at most %1 arrays of the points are used; number of arrays left out: %2</source>
+        <translation>au plus %1 tableaux des points sont utilisés ; nombre de tableaux laissés de côté : %2</translation>
+    </message>
+    <message>
+        <source>at most %1 arrays of the polygons are used; number of arrays left out: %2</source>
+        <translation>au plus %1 tableaux des polygones sont utilisés ; nombre de tableaux laissés de côté : %2</translation>
+    </message>
+    <message>
+        <source>one polygon has no simple outline</source>
+        <translation>un polygone n’a pas de contour simple</translation>
+    </message>
+    <message>
+        <source>%1 polygons have no simple outline</source>
+        <translation>%1 polygones n’ont pas de contour simple</translation>
+    </message>
+    <message>
+        <source>%1 components per voxel</source>
+        <translation>%1 composantes par voxel</translation>
+    </message>
+    <message>
+        <source>one number for each voxel</source>
+        <translation>un nombre pour chaque voxel</translation>
+    </message>
+    <message>
+        <source>an axis without a voxel</source>
+        <translation>un axe sans voxel</translation>
+    </message>
+    <message>
+        <source>at least one along each axis</source>
+        <translation>au moins un le long de chaque axe</translation>
+    </message>
+    <message>
+        <source>%1 voxels declared</source>
+        <translation>%1 voxels annoncés</translation>
+    </message>
+    <message>
+        <source>as many as its %1 bytes can hold</source>
+        <translation>autant que ses %1 octets peuvent en contenir</translation>
+    </message>
+    <message>
+        <source>its compressed voxels are cut off or broken</source>
+        <translation>ses voxels compressés sont tronqués ou endommagés</translation>
+    </message>
+    <message>
+        <source>%1 bytes when unpacked</source>
+        <translation>%1 octets une fois décompressés</translation>
+    </message>
+    <message>
+        <source>%1 bytes of voxels</source>
+        <translation>%1 octets de voxels</translation>
+    </message>
+    <message>
+        <source>an unknown file extension</source>
+        <translation>une extension de fichier inconnue</translation>
+    </message>
+    <message>
+        <source>a volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz</source>
+        <translation>un volume : .vti, .mha, .mhd, .nrrd, .nhdr, .nii ou .nii.gz</translation>
+    </message>
+    <message>
+        <source>no numbers</source>
+        <translation>aucun nombre</translation>
+    </message>
+    <message>
+        <source>%1 numbers for %2 voxels</source>
+        <translation>%1 nombres pour %2 voxels</translation>
+    </message>
+    <message>
+        <source>axes or spacings of its voxels that do not define positions</source>
+        <translation>des axes ou des espacements de voxels qui ne définissent pas de positions</translation>
+    </message>
+    <message>
+        <source>three directions that are not in one plane, and spacings other than 0</source>
+        <translation>trois directions qui ne sont pas dans un même plan, et des espacements non nuls</translation>
+    </message>
+    <message>
+        <source>voxels of a non-numeric type</source>
+        <translation>des voxels d’un type non numérique</translation>
+    </message>
+    <message>
+        <source>VTK could not read it: %1</source>
+        <translation>VTK n’a pas pu le lire : %1</translation>
+    </message>
+    <message>
+        <source>a readable volume</source>
+        <translation>un volume lisible</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>fichier introuvable</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>un volume</translation>
+    </message>
+    <message>
+        <source>a smaller volume, or more free memory</source>
+        <translation>un volume plus petit, ou plus de mémoire libre</translation>
+    </message>
+    <message>
+        <source>its axes are not finite numbers</source>
+        <translation>ses axes ne sont pas des nombres finis</translation>
+    </message>
+    <message>
+        <source>its voxels are incomplete</source>
+        <translation>ses voxels sont incomplets</translation>
+    </message>
+    <message>
+        <source>a valid %1 file</source>
+        <translation>un fichier %1 valide</translation>
+    </message>
+    <message>
+        <source>number of points read by VTK: %1, of polygons: %2</source>
+        <translation>nombre de points lus par VTK : %1, de polygones : %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>the result of the import process is damaged: %1</source>
+        <translation>le résultat du processus d’importation est endommagé : %1</translation>
+    </message>
+    <message>
+        <source>a result that passed all checks</source>
+        <translation>un résultat qui ait passé tous les contrôles</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>il est vide</translation>
+    </message>
+    <message>
+        <source>its header has no end</source>
+        <translation>son en-tête n’a pas de fin</translation>
+    </message>
+    <message>
+        <source>its header is incomplete</source>
+        <translation>son en-tête est incomplet</translation>
+    </message>
+    <message>
+        <source>it has an error without a message</source>
+        <translation>il contient une erreur sans message</translation>
+    </message>
+    <message>
+        <source>the file name %1</source>
+        <translation>le nom de fichier %1</translation>
+    </message>
+    <message>
+        <source>a file in this folder or below it</source>
+        <translation>un fichier dans ce dossier ou plus bas</translation>
+    </message>
+    <message>
+        <source>more than %1 files</source>
+        <translation>plus de %1 fichiers</translation>
+    </message>
+    <message>
+        <source>a VTK file without either</source>
+        <translation>un fichier VTK sans l’un ni l’autre</translation>
+    </message>
+    <message>
+        <source>a series of %1 time steps</source>
+        <translation>une série de %1 pas de temps</translation>
+    </message>
+    <message>
+        <source>one time step: open the file of that step</source>
+        <translation>un pas de temps : ouvrir le fichier de ce pas</translation>
+    </message>
+    <message>
+        <source>it names no files</source>
+        <translation>il ne nomme aucun fichier</translation>
+    </message>
+    <message>
+        <source>at least one element %1</source>
+        <translation>au moins un élément %1</translation>
+    </message>
+    <message>
+        <source>no column %1</source>
+        <translation>aucune colonne %1</translation>
+    </message>
+    <message>
+        <source>a header with %1 and %2</source>
+        <translation>un en-tête avec %1 et %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 est %2</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>at least one</source>
+        <translation>au moins un</translation>
+    </message>
+    <message>
+        <source>%1: taken as %2, as the scene file says; not as %3</source>
+        <translation>%1 : lu comme %2, comme l’indique le fichier de scène ; pas comme %3</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation>le dossier ne peut pas être lu : %1</translation>
+    </message>
+    <message>
+        <source>a folder of meshes</source>
+        <translation>un dossier de maillages</translation>
+    </message>
+    <message>
+        <source>a folder without mesh files</source>
+        <translation>un dossier sans fichiers de maillage</translation>
+    </message>
+    <message>
+        <source>%1 files in it</source>
+        <translation>%1 fichiers dedans</translation>
+    </message>
+    <message>
+        <source>%1: changed since the scene was saved: found SHA-256 %2..., expected %3...; opened as it is now</source>
+        <translation>%1 : modifié depuis l’enregistrement de la scène : SHA-256 trouvé : %2..., attendu : %3... ; ouvert dans son état actuel</translation>
+    </message>
+    <message>
+        <source>no structure %1</source>
+        <translation>aucune structure %1</translation>
+    </message>
+    <message>
+        <source>one of that name</source>
+        <translation>une de ce nom</translation>
+    </message>
+    <message>
+        <source>%1: all triangles have zero area (number of triangles: %2); expected at least one with an area</source>
+        <translation>%1 : tous les triangles ont une aire nulle (nombre de triangles : %2) ; attendu : au moins un d’aire non nulle</translation>
+    </message>
+    <message>
+        <source>%1: tagged SPACE=%2, but taken as %3, as was chosen</source>
+        <translation>%1 : étiqueté SPACE=%2, mais lu comme %3, selon le choix fait</translation>
+    </message>
+    <message>
+        <source>%1: tagged SPACE=RAS: x and y negated to get LPS</source>
+        <translation>%1 : étiqueté SPACE=RAS : signes de x et de y inversés pour obtenir LPS</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more files: no SPACE tag: coordinates taken as LPS</source>
+        <translation>%1 et %2 autres fichiers : pas d’étiquette SPACE : coordonnées lues comme LPS</translation>
+    </message>
+    <message>
+        <source>%1 and %2: no SPACE tag: coordinates taken as LPS</source>
+        <translation>%1 et %2 : pas d’étiquette SPACE : coordonnées lues comme LPS</translation>
+    </message>
+    <message>
+        <source>%1: no SPACE tag: coordinates taken as LPS</source>
+        <translation>%1 : pas d’étiquette SPACE : coordonnées lues comme LPS</translation>
+    </message>
+    <message>
+        <source>%1: only %2 units wide, taken as mm; looks like metres: open with --unit m</source>
+        <translation>%1 : large de %2 unités seulement, lues comme des mm ; sans doute des mètres : ouvrir avec --unit m</translation>
+    </message>
+    <message>
+        <source>%1: %2 units wide, with units of %3 mm; looks like millimetres: open with --unit mm</source>
+        <translation>%1 : large de %2 unités de %3 mm ; sans doute des millimètres : ouvrir avec --unit mm</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>omis : %1</translation>
+    </message>
+    <message>
+        <source>not enough memory to open it</source>
+        <translation>pas assez de mémoire pour l’ouvrir</translation>
+    </message>
+    <message>
+        <source>a smaller scene, or more free memory</source>
+        <translation>une scène plus petite, ou plus de mémoire libre</translation>
+    </message>
+    <message>
+        <source>a matrix that is not rigid</source>
+        <translation>une matrice qui n’est pas rigide</translation>
+    </message>
+    <message>
+        <source>a rotation and a translation, row by row</source>
+        <translation>une rotation et une translation, ligne par ligne</translation>
+    </message>
+    <message>
+        <source>at most `static`, which is %1</source>
+        <translation>au plus `static`, soit %1</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>un de %1</translation>
+    </message>
+    <message>
+        <source>neither `array` nor `file`</source>
+        <translation>ni `array` ni `file`</translation>
+    </message>
+    <message>
+        <source>both `array` and `file`</source>
+        <translation>à la fois `array` et `file`</translation>
+    </message>
+    <message>
+        <source>the unit of the numbers: scale, N_per_mm, young_kPa or shear_kPa</source>
+        <translation>l’unité des nombres : scale, N_per_mm, young_kPa ou shear_kPa</translation>
+    </message>
+    <message>
+        <source>a unit of `%1`</source>
+        <translation>une unité de `%1`</translation>
+    </message>
+    <message>
+        <source>a larger number before a smaller one</source>
+        <translation>un nombre plus grand avant un plus petit</translation>
+    </message>
+    <message>
+        <source>the minimum, then the maximum</source>
+        <translation>le minimum, puis le maximum</translation>
+    </message>
+    <message>
+        <source>%1 together with `inside`</source>
+        <translation>%1 en même temps que `inside`</translation>
+    </message>
+    <message>
+        <source>one of the two: a structure felt through its organ has no layer of its own</source>
+        <translation>l’un des deux : une structure sentie à travers son organe n’a pas de couche propre</translation>
+    </message>
+    <message>
+        <source>its own name</source>
+        <translation>son propre nom</translation>
+    </message>
+    <message>
+        <source>the name of the organ around it</source>
+        <translation>le nom de l’organe qui l’entoure</translation>
+    </message>
+    <message>
+        <source>the path of a mesh file</source>
+        <translation>le chemin d’un maillage</translation>
+    </message>
+    <message>
+        <source>LPS, RAS or Y-up</source>
+        <translation>LPS, RAS ou Y-up</translation>
+    </message>
+    <message>
+        <source>a fraction</source>
+        <translation>une fraction</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un nombre entier</translation>
+    </message>
+    <message>
+        <source>64 hex digits</source>
+        <translation>64 chiffres hexadécimaux</translation>
+    </message>
+    <message>
+        <source>the path of a recording</source>
+        <translation>le chemin d’un enregistrement</translation>
+    </message>
+    <message>
+        <source>a time in UTC, e.g. %1</source>
+        <translation>une heure UTC, par exemple %1</translation>
+    </message>
+    <message>
+        <source>the name of a structure of this scene</source>
+        <translation>le nom d’une structure de cette scène</translation>
+    </message>
+    <message>
+        <source>`felt:` and a quantity, or `array:` and its name</source>
+        <translation>`felt:` et une grandeur, ou `array:` et son nom</translation>
+    </message>
+    <message>
+        <source>%1, the name of %2 structures</source>
+        <translation>%1, le nom de %2 structures</translation>
+    </message>
+    <message>
+        <source>the name of one structure: rename the others</source>
+        <translation>le nom d’une seule structure : renommer les autres</translation>
+    </message>
+    <message>
+        <source>%1, which lies inside %2</source>
+        <translation>%1, qui est à l’intérieur de %2</translation>
+    </message>
+    <message>
+        <source>the outermost structure around it</source>
+        <translation>la structure la plus externe qui l’entoure</translation>
+    </message>
+    <message>
+        <source>a scene as a JSON object</source>
+        <translation>une scène comme objet JSON</translation>
+    </message>
+    <message>
+        <source>both `points` and `file`</source>
+        <translation>à la fois `points` et `file`</translation>
+    </message>
+    <message>
+        <source>points [[depth_mm, force_N], …] or the file of a curve</source>
+        <translation>des points [[depth_mm, force_N], …] ou le fichier d’une courbe</translation>
+    </message>
+    <message>
+        <source>not smoothed: too small, it would lose more than half of its volume</source>
+        <translation>non lissée : trop petite, elle perdrait plus de la moitié de son volume</translation>
+    </message>
+    <message>
+        <source>surface from a label map of %1 × %2 × %3 mm voxels, %4</source>
+        <translation>surface d’une carte de labels de voxels de %1 × %2 × %3 mm, %4</translation>
+    </message>
+    <message>
+        <source>surface from a label map of %1 × %2 × %3 mm voxels, smoothed by %4: at most %5 mm from the voxel boundary</source>
+        <translation>surface d’une carte d’étiquettes à voxels de %1 × %2 × %3 mm, lissée de %4 : à %5 mm au plus de la limite des voxels</translation>
+    </message>
+    <message>
+        <source>smoothed: vertices moved by at most %1 mm</source>
+        <translation>lissée : sommets déplacés de %1 mm au plus</translation>
+    </message>
+    <message>
+        <source>surface from a label map of %1 × %2 × %3 mm voxels, smoothed by %4: volume changed by %5 %, at most %6 mm from the voxel boundary</source>
+        <translation>surface d’une carte d’étiquettes à voxels de %1 × %2 × %3 mm, lissée de %4 : volume modifié de %5 %, à %6 mm au plus de la limite des voxels</translation>
+    </message>
+    <message>
+        <source>smoothed: vertices moved by at most %1 mm, volume %2 %</source>
+        <translation>lissée : sommets déplacés de %1 mm au plus, volume %2 %</translation>
+    </message>
+    <message>
+        <source>curved facets would be %1 triangles, expected at most %2; the surface is felt and drawn as facets</source>
+        <translation>les facettes courbes donneraient %1 triangles, attendu au plus %2 ; la surface est ressentie et dessinée en facettes planes</translation>
+    </message>
+    <message>
+        <source>no facet is curved: all edges are flat or sharp</source>
+        <translation>aucune facette n’est courbée : toutes les arêtes sont planes ou vives</translation>
+    </message>
+    <message>
+        <source>curved facets: %1 triangles instead of %2; facets kept flat, because they would fold: %3</source>
+        <translation>facettes courbes : %1 triangles au lieu de %2 ; facettes laissées planes, car elles se replieraient : %3</translation>
+    </message>
+    <message>
+        <source>curved facets: %1 triangles instead of %2</source>
+        <translation>facettes courbes : %1 triangles au lieu de %2</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>point %1</translation>
+    </message>
+    <message>
+        <source>it is farther than 10 km from the origin</source>
+        <translation>il est à plus de 10 km de l’origine</translation>
+    </message>
+    <message>
+        <source>its coordinates are not numbers</source>
+        <translation>ses coordonnées ne sont pas des nombres</translation>
+    </message>
+    <message>
+        <source>all triangles have zero area (number of triangles: %1)</source>
+        <translation>tous les triangles ont une aire nulle (nombre de triangles : %1)</translation>
+    </message>
+    <message>
+        <source>at least one with an area</source>
+        <translation>au moins un d’aire non nulle</translation>
+    </message>
+    <message>
+        <source>a mesh with arrays: this one has none</source>
+        <translation>un maillage avec des tableaux : celui-ci n’en a pas</translation>
+    </message>
+    <message>
+        <source>the volume</source>
+        <translation>le volume</translation>
+    </message>
+    <message>
+        <source>%1: %2 has no value at %3 of %4 places, more than a fifth: the structure&apos;s own value is felt there</source>
+        <translation>%1 : %2 n’a pas de valeur en %3 points sur %4, plus d’un cinquième : la valeur propre de la structure s’y sent</translation>
+    </message>
+    <message>
+        <source>%1: %2 has no value at %3 of %4 places: the structure&apos;s own value is felt there</source>
+        <translation>%1 : %2 n’a pas de valeur en %3 points sur %4 : la valeur propre de la structure s’y sent</translation>
+    </message>
+    <message>
+        <source>no array %1</source>
+        <translation>aucun tableau %1</translation>
+    </message>
+    <message>
+        <source>%1; expected %2</source>
+        <translation>%1 ; attendu %2</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <translation>%1 : %2 : %3</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>octet %1</translation>
+    </message>
+    <message>
+        <source>an array of %1</source>
+        <translation>un tableau de %1</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objet</translation>
+    </message>
+    <message>
+        <source>%1: %2: found %3, expected %4</source>
+        <translation>%1 : %2 : trouvé : %3, attendu : %4</translation>
+    </message>
+    <message>
+        <source>a text without the character U+0000</source>
+        <translation>un texte sans le caractère U+0000</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>vrai ou faux</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 nombres</translation>
+    </message>
+    <message>
+        <source>at most %1 pairs of numbers</source>
+        <translation>au plus %1 paires de nombres</translation>
+    </message>
+    <message>
+        <source>two numbers</source>
+        <translation>deux nombres</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>un tableau</translation>
+    </message>
+    <message>
+        <source>a byte of 0 in the header</source>
+        <translation>un octet 0 dans l’en-tête</translation>
+    </message>
+    <message>
+        <source>%1 a second time</source>
+        <translation>%1 une seconde fois</translation>
+    </message>
+    <message>
+        <source>the header does not end</source>
+        <translation>l’en-tête ne se termine pas</translation>
+    </message>
+    <message>
+        <source>a line with ElementDataFile</source>
+        <translation>une ligne avec ElementDataFile</translation>
+    </message>
+    <message>
+        <source>3 or 4</source>
+        <translation>3 ou 4</translation>
+    </message>
+    <message>
+        <source>one count of at least 1 for each of %1 axes</source>
+        <translation>un nombre d’au moins 1 pour chacun des %1 axes</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>a type of number, as MET_UCHAR or MET_SHORT</source>
+        <translation>un type de nombre, comme MET_UCHAR ou MET_SHORT</translation>
+    </message>
+    <message>
+        <source>True: voxels as binary numbers</source>
+        <translation>True : des voxels en nombres binaires</translation>
+    </message>
+    <message>
+        <source>0: voxels from the first byte on</source>
+        <translation>0 : des voxels dès le premier octet</translation>
+    </message>
+    <message>
+        <source>one file, or uncompressed files in a LIST</source>
+        <translation>un fichier, ou des fichiers non compressés dans une LIST</translation>
+    </message>
+    <message>
+        <source>the name of one file, or LIST and one name on each line</source>
+        <translation>le nom d’un fichier, ou LIST et un nom par ligne</translation>
+    </message>
+    <message>
+        <source>header: dim</source>
+        <translation>en-tête : dim</translation>
+    </message>
+    <message>
+        <source>%1 axes of %2 × %3 × %4 voxels</source>
+        <translation>%1 axes de %2 × %3 × %4 voxels</translation>
+    </message>
+    <message>
+        <source>1 to 7 axes of at least 1 voxel</source>
+        <translation>1 à 7 axes d’au moins 1 voxel</translation>
+    </message>
+    <message>
+        <source>no complete header of a NIfTI file</source>
+        <translation>pas d’en-tête complet d’un fichier NIfTI</translation>
+    </message>
+    <message>
+        <source>348 or 540 bytes</source>
+        <translation>348 ou 540 octets</translation>
+    </message>
+    <message>
+        <source>voxels in a separate .img file</source>
+        <translation>des voxels dans un fichier .img séparé</translation>
+    </message>
+    <message>
+        <source>a single file: save it as .nii or .nii.gz</source>
+        <translation>un seul fichier : enregistrez-le en .nii ou .nii.gz</translation>
+    </message>
+    <message>
+        <source>header: datatype</source>
+        <translation>en-tête : datatype</translation>
+    </message>
+    <message>
+        <source>one number for each voxel, as 2 or 4</source>
+        <translation>un nombre par voxel, comme 2 ou 4</translation>
+    </message>
+    <message>
+        <source>header: vox_offset</source>
+        <translation>en-tête : vox_offset</translation>
+    </message>
+    <message>
+        <source>the byte of the first voxel, %1 or more</source>
+        <translation>l’octet du premier voxel, %1 ou plus</translation>
+    </message>
+    <message>
+        <source>a field and its value</source>
+        <translation>un champ et sa valeur</translation>
+    </message>
+    <message>
+        <source>an empty line after it</source>
+        <translation>une ligne vide après lui</translation>
+    </message>
+    <message>
+        <source>a type of number, as &quot;uchar&quot; or &quot;short&quot;</source>
+        <translation>un type de nombre, comme &quot;uchar&quot; ou &quot;short&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;little&quot; or &quot;big&quot;</source>
+        <translation>&quot;little&quot; ou &quot;big&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;raw&quot; or &quot;gzip&quot;</source>
+        <translation>&quot;raw&quot; ou &quot;gzip&quot;</translation>
+    </message>
+    <message>
+        <source>a vector of three numbers for each axis, or none</source>
+        <translation>un vecteur de trois nombres pour chaque axe, ou none</translation>
+    </message>
+    <message>
+        <source>three axes in space and, for overlapping segments, one list axis before or after them</source>
+        <translation>trois axes spatiaux et, pour des segments qui se chevauchent, un axe de liste avant ou après eux</translation>
+    </message>
+    <message>
+        <source>a vector of three numbers</source>
+        <translation>un vecteur de trois nombres</translation>
+    </message>
+    <message>
+        <source>&quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; or &quot;um&quot;</source>
+        <translation>&quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; ou &quot;um&quot;</translation>
+    </message>
+    <message>
+        <source>one name on each line after LIST</source>
+        <translation>un nom par ligne après LIST</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels in %4 layers</source>
+        <translation>%1 × %2 × %3 voxels en %4 couches</translation>
+    </message>
+    <message>
+        <source>1 to %1 voxels</source>
+        <translation>1 à %1 voxels</translation>
+    </message>
+    <message>
+        <source>three perpendicular axes with a voxel size above 0</source>
+        <translation>trois axes perpendiculaires avec une taille de voxel supérieure à 0</translation>
+    </message>
+    <message>
+        <source>voxels of %1 × %2 × %3 mm</source>
+        <translation>voxels de %1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>axes that lie in one plane</source>
+        <translation>des axes situées dans un même plan</translation>
+    </message>
+    <message>
+        <source>axes %1 and %2 are sheared by %3°</source>
+        <translation>les axes %1 et %2 sont cisaillés de %3°</translation>
+    </message>
+    <message>
+        <source>perpendicular axes: resample the volume first (3D Slicer: Resample Image)</source>
+        <translation>des axes perpendiculaires : rééchantillonnez d’abord le volume (3D Slicer : Resample Image)</translation>
+    </message>
+    <message>
+        <source>header: file of the voxels</source>
+        <translation>en-tête : fichier des voxels</translation>
+    </message>
+    <message>
+        <source>a file in the folder of the header</source>
+        <translation>un fichier dans le dossier de l’en-tête</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes of voxels</source>
+        <translation>%1 octets de voxels sur %2</translation>
+    </message>
+    <message>
+        <source>compressed data that are complete and undamaged</source>
+        <translation>des données compressées complètes et intactes</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>tous</translation>
+    </message>
+    <message>
+        <source>damaged compressed data</source>
+        <translation>des données compressées endommagées</translation>
+    </message>
+    <message>
+        <source>more bytes than its %1 voxels have</source>
+        <translation>plus d’octets que n’en ont ses %1 voxels</translation>
+    </message>
+    <message>
+        <source>number of triangles to write: %1</source>
+        <translation>nombre de triangles à écrire : %1</translation>
+    </message>
+    <message>
+        <source>structure %1</source>
+        <translation>structure %1</translation>
+    </message>
+    <message>
+        <source>a triangle with a missing vertex</source>
+        <translation>un triangle dont un sommet manque</translation>
+    </message>
+    <message>
+        <source>indices below %1</source>
+        <translation>des indices inférieurs à %1</translation>
+    </message>
+    <message>
+        <source>the extension %1</source>
+        <translation>l’extension %1</translation>
+    </message>
+    <message>
+        <source>the program has locked its memory itself</source>
+        <translation>le programme a lui-même verrouillé sa mémoire</translation>
+    </message>
+    <message>
+        <source>structure %1 (%2) has no surface to embed; pass StructureSource::embed to setScene, or record without surfaces</source>
+        <translation>la structure %1 (%2) n’a pas de surface à intégrer ; passez StructureSource::embed à setScene, ou enregistrez sans surfaces</translation>
+    </message>
+    <message>
+        <source>lumps felt through their organ: %1</source>
+        <translation>nodules sentis à travers leur organe : %1</translation>
+    </message>
+    <message>
+        <source>malignant tumour of the liver</source>
+        <translation>tumeur maligne du foie</translation>
+    </message>
+    <message>
+        <source>benign tumour of the liver</source>
+        <translation>tumeur bénigne du foie</translation>
+    </message>
+    <message>
+        <source>tumour of the liver</source>
+        <translation>tumeur du foie</translation>
+    </message>
+    <message>
+        <source>fibrotic liver</source>
+        <translation>foie fibreux</translation>
+    </message>
+    <message>
+        <source>cancer of the prostate</source>
+        <translation>cancer de la prostate</translation>
+    </message>
+    <message>
+        <source>nodule of the prostate</source>
+        <translation>nodule de la prostate</translation>
+    </message>
+    <message>
+        <source>malignant tumour of the breast</source>
+        <translation>tumeur maligne du sein</translation>
+    </message>
+    <message>
+        <source>benign tumour of the breast</source>
+        <translation>tumeur bénigne du sein</translation>
+    </message>
+    <message>
+        <source>tumour of the breast</source>
+        <translation>tumeur du sein</translation>
+    </message>
+    <message>
+        <source>malignant nodule of the thyroid</source>
+        <translation>nodule malin de la thyroïde</translation>
+    </message>
+    <message>
+        <source>benign nodule of the thyroid</source>
+        <translation>nodule bénin de la thyroïde</translation>
+    </message>
+    <message>
+        <source>nodule of the thyroid</source>
+        <translation>nodule de la thyroïde</translation>
+    </message>
+    <message>
+        <source>cancer of the pancreas</source>
+        <translation>cancer du pancréas</translation>
+    </message>
+    <message>
+        <source>benign tumour of the pancreas</source>
+        <translation>tumeur bénigne du pancréas</translation>
+    </message>
+    <message>
+        <source>tumour of the pancreas</source>
+        <translation>tumeur du pancréas</translation>
+    </message>
+    <message>
+        <source>cyst</source>
+        <translation>kyste</translation>
+    </message>
+    <message>
+        <source>vessel</source>
+        <translation>vaisseau</translation>
+    </message>
+    <message>
+        <source>%1 %2 (%3 to %4)</source>
+        <translation>%1 %2 (%3 à %4)</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: the stiffness ratio to %2 is not known, so no verdict is given; expected a ratio, as --ratio &quot;%1=R&quot; or `young_ratio` in a scene file. Published: %3</source>
+        <translation>%1 : le rapport de rigidité à %2 n’est pas connu, donc aucun verdict ; attendu : un rapport, par --ratio &quot;%1=R&quot; ou `young_ratio` dans un fichier de scène. Publié : %3</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are the same surface twice</source>
+        <translation>%1 et %2 sont deux fois la même surface</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2, which is felt in the last of %3 layers: both are felt in that one</source>
+        <translation>%1 est dans %2, qui se sent dans la dernière des %3 couches : les deux se sentent dans celle-là</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and is felt below it</source>
+        <translation>%1 est dans %2 et se sent dessous</translation>
+    </message>
+    <message>
+        <source>%1 seems to lie in %2, whose surface is open or inside out: it is not felt below it</source>
+        <translation>%1 semble être dans %2, dont la surface est ouverte ou retournée : il ne se sent pas dessous</translation>
+    </message>
+    <message>
+        <source>%1 and %2 come within %3 mm of each other at (%4, %5, %6) without touching: a point falls into the gap, a fingertip of 0.5 mm or more rides over it</source>
+        <translation>%1 et %2 s’approchent à %3 mm en (%4, %5, %6) sans se toucher : un point tombe dans l’interstice, un bout de doigt de 0,5 mm ou plus passe dessus</translation>
+    </message>
+    <message>
+        <source>%1 and %2 touch in one layer and differ %3-fold in stiffness: the force steps at the seam</source>
+        <translation>%1 et %2 se touchent dans une même couche et leurs rigidités diffèrent d’un facteur %3 : la force fait un saut à la jonction</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and in the same layer: it is never felt; a deeper layer lets it be felt (--layers auto for mesh files, the field layer in a scene file)</source>
+        <translation>%1 est dans %2 et dans la même couche : il ne se sent jamais ; une couche plus profonde le rend palpable (--layers auto pour des maillages, le champ layer dans un fichier de scène)</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and in the same layer: it is felt only where it reaches out; a deeper layer lets it be felt (--layers auto for mesh files, the field layer in a scene file)</source>
+        <translation>%1 est dans %2 et dans la même couche : il ne se sent que là où il dépasse ; une couche plus profonde le rend palpable (--layers auto pour des maillages, le champ layer dans un fichier de scène)</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3 (and %4 more)</source>
+        <translation>%1 : %2 : %3 (et %4 de plus)</translation>
+    </message>
+    <message>
+        <source>found version %1, expected 1.0: read as far as it is the same</source>
+        <translation>version trouvée : %1, attendue : 1.0 ; lue dans la mesure où elle est identique</translation>
+    </message>
+    <message>
+        <source>found no version, expected 1.0: read as far as it is the same</source>
+        <translation>aucune version trouvée, attendue : 1.0 ; lue dans la mesure où elle est identique</translation>
+    </message>
+    <message>
+        <source>found %1, expected a list of points: left out</source>
+        <translation>trouvé : %1, attendu : une liste de points ; laissé de côté</translation>
+    </message>
+    <message>
+        <source>found %1, expected LPS or RAS: the list is left out</source>
+        <translation>trouvé : %1, attendu : LPS ou RAS ; la liste est laissée de côté</translation>
+    </message>
+    <message>
+        <source>found another unit, expected mm or um: the list is left out</source>
+        <translation>autre unité trouvée, attendu : mm ou um ; la liste est laissée de côté</translation>
+    </message>
+    <message>
+        <source>found more than %1 points: left out</source>
+        <translation>plus de %1 points trouvés : laissés de côté</translation>
+    </message>
+    <message>
+        <source>found no position: left out</source>
+        <translation>aucune position trouvée : laissé de côté</translation>
+    </message>
+    <message>
+        <source>found a coordinate that is not a number within 1e7 mm: left out</source>
+        <translation>coordonnée trouvée qui n’est pas un nombre dans la limite de 1e7 mm : laissée de côté</translation>
+    </message>
+    <message>
+        <source>found a text of %1 characters, expected at most %2: shortened</source>
+        <translation>texte de %1 caractères trouvé, attendu : au plus %2 ; raccourci</translation>
+    </message>
+    <message>
+        <source>%1: found none of the surfaces that it was made on: %2</source>
+        <translation>%1 : aucune des surfaces de son enregistrement n’a été trouvée : %2</translation>
+    </message>
+    <message>
+        <source>it contains none and names no mesh</source>
+        <translation>il n’en contient aucune et ne nomme aucun maillage</translation>
+    </message>
+    <message>
+        <source>%1: %2: no such file, neither where it was nor beside the recording</source>
+        <translation>%1 : %2 : fichier introuvable, ni à son ancien emplacement ni à côté de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>%1: %2: is another surface now than was recorded; opened as it is now</source>
+        <translation>%1 : %2 : n’est plus la surface de l’enregistrement ; ouverte dans son état actuel</translation>
+    </message>
+    <message>
+        <source>%1: its recorded map is of another surface; it is not felt</source>
+        <translation>%1 : sa carte enregistrée est celle d’une autre surface ; elle ne se sent pas</translation>
+    </message>
+    <message>
+        <source>%1: the recorded effect of its lumps is of another surface; it is not felt</source>
+        <translation>%1 : l’effet enregistré de ses nodules est celui d’une autre surface ; il ne se sent pas</translation>
+    </message>
+    <message>
+        <source>%1 (in English)</source>
+        <translation>%1 (en anglais)</translation>
+    </message>
+    <message>
+        <source>polygon %1 has %2 corners, expected 3 to %3</source>
+        <translation>le polygone %1 a %2 coins, attendu 3 à %3</translation>
+    </message>
+    <message>
+        <source>polygon %1 uses point %2, expected 0 to %3</source>
+        <translation>le polygone %1 utilise le point %2, attendu 0 à %3</translation>
+    </message>
+    <message>
+        <source>found no points, expected a surface; was the filter before it updated?</source>
+        <translation>aucun point trouvé, attendu une surface ; le filtre précédent a-t-il été mis à jour ?</translation>
+    </message>
+    <message>
+        <source>unit_mm: found %1, expected more than 0 and at most %2</source>
+        <translation>unit_mm : trouvé %1, attendu plus de 0 et au plus %2</translation>
+    </message>
+    <message>
+        <source>found %1 values for %2 vertices and %3 points, expected one for each vertex of a surface from surfaceOf</source>
+        <translation>%1 valeurs trouvées pour %2 sommets et %3 points, attendu une par sommet d’une surface de surfaceOf</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::CoordinatesPart</name>
@@ -3505,986 +6025,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
 </context>
 <context>
-    <name>palpate::ui::Engine</name>
-    <message>
-        <source>the file is empty</source>
-        <translation>le fichier est vide</translation>
-    </message>
-    <message>
-        <source>a web page (HTML), perhaps a failed download</source>
-        <translation>une page web (HTML), peut-être un téléchargement manqué</translation>
-    </message>
-    <message>
-        <source>the content is no known mesh format</source>
-        <translation>le contenu n’est d’aucun format de maillage connu</translation>
-    </message>
-    <message>
-        <source>is %1, which Palpate does not read</source>
-        <translation>est %1, que Palpate ne lit pas</translation>
-    </message>
-    <message>
-        <source>a glTF file</source>
-        <translation>un fichier glTF</translation>
-    </message>
-    <message>
-        <source>a ZIP archive</source>
-        <translation>une archive ZIP</translation>
-    </message>
-    <message>
-        <source>a gzip file</source>
-        <translation>un fichier gzip</translation>
-    </message>
-    <message>
-        <source>an NRRD image</source>
-        <translation>une image NRRD</translation>
-    </message>
-    <message>
-        <source>a PNG image</source>
-        <translation>une image PNG</translation>
-    </message>
-    <message>
-        <source>a PDF document</source>
-        <translation>un document PDF</translation>
-    </message>
-    <message>
-        <source>an SQLite database (a recording?)</source>
-        <translation>une base de données SQLite (un enregistrement&#x202f;?)</translation>
-    </message>
-    <message>
-        <source>a DICOM file</source>
-        <translation>un fichier DICOM</translation>
-    </message>
-    <message>
-        <source>an %1 mesh</source>
-        <translation>un maillage %1</translation>
-    </message>
-    <message>
-        <source>an %1 mesh: save it as one of these</source>
-        <translation>un maillage %1&#x202f;: l’enregistrer dans un de ces formats</translation>
-    </message>
-    <message>
-        <source>a readable file</source>
-        <translation>un fichier lisible</translation>
-    </message>
-    <message>
-        <source>a mesh file</source>
-        <translation>un fichier de maillage</translation>
-    </message>
-    <message>
-        <source>is a folder</source>
-        <translation>est un dossier</translation>
-    </message>
-    <message>
-        <source>is not a regular file</source>
-        <translation>n’est pas un fichier ordinaire</translation>
-    </message>
-    <message>
-        <source>cannot be opened</source>
-        <translation>ne peut pas être ouvert</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>ne peut pas être lu</translation>
-    </message>
-    <message>
-        <source>cannot be written</source>
-        <translation>ne peut pas être écrit</translation>
-    </message>
-    <message>
-        <source>cannot be written: %1; choose another folder</source>
-        <translation>ne peut pas être écrit&#x202f;: %1&#x202f;; choisir un autre dossier</translation>
-    </message>
-    <message>
-        <source>No such file or directory</source>
-        <translation>Fichier ou dossier introuvable</translation>
-    </message>
-    <message>
-        <source>Permission denied</source>
-        <translation>Permission refusée</translation>
-    </message>
-    <message>
-        <source>Read-only file system</source>
-        <translation>Système de fichiers en lecture seule</translation>
-    </message>
-    <message>
-        <source>No space left on device</source>
-        <translation>Plus de place sur le disque</translation>
-    </message>
-    <message>
-        <source>Is a directory</source>
-        <translation>Est un dossier</translation>
-    </message>
-    <message>
-        <source>the disk is full</source>
-        <translation>le disque est plein</translation>
-    </message>
-    <message>
-        <source>no memory to read it</source>
-        <translation>pas de mémoire pour le lire</translation>
-    </message>
-    <message>
-        <source>not enough memory to read it</source>
-        <translation>pas assez de mémoire pour le lire</translation>
-    </message>
-    <message>
-        <source>a mesh that fits</source>
-        <translation>un maillage qui y tient</translation>
-    </message>
-    <message>
-        <source>the file became shorter while it was read</source>
-        <translation>le fichier est devenu plus court pendant la lecture</translation>
-    </message>
-    <message>
-        <source>a folder without mesh files</source>
-        <translation>un dossier sans fichiers de maillage</translation>
-    </message>
-    <message>
-        <source>%1 files in it</source>
-        <translation>%1 fichiers dedans</translation>
-    </message>
-    <message>
-        <source>the folder cannot be read: %1</source>
-        <translation>le dossier ne peut pas être lu&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>a folder of meshes</source>
-        <translation>un dossier de maillages</translation>
-    </message>
-    <message>
-        <source>no such file</source>
-        <translation>fichier introuvable</translation>
-    </message>
-    <message>
-        <source>none of %1 triangle has an area</source>
-        <translation>le seul triangle (%1) n’a pas d’aire</translation>
-    </message>
-    <message>
-        <source>none of %1 triangles has an area</source>
-        <translation>aucun des %1 triangles n’a d’aire</translation>
-    </message>
-    <message>
-        <source>at least one that has</source>
-        <translation>au moins un qui en ait</translation>
-    </message>
-    <message>
-        <source>at least one</source>
-        <translation>au moins un</translation>
-    </message>
-    <message>
-        <source>0 triangles</source>
-        <translation>0 triangle</translation>
-    </message>
-    <message>
-        <source>0 faces</source>
-        <translation>0 face</translation>
-    </message>
-    <message>
-        <source>0 polygons and strips</source>
-        <translation>0 polygone et bande</translation>
-    </message>
-    <message>
-        <source>%1 triangle</source>
-        <translation>%1 triangle</translation>
-    </message>
-    <message>
-        <source>%1 triangles</source>
-        <translation>%1 triangles</translation>
-    </message>
-    <message>
-        <source>%1 point</source>
-        <translation>%1 point</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 points</translation>
-    </message>
-    <message>
-        <source>%1 byte</source>
-        <translation>%1 octet</translation>
-    </message>
-    <message>
-        <source>%1 bytes</source>
-        <translation>%1 octets</translation>
-    </message>
-    <message>
-        <source>%1 whole triangle</source>
-        <translation>%1 triangle entier</translation>
-    </message>
-    <message>
-        <source>%1 whole triangles</source>
-        <translation>%1 triangles entiers</translation>
-    </message>
-    <message>
-        <source>%1 polygon</source>
-        <translation>%1 polygone</translation>
-    </message>
-    <message>
-        <source>%1 polygons</source>
-        <translation>%1 polygones</translation>
-    </message>
-    <message>
-        <source>%1 face</source>
-        <translation>%1 face</translation>
-    </message>
-    <message>
-        <source>%1 faces</source>
-        <translation>%1 faces</translation>
-    </message>
-    <message>
-        <source>%1 corner</source>
-        <translation>%1 coin</translation>
-    </message>
-    <message>
-        <source>%1 corners</source>
-        <translation>%1 coins</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 à %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 have coordinates that are not numbers</source>
-        <translation>%1 sur %2 ont des coordonnées qui ne sont pas des nombres</translation>
-    </message>
-    <message>
-        <source>%1 of %2 have coordinates that are farther than 10 km from the origin</source>
-        <translation>%1 sur %2 ont des coordonnées à plus de 10&#xa0;km de l’origine</translation>
-    </message>
-    <message>
-        <source>%1 of %2 have coordinates that are not numbers (first: triangle %3)</source>
-        <translation>%1 sur %2 ont des coordonnées qui ne sont pas des nombres (premier&#x202f;: triangle %3)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 have coordinates that are farther than 10 km from the origin (first: triangle %3)</source>
-        <translation>%1 sur %2 ont des coordonnées à plus de 10&#xa0;km de l’origine (premier&#x202f;: triangle %3)</translation>
-    </message>
-    <message>
-        <source>finite coordinates within 10 km</source>
-        <translation>des coordonnées finies à moins de 10&#xa0;km</translation>
-    </message>
-    <message>
-        <source>the file ends in the STL header</source>
-        <translation>le fichier finit dans l’en-tête STL</translation>
-    </message>
-    <message>
-        <source>the file ends in the header</source>
-        <translation>le fichier finit dans l’en-tête</translation>
-    </message>
-    <message>
-        <source>at least %1 bytes</source>
-        <translation>au moins %1 octets</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>au plus %1</translation>
-    </message>
-    <message>
-        <source>the binary STL declares %1 but its %2 hold %3</source>
-        <translation>le STL binaire annonce %1 mais ses %2 en contiennent %3</translation>
-    </message>
-    <message>
-        <source>the file ends there: %1 of %2 lost</source>
-        <translation>le fichier finit là&#x202f;: %1 sur %2 perdus</translation>
-    </message>
-    <message>
-        <source>the file ends after %1</source>
-        <translation>le fichier finit après %1</translation>
-    </message>
-    <message>
-        <source>what came after %1 lost</source>
-        <translation>ce qui suivait %1 est perdu</translation>
-    </message>
-    <message>
-        <source>the file ends in a line: that line and what came after it lost</source>
-        <translation>le fichier finit au milieu d’une ligne&#x202f;: cette ligne et la suite sont perdues</translation>
-    </message>
-    <message>
-        <source>too many elements</source>
-        <translation>trop d’éléments</translation>
-    </message>
-    <message>
-        <source>%1 elements declared</source>
-        <translation>%1 éléments annoncés</translation>
-    </message>
-    <message>
-        <source>%1 is not a number</source>
-        <translation>%1 n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>three numbers</source>
-        <translation>trois nombres</translation>
-    </message>
-    <message>
-        <source>the vertex has fewer than three coordinates</source>
-        <translation>le sommet a moins de trois coordonnées</translation>
-    </message>
-    <message>
-        <source>it uses point %1</source>
-        <translation>il utilise le point %1</translation>
-    </message>
-    <message>
-        <source>no faces with a list of vertex indices</source>
-        <translation>aucune face avec une liste d’indices de sommets</translation>
-    </message>
-    <message>
-        <source>no vertices with x, y and z</source>
-        <translation>aucun sommet avec x, y et z</translation>
-    </message>
-    <message>
-        <source>one of each</source>
-        <translation>un de chaque</translation>
-    </message>
-    <message>
-        <source>vertex index %1 (%2 vertices so far)</source>
-        <translation>indice de sommet %1 (%2 sommets jusque-là)</translation>
-    </message>
-    <message>
-        <source>face %1 uses vertex %2</source>
-        <translation>la face %1 utilise le sommet %2</translation>
-    </message>
-    <message>
-        <source>a zero byte</source>
-        <translation>un octet nul</translation>
-    </message>
-    <message>
-        <source>text</source>
-        <translation>du texte</translation>
-    </message>
-    <message>
-        <source>the end of the line</source>
-        <translation>la fin de la ligne</translation>
-    </message>
-    <message>
-        <source>the XML is broken: %1</source>
-        <translation>le XML est défectueux&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>well-formed XML to the end</source>
-        <translation>du XML bien formé jusqu’à la fin</translation>
-    </message>
-    <message>
-        <source>its mesh is larger than %1 MiB</source>
-        <translation>son maillage dépasse %1&#xa0;MiB</translation>
-    </message>
-    <message>
-        <source>a mesh that fits its file&apos;s size</source>
-        <translation>un maillage qui corresponde à la taille du fichier</translation>
-    </message>
-    <message>
-        <source>reading it takes more than %1 MiB of memory</source>
-        <translation>sa lecture demande plus de %1&#xa0;MiB de mémoire</translation>
-    </message>
-    <message>
-        <source>reading it took more than %1 s</source>
-        <translation>sa lecture a pris plus de %1&#xa0;s</translation>
-    </message>
-    <message>
-        <source>reading it took more than %1 s of processor time</source>
-        <translation>sa lecture a pris plus de %1&#xa0;s de temps processeur</translation>
-    </message>
-    <message>
-        <source>a mesh that can be read sooner</source>
-        <translation>un maillage qui se lise plus vite</translation>
-    </message>
-    <message>
-        <source>the system ended the process that read it, perhaps for want of memory</source>
-        <translation>le système a arrêté le processus qui le lisait, peut-être faute de mémoire</translation>
-    </message>
-    <message>
-        <source>a file that can be read</source>
-        <translation>un fichier lisible</translation>
-    </message>
-    <message>
-        <source>no structure %1</source>
-        <translation>aucune structure %1</translation>
-    </message>
-    <message>
-        <source>one of that name</source>
-        <translation>une de ce nom</translation>
-    </message>
-    <message>
-        <source>%1 open edge: the surface has holes or a rim</source>
-        <translation>%1 arête ouverte&#x202f;: la surface a des trous ou un bord</translation>
-    </message>
-    <message>
-        <source>%1 open edges: the surface has holes or a rim</source>
-        <translation>%1 arêtes ouvertes&#x202f;: la surface a des trous ou un bord</translation>
-    </message>
-    <message>
-        <source>%1 triangle without area left out</source>
-        <translation>%1 triangle sans aire laissé de côté</translation>
-    </message>
-    <message>
-        <source>%1 triangles without area left out</source>
-        <translation>%1 triangles sans aire laissés de côté</translation>
-    </message>
-    <message>
-        <source>%1 duplicate triangle left out</source>
-        <translation>%1 triangle en double laissé de côté</translation>
-    </message>
-    <message>
-        <source>%1 duplicate triangles left out</source>
-        <translation>%1 triangles en double laissés de côté</translation>
-    </message>
-    <message>
-        <source>%1 triangle turned round to face the same way as the rest</source>
-        <translation>%1 triangle retourné pour regarder du même côté que les autres</translation>
-    </message>
-    <message>
-        <source>%1 triangles turned round to face the same way as the rest</source>
-        <translation>%1 triangles retournés pour regarder du même côté que les autres</translation>
-    </message>
-    <message>
-        <source>%1 edge shared by more than two triangles</source>
-        <translation>%1 arête partagée par plus de deux triangles</translation>
-    </message>
-    <message>
-        <source>%1 edges shared by more than two triangles</source>
-        <translation>%1 arêtes partagées par plus de deux triangles</translation>
-    </message>
-    <message>
-        <source>%1 part without a consistent front</source>
-        <translation>%1 partie sans face avant cohérente</translation>
-    </message>
-    <message>
-        <source>%1 parts without a consistent front</source>
-        <translation>%1 parties sans face avant cohérente</translation>
-    </message>
-    <message>
-        <source>%1 part without an inside, touched from both sides</source>
-        <translation>%1 partie sans intérieur, touchée des deux côtés</translation>
-    </message>
-    <message>
-        <source>%1 parts without an inside, touched from both sides</source>
-        <translation>%1 parties sans intérieur, touchées des deux côtés</translation>
-    </message>
-    <message>
-        <source>%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
-        <translation>%1 valeurs de tableaux différaient de plus de 10&#x202f;% d’une autre au même sommet&#x202f;: la moyenne est prise</translation>
-    </message>
-    <message>
-        <source>no SPACE tag: coordinates taken as LPS</source>
-        <translation>pas d’indication SPACE&#x202f;: coordonnées prises comme LPS</translation>
-    </message>
-    <message>
-        <source>%1 and %2 more file</source>
-        <translation>%1 et %2 fichier de plus</translation>
-    </message>
-    <message>
-        <source>%1 and %2 more files</source>
-        <translation>%1 et %2 fichiers de plus</translation>
-    </message>
-    <message>
-        <source>tagged SPACE=RAS: x and y negated to get LPS</source>
-        <translation>indique SPACE=RAS&#x202f;: x et y changés de signe pour obtenir LPS</translation>
-    </message>
-    <message>
-        <source>tagged SPACE=%1, but taken as %2, as was chosen</source>
-        <translation>indique SPACE=%1, mais pris comme %2, ainsi que choisi</translation>
-    </message>
-    <message>
-        <source>taken as %1, as the scene file says; not as %2</source>
-        <translation>pris comme %1, ainsi que le dit le fichier de scène&#x202f;; non comme %2</translation>
-    </message>
-    <message>
-        <source>only %1 units wide, taken as %2; looks like %3: open with --unit %4</source>
-        <translation>seulement %1 unités de large, pris en %2&#x202f;; semble être en %3&#x202f;: ouvrir avec --unit %4</translation>
-    </message>
-    <message>
-        <source>%1 units wide, taken as %2; looks like %3: open with --unit %4</source>
-        <translation>%1 unités de large, pris en %2&#x202f;; semble être en %3&#x202f;: ouvrir avec --unit %4</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>mètres</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>millimètres</translation>
-    </message>
-    <message>
-        <source>larger ones</source>
-        <translation>plus grandes</translation>
-    </message>
-    <message>
-        <source>%1 and %2 are the same surface twice</source>
-        <translation>%1 et %2 sont deux fois la même surface</translation>
-    </message>
-    <message>
-        <source>%1 lies in %2 and is felt below it</source>
-        <translation>%1 est dans %2 et se sent dessous</translation>
-    </message>
-    <message>
-        <source>%1 lies in %2, which is felt in the last of %3 layers: both are felt in that one</source>
-        <translation>%1 est dans %2, qui se sent dans la dernière des %3 couches&#x202f;: les deux se sentent dans celle-là</translation>
-    </message>
-    <message>
-        <source>%1 seems to lie in %2, whose surface is open or inside out: it is not felt below it</source>
-        <translation>%1 semble être dans %2, dont la surface est ouverte ou retournée&#x202f;: il ne se sent pas dessous</translation>
-    </message>
-    <message>
-        <source>colours not read: those of its %1</source>
-        <translation>couleurs non lues&#x202f;: celles de ses %1</translation>
-    </message>
-    <message>
-        <source>changed since the scene was saved: found SHA-256 %1, expected %2; opened as it is now</source>
-        <translation>changé depuis que la scène a été enregistrée&#x202f;: trouvé SHA-256 %1, attendu %2&#x202f;; ouvert tel qu’il est maintenant</translation>
-    </message>
-    <message>
-        <source>is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the marks in with File &gt; Import findings</source>
-        <translation>est une liste de marques de 3D Slicer, non une scène de Palpate&#x202f;: ouvrir l’anatomie, puis reprendre les marques par Fichier &gt; Importer des points repérés</translation>
-    </message>
-    <message>
-        <source>is not a Palpate scene: found neither `version` nor `structures`; expected a file that Palpate saved (.palpate.json)</source>
-        <translation>n’est pas une scène de Palpate&#x202f;: ni `version` ni `structures` trouvés&#x202f;; attendu un fichier enregistré par Palpate (.palpate.json)</translation>
-    </message>
-    <message>
-        <source>version: found %1, expected at most %2: it was made by a newer Palpate</source>
-        <translation>version&#x202f;: trouvé %1, attendu au plus %2&#x202f;: elle vient d’un Palpate plus récent</translation>
-    </message>
-    <message>
-        <source>no JSON object</source>
-        <translation>aucun objet JSON</translation>
-    </message>
-    <message>
-        <source>a scene as a JSON object</source>
-        <translation>une scène comme objet JSON</translation>
-    </message>
-    <message>
-        <source>an array</source>
-        <translation>un tableau</translation>
-    </message>
-    <message>
-        <source>an object</source>
-        <translation>un objet</translation>
-    </message>
-    <message>
-        <source>a text</source>
-        <translation>un texte</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>un nombre</translation>
-    </message>
-    <message>
-        <source>true or false</source>
-        <translation>vrai ou faux</translation>
-    </message>
-    <message>
-        <source>an array of %1</source>
-        <translation>un tableau de %1</translation>
-    </message>
-    <message>
-        <source>%1 numbers</source>
-        <translation>%1 nombres</translation>
-    </message>
-    <message>
-        <source>a whole number</source>
-        <translation>un nombre entier</translation>
-    </message>
-    <message>
-        <source>a fraction</source>
-        <translation>une fraction</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>rien</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>aucun</translation>
-    </message>
-    <message>
-        <source>the path of a mesh file</source>
-        <translation>le chemin d’un maillage</translation>
-    </message>
-    <message>
-        <source>the path of a recording</source>
-        <translation>le chemin d’un enregistrement</translation>
-    </message>
-    <message>
-        <source>the name of a structure of this scene</source>
-        <translation>le nom d’une structure de cette scène</translation>
-    </message>
-    <message>
-        <source>one of %1</source>
-        <translation>un de %1</translation>
-    </message>
-    <message>
-        <source>found none of the surfaces that it was made on</source>
-        <translation>aucune des surfaces sur lesquelles il a été fait n’a été trouvée</translation>
-    </message>
-    <message>
-        <source>it holds none and names no mesh</source>
-        <translation>il n’en contient aucune et ne nomme aucun maillage</translation>
-    </message>
-    <message>
-        <source>no such file, neither where it was nor beside the recording</source>
-        <translation>fichier introuvable, ni là où il était ni à côté de l’enregistrement</translation>
-    </message>
-    <message>
-        <source>is another surface now than was recorded; opened as it is now</source>
-        <translation>est maintenant une autre surface que celle enregistrée&#x202f;; ouverte telle qu’elle est</translation>
-    </message>
-    <message>
-        <source>its recorded map is of another surface; it is not felt</source>
-        <translation>sa carte enregistrée est celle d’une autre surface&#x202f;; elle ne se sent pas</translation>
-    </message>
-    <message>
-        <source>what lumps below it made is of another surface; it is not felt</source>
-        <translation>ce que les nodules dessous en faisaient est d’une autre surface&#x202f;; cela ne se sent pas</translation>
-    </message>
-    <message>
-        <source>the recording does not say what scene it was made on</source>
-        <translation>l’enregistrement ne dit pas sur quelle scène il a été fait</translation>
-    </message>
-    <message>
-        <source>lumps felt through their organ: %1</source>
-        <translation>nodules sentis à travers leur organe&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>left out, its surface is open: it has no volume to be felt</source>
-        <translation>laissé de côté, sa surface est ouverte&#x202f;: il n’a pas de volume à sentir</translation>
-    </message>
-    <message>
-        <source>left out, its surface is inside out</source>
-        <translation>laissé de côté, sa surface est retournée</translation>
-    </message>
-    <message>
-        <source>left out, it lies outside %1</source>
-        <translation>laissé de côté, il est hors de %1</translation>
-    </message>
-    <message>
-        <source>%1 and %2 reach into each other: where both are felt is not judged</source>
-        <translation>%1 et %2&#xa0;s’interpénètrent&#x202f;: là où les deux se sentent, rien n’est jugé</translation>
-    </message>
-    <message>
-        <source>%1 was read as %2</source>
-        <translation>%1 a été lu comme %2</translation>
-    </message>
-    <message>
-        <source>%1 or %2</source>
-        <translation>%1 ou %2</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>ligne %1</translation>
-    </message>
-    <message>
-        <source>byte %1</source>
-        <translation>octet %1</translation>
-    </message>
-    <message>
-        <source>polygon %1</source>
-        <translation>polygone %1</translation>
-    </message>
-    <message>
-        <source>point %1</source>
-        <translation>point %1</translation>
-    </message>
-    <message>
-        <source>header</source>
-        <translation>en-tête</translation>
-    </message>
-    <message>
-        <source>structures</source>
-        <translation>structures</translation>
-    </message>
-    <message>
-        <source>%1; expected %2</source>
-        <translation>%1&#x202f;; attendu %2</translation>
-    </message>
-    <message>
-        <source>found %1, expected %2</source>
-        <translation>trouvé %1, attendu %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#x202f;: %2</translation>
-    </message>
-    <message>
-        <source>%1 (in English)</source>
-        <extracomment>around a line that has no translation</extracomment>
-        <translation>%1 (en anglais)</translation>
-    </message>
-    <message>
-        <source>its triangles are wider than a finger&apos;s contact: what the hand feels of its lumps differs by up to %1 % from what is shown; a finer mesh mends it</source>
-        <translation>ses triangles sont plus larges que le contact d’un doigt&#x202f;: ce que la main sent de ses nodules diffère de %1&#xa0;% au plus de ce qui est montré&#x202f;; un maillage plus fin y remédie</translation>
-    </message>
-    <message>
-        <source>its volume is larger than %1 MiB</source>
-        <translation>son volume dépasse %1 Mio</translation>
-    </message>
-    <message>
-        <source>a volume that fits its file&apos;s size</source>
-        <translation>un volume qui correspond à la taille de son fichier</translation>
-    </message>
-    <message>
-        <source>a volume that fits</source>
-        <translation>un volume qui y tient</translation>
-    </message>
-    <message>
-        <source>a volume that can be read sooner</source>
-        <translation>un volume qui se lit plus vite</translation>
-    </message>
-    <message>
-        <source>the process that read it gave up (exit code %1)</source>
-        <translation>le processus qui le lisait a abandonné (code de retour %1)</translation>
-    </message>
-    <message>
-        <source>reading was cancelled</source>
-        <translation>la lecture a été annulée</translation>
-    </message>
-    <message>
-        <source>a volume</source>
-        <translation>un volume</translation>
-    </message>
-    <message>
-        <source>a readable volume</source>
-        <translation>un volume lisible</translation>
-    </message>
-    <message>
-        <source>it does not end</source>
-        <translation>il ne se termine pas</translation>
-    </message>
-    <message>
-        <source>a header that says where the voxels are</source>
-        <translation>un en-tête qui dit où sont les voxels</translation>
-    </message>
-    <message>
-        <source>it does not end with its last tag</source>
-        <translation>il ne se termine pas par sa dernière balise</translation>
-    </message>
-    <message>
-        <source>`&lt;/VTKFile&gt;` at the end</source>
-        <translation>`&lt;/VTKFile&gt;` à la fin</translation>
-    </message>
-    <message>
-        <source>its compressed voxels are cut off or broken</source>
-        <translation>ses voxels compressés sont tronqués ou endommagés</translation>
-    </message>
-    <message>
-        <source>%1 bytes when unpacked</source>
-        <translation>%1 octets une fois décompressés</translation>
-    </message>
-    <message>
-        <source>%1 bytes of voxels</source>
-        <translation>%1 octets de voxels</translation>
-    </message>
-    <message>
-        <source>%1 voxels declared</source>
-        <translation>%1 voxels annoncés</translation>
-    </message>
-    <message>
-        <source>as many as its %1 bytes can hold</source>
-        <translation>autant que ses %1 octets peuvent en contenir</translation>
-    </message>
-    <message>
-        <source>an axis without a voxel</source>
-        <translation>un axe sans voxel</translation>
-    </message>
-    <message>
-        <source>at least one along each axis</source>
-        <translation>au moins un le long de chaque axe</translation>
-    </message>
-    <message>
-        <source>%1 components a voxel</source>
-        <translation>%1 composantes par voxel</translation>
-    </message>
-    <message>
-        <source>no numbers</source>
-        <translation>aucun nombre</translation>
-    </message>
-    <message>
-        <source>one number for each voxel</source>
-        <translation>un nombre pour chaque voxel</translation>
-    </message>
-    <message>
-        <source>axes or distances of its voxels that say no place</source>
-        <translation>des axes ou des distances de voxels qui ne donnent aucun lieu</translation>
-    </message>
-    <message>
-        <source>three directions that are not in a plane, and distances that are not 0</source>
-        <translation>trois directions qui ne sont pas dans un plan, et des distances non nulles</translation>
-    </message>
-    <message>
-        <source>directions of its axes that can&apos;t be read</source>
-        <translation>des directions d’axes illisibles</translation>
-    </message>
-    <message>
-        <source>three vectors that are not in a plane</source>
-        <translation>trois vecteurs qui ne sont pas dans un plan</translation>
-    </message>
-    <message>
-        <source>voxels in another encoding</source>
-        <translation>des voxels dans un autre codage</translation>
-    </message>
-    <message>
-        <source>`raw` or `gzip`</source>
-        <translation>`raw` ou `gzip`</translation>
-    </message>
-    <message>
-        <source>the process that read it crashed (%1)</source>
-        <translation>le processus qui le lisait s’est arrêté brutalement (%1)</translation>
-    </message>
-    <message>
-        <source>%1 twice</source>
-        <translation>%1 deux fois</translation>
-    </message>
-    <message>
-        <source>each field once</source>
-        <translation>chaque champ une fois</translation>
-    </message>
-    <message>
-        <source>no dimension before them</source>
-        <translation>aucune dimension avant elles</translation>
-    </message>
-    <message>
-        <source>a dimension</source>
-        <translation>une dimension</translation>
-    </message>
-    <message>
-        <source>three counts of voxels</source>
-        <translation>trois nombres de voxels</translation>
-    </message>
-    <message>
-        <source>the name of one file</source>
-        <translation>le nom d’un seul fichier</translation>
-    </message>
-    <message>
-        <source>no header of NIfTI</source>
-        <translation>pas d’en-tête NIfTI</translation>
-    </message>
-    <message>
-        <source>348 or 540 bytes of it</source>
-        <translation>348 ou 540 octets d’en-tête</translation>
-    </message>
-    <message>
-        <source>voxels of kind %1</source>
-        <translation>des voxels de type %1</translation>
-    </message>
-    <message>
-        <source>one of NIfTI&apos;s kinds, as 16 for float</source>
-        <translation>un des types de NIfTI, comme 16 pour float</translation>
-    </message>
-    <message>
-        <source>%1 axes</source>
-        <translation>%1 axes</translation>
-    </message>
-    <message>
-        <source>1 to 7</source>
-        <translation>1 à 7</translation>
-    </message>
-    <message>
-        <source>a byte of 0 in its text</source>
-        <translation>un octet 0 dans son texte</translation>
-    </message>
-    <message>
-        <source>a header of text alone</source>
-        <translation>un en-tête fait de texte seul</translation>
-    </message>
-    <message>
-        <source>what is not one number</source>
-        <translation>ce qui n’est pas un seul nombre</translation>
-    </message>
-    <message>
-        <source>%1 dimension</source>
-        <translation>%1 dimension</translation>
-    </message>
-    <message>
-        <source>%1 dimensions</source>
-        <translation>%1 dimensions</translation>
-    </message>
-    <message>
-        <source>1 to 4</source>
-        <translation>1 à 4</translation>
-    </message>
-    <message>
-        <source>value %1 is %2</source>
-        <translation>la valeur %1 est %2</translation>
-    </message>
-    <message>
-        <source>a number that an Int32 can hold</source>
-        <translation>un nombre qu’un Int32 peut contenir</translation>
-    </message>
-    <message>
-        <source>a number that a %1 can hold</source>
-        <translation>un nombre qu’un %1 peut contenir</translation>
-    </message>
-    <message>
-        <source>a blank or a new line behind it</source>
-        <translation>une espace ou une nouvelle ligne après</translation>
-    </message>
-    <message>
-        <source>%1: %2: this version does not know this field; it is kept, but not used</source>
-        <translation>%1&#x202f;: %2&#x202f;: ce champ est inconnu de cette version&#x202f;; il est conservé, mais pas utilisé</translation>
-    </message>
-    <message>
-        <source>File too large</source>
-        <translation>Fichier trop volumineux</translation>
-    </message>
-    <message>
-        <source>Disk quota exceeded</source>
-        <translation>Quota disque dépassé</translation>
-    </message>
-    <message>
-        <source>Input/output error</source>
-        <translation>Erreur d’entrée/sortie</translation>
-    </message>
-    <message>
-        <source>Not a directory</source>
-        <translation>N’est pas un dossier</translation>
-    </message>
-    <message>
-        <source>File name too long</source>
-        <translation>Nom de fichier trop long</translation>
-    </message>
-    <message>
-        <source>not a file</source>
-        <translation>n’est pas un fichier</translation>
-    </message>
-    <message>
-        <source>the touched surface goes there; found another file, expected none or an older export. Choose another name</source>
-        <translation>la surface touchée va là&#x202f;; un autre fichier s’y trouve, aucun ou un export antérieur était attendu. Choisissez un autre nom</translation>
-    </message>
-    <message>
-        <source>%1 closed part looks inside out: touched from within only, unless turned outwards</source>
-        <translation>%1 partie fermée semble à l’envers&#x202f;: touchée de l’intérieur seulement, sauf si elle est retournée</translation>
-    </message>
-    <message>
-        <source>%1 closed parts look inside out: touched from within only, unless turned outwards</source>
-        <translation>%1 parties fermées semblent à l’envers&#x202f;: touchées de l’intérieur seulement, sauf si elles sont retournées</translation>
-    </message>
-    <message>
-        <source>staircase of about %1 × %2 × %3 mm voxels (%4 % of the area in %5 directions)</source>
-        <translation>escalier de voxels d’environ %1 × %2 × %3 mm (%4 % de l’aire dans %5 directions)</translation>
-    </message>
-    <message>
-        <source>smoothed: vertices moved by at most %1 mm, volume %2 %</source>
-        <translation>lissée&#x202f;: sommets déplacés de %1 mm au plus, volume %2 %</translation>
-    </message>
-    <message>
-        <source>smoothed: vertices moved by at most %1 mm</source>
-        <translation>lissée&#x202f;: sommets déplacés de %1 mm au plus</translation>
-    </message>
-    <message>
-        <source>surface &quot;smooth&quot;: curved facets are not available in this version; felt and drawn as facets</source>
-        <translation>surface «&#x202f;smooth&#x202f;»&#x202f;: les facettes courbes n’existent pas dans cette version&#x202f;; sentie et dessinée en facettes</translation>
-    </message>
-    <message>
-        <source>%1 and %2 come within %3 mm of each other at (%4, %5, %6) without touching: a point falls into the gap, a fingertip of 0.5 mm or more rides over it</source>
-        <translation>%1 et %2 s’approchent à %3 mm en (%4, %5, %6) sans se toucher&#x202f;: un point tombe dans l’interstice, un bout de doigt de 0,5 mm ou plus passe dessus</translation>
-    </message>
-    <message>
-        <source>how many times as stiff as %1 it is, is not known, so no verdict is given; expected a ratio, as --ratio &quot;%2=R&quot; or `young_ratio` in a scene file. Published: %3</source>
-        <translation>combien de fois il est plus rigide que %1 est inconnu, donc aucun verdict&#x202f;; un rapport est attendu, par --ratio &quot;%2=R&quot; ou `young_ratio` dans un fichier de scène. Publié&#x202f;: %3</translation>
-    </message>
-    <message>
-        <source>%1 and %2 touch in one layer and differ %3-fold in stiffness: the force steps at the seam</source>
-        <translation>%1 et %2 se touchent dans une même couche et leurs rigidités diffèrent d’un facteur %3&#x202f;: la force fait un saut à la jonction</translation>
-    </message>
-</context>
-<context>
     <name>palpate::ui::EngineeringPanel</name>
     <message>
         <source>%1 µs</source>
@@ -4906,74 +6446,6 @@ sinon choisir «&#x202f;Libre&#x202f;».</translation>
     <message>
         <source>published for such lumps</source>
         <translation>publié pour de telles masses</translation>
-    </message>
-    <message>
-        <source>malignant tumour of the liver</source>
-        <translation>tumeur maligne du foie</translation>
-    </message>
-    <message>
-        <source>benign tumour of the liver</source>
-        <translation>tumeur bénigne du foie</translation>
-    </message>
-    <message>
-        <source>tumour of the liver</source>
-        <translation>tumeur du foie</translation>
-    </message>
-    <message>
-        <source>fibrotic liver</source>
-        <translation>foie fibreux</translation>
-    </message>
-    <message>
-        <source>cancer of the prostate</source>
-        <translation>cancer de la prostate</translation>
-    </message>
-    <message>
-        <source>nodule of the prostate</source>
-        <translation>nodule de la prostate</translation>
-    </message>
-    <message>
-        <source>malignant tumour of the breast</source>
-        <translation>tumeur maligne du sein</translation>
-    </message>
-    <message>
-        <source>benign tumour of the breast</source>
-        <translation>tumeur bénigne du sein</translation>
-    </message>
-    <message>
-        <source>tumour of the breast</source>
-        <translation>tumeur du sein</translation>
-    </message>
-    <message>
-        <source>malignant nodule of the thyroid</source>
-        <translation>nodule malin de la thyroïde</translation>
-    </message>
-    <message>
-        <source>benign nodule of the thyroid</source>
-        <translation>nodule bénin de la thyroïde</translation>
-    </message>
-    <message>
-        <source>nodule of the thyroid</source>
-        <translation>nodule de la thyroïde</translation>
-    </message>
-    <message>
-        <source>cancer of the pancreas</source>
-        <translation>cancer du pancréas</translation>
-    </message>
-    <message>
-        <source>benign tumour of the pancreas</source>
-        <translation>tumeur bénigne du pancréas</translation>
-    </message>
-    <message>
-        <source>tumour of the pancreas</source>
-        <translation>tumeur du pancréas</translation>
-    </message>
-    <message>
-        <source>cyst</source>
-        <translation>kyste</translation>
-    </message>
-    <message>
-        <source>vessel</source>
-        <translation>vaisseau</translation>
     </message>
     <message>
         <source>%1 (at %2: %3; at %4: %5)</source>
@@ -6287,6 +7759,10 @@ Voir les détails dans la liste des messages (F4).</translation>
         <source>Palpable</source>
         <translation>Palpable</translation>
     </message>
+    <message>
+        <source>The surface is not smoothed: it is too small</source>
+        <translation>La surface n’est pas lissée : elle est trop petite</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructurePanel</name>
@@ -6519,10 +7995,6 @@ Voir les détails dans la liste des messages (F4).</translation>
         <translation>Profondeur</translation>
     </message>
     <message>
-        <source>Smoothing removes voxel steps for display and touch, moving the surface by at most half a voxel. The file is not changed.</source>
-        <translation>Le lissage enlève les marches des voxels à l’affichage et au toucher et déplace la surface d’un demi-voxel au plus. Le fichier n’est pas modifié.</translation>
-    </message>
-    <message>
         <source>See the list of messages (F4) for details</source>
         <translation>Voir les détails dans la liste des messages (F4)</translation>
     </message>
@@ -6625,6 +8097,22 @@ Voir les détails dans la liste des messages (F4).</translation>
     <message>
         <source>Dry (0.40, assumed)</source>
         <translation>Sec (0,40, supposé)</translation>
+    </message>
+    <message>
+        <source>Curved facets</source>
+        <translation>Facettes courbes</translation>
+    </message>
+    <message>
+        <source>Smoothed, curved facets</source>
+        <translation>Lissée, facettes courbes</translation>
+    </message>
+    <message>
+        <source>Smoothing removes voxel steps for display and touch, moving the surface by at most half a voxel. Curved facets make coarse facets round; edges of more than 40° stay sharp. The file is not changed.</source>
+        <translation>Le lissage supprime les marches de voxels pour l’affichage et le toucher et déplace la surface d’un demi-voxel au plus. Les facettes courbes arrondissent les facettes grossières ; les arêtes de plus de 40° restent vives. Le fichier n’est pas modifié.</translation>
+    </message>
+    <message>
+        <source>%1 triangles, %2 MiB for touch</source>
+        <translation>%1 triangles, %2 Mio pour le toucher</translation>
     </message>
 </context>
 <context>
