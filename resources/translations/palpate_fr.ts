@@ -4260,7 +4260,7 @@
     </message>
     <message>
         <source>surface from a label map of %1 × %2 × %3 mm voxels, %4</source>
-        <translation>surface d’une carte de labels de voxels de %1 × %2 × %3 mm, %4</translation>
+        <translation>surface d’une carte d’étiquettes à voxels de %1 × %2 × %3 mm, %4</translation>
     </message>
     <message>
         <source>surface from a label map of %1 × %2 × %3 mm voxels, smoothed by %4: at most %5 mm from the voxel boundary</source>

@@ -7,6 +7,7 @@
 #include "text/TextScan.h"
 
 #include <palpate/core/Numbers.h>
+#include <palpate/geometry/PolygonCutter.h>
 
 #include <vtkOBJReader.h>
 #include <vtkSmartPointer.h>

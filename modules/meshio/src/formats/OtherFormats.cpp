@@ -26,7 +26,7 @@ struct OtherFormat
 };
 
 constexpr MessageText<> kConvert = PALPATE_TEXT("a mesh saved as STL, PLY, OBJ or VTK (MeshLab or Blender convert it)");
-constexpr MessageText<> kFreeSurfer =
+constexpr MessageText<> kToFreeSurfer =
     PALPATE_TEXT("a mesh in VTK format: convert it with FreeSurfer's mris_convert to a name that ends in .vtk");
 
 using namespace std::string_view_literals;
@@ -34,8 +34,8 @@ using namespace std::string_view_literals;
 constexpr auto kBinary = std::to_array<OtherFormat>({
     {"\x00\x05\x16\x07"sv, PALPATE_TEXT("an AppleDouble file, in which macOS keeps the attributes of another file"),
      PALPATE_TEXT("the file of the same name without \"._\"")},
-    {"\xff\xff\xfe"sv, PALPATE_TEXT("a FreeSurfer surface"), kFreeSurfer},
-    {"\xff\xff\xff"sv, PALPATE_TEXT("a FreeSurfer surface"), kFreeSurfer},
+    {"\xff\xff\xfe"sv, PALPATE_TEXT("a FreeSurfer surface"), kToFreeSurfer},
+    {"\xff\xff\xff"sv, PALPATE_TEXT("a FreeSurfer surface"), kToFreeSurfer},
     {"\x1f\x8b"sv, PALPATE_TEXT("a file compressed by gzip"),
      PALPATE_TEXT("the mesh itself: unpack it first (gunzip)")},
     {"glTF"sv, PALPATE_TEXT("a glTF file"), kConvert},
@@ -51,7 +51,7 @@ constexpr auto kText = std::to_array<OtherFormat>({
 
 /// XML documents by the name of the root element.
 constexpr auto kXml = std::to_array<OtherFormat>({
-    {"GIFTI", PALPATE_TEXT("a GIFTI surface"), kFreeSurfer},
+    {"GIFTI", PALPATE_TEXT("a GIFTI surface"), kToFreeSurfer},
     {"MRML", PALPATE_TEXT("a 3D Slicer scene (MRML)"),
      PALPATE_TEXT("the files of its models, which are beside the scene: open them or their folder")},
     {"amf", PALPATE_TEXT("an AMF file"), kConvert},

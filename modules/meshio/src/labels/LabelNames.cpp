@@ -20,14 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestName = 200; ///< [bytes]
+constexpr std::size_t kLongestLabelName = 200; ///< [bytes]
 
 /// @return `text` as one line of valid UTF-8; text that is no UTF-8 is taken as Latin-1
 std::string cleanName(std::string_view text)
 {
-    const QByteArray bytes(text.data(), static_cast<qsizetype>(std::min(text.size(), kLongestName)));
+    const QByteArray bytes(text.data(), static_cast<qsizetype>(std::min(text.size(), kLongestLabelName)));
     QString name = QString::fromUtf8(bytes);
-    if (text.size() <= kLongestName && name.contains(QChar::ReplacementCharacter)) {
+    if (text.size() <= kLongestLabelName && name.contains(QChar::ReplacementCharacter)) {
         name = QString::fromLatin1(bytes);
     }
     for (QChar& c : name) {
