@@ -57,7 +57,7 @@ std::vector<core::Message> surfaceNotes(const meshio::LoadedScene& scene, const 
             lines.push_back({PALPATE_TEXT("%1: %2"), name, one.smoothing->sentence()});
         }
         if (one.curving) {
-            lines.push_back(name + ": " + one.curving->message().english());
+            lines.push_back({PALPATE_TEXT("%1: %2"), name, one.curving->message()});
         }
         if (felt.structures()[i].surface == nullptr && !one.isTransmitted) {
             continue;

@@ -20,7 +20,8 @@ core::Result<std::unique_ptr<RecordedTouch>> RecordedTouch::open(const std::file
     }
     if (reader.value()->extent().ticks == 0) {
         return core::Status(core::StatusCode::Empty,
-                            path.filename().string() + ": the recording holds no tick; there is nothing to play");
+                            PALPATE_TEXT("%1: the recording holds no tick; there is nothing to play"),
+                            path.filename().string());
     }
     return std::unique_ptr<RecordedTouch>(new RecordedTouch(path, std::move(reader).value()));
 }
