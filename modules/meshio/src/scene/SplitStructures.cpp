@@ -60,7 +60,7 @@ Result<std::vector<Vec3>> toWorld(const TriangleSoup& soup, FileFrame frame, con
                 return fault(StatusCode::NonFinite, context.file, {PALPATE_TEXT("point %1"), i},
                              out[i].allFinite()
                                  ? core::Message(PALPATE_TEXT("it is farther than 10 km from the origin"))
-                                 : core::Message(PALPATE_TEXT("its coordinates are not numbers")),
+                                 : core::Message(PALPATE_TEXT("its coordinates are not finite numbers")),
                              {PALPATE_TEXT("finite coordinates within 10 km")});
             }
         }
