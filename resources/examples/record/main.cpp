@@ -28,7 +28,7 @@ int main(int argc, char** argv)
     geometry::TriangleMesh plate; // [mm]
     plate.vertices = {{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}};
     plate.triangles = {{0, 1, 2}, {0, 2, 3}};
-    session::StructureSource source; // what a recording stores about a surface
+    session::StructureSource source; // origin of a surface, for the recording
     source.embed = std::make_shared<const geometry::RepairedMesh>(geometry::repair(plate, geometry::Facing::Outward));
     haptics::HapticStructure structure;
     structure.name = "plate";
@@ -53,7 +53,7 @@ int main(int argc, char** argv)
                 return fail(status);
             }
         }
-        if (const auto fault = live.poll()) { // the force is off until it is rearmed
+        if (const auto fault = live.poll()) { // the force is off until `rearm`
             std::fprintf(stderr, "%s\n", fault->message.english().c_str());
             live.loop().rearm();
         }

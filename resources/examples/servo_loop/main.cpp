@@ -29,14 +29,14 @@ int main()
     device::SimulatedHand hand(script.value()); // a real device comes from device::PluginHost
     servo::ServoLoop loop;
     loop.setScene(scene.value());
-    loop.startRecording(); // each tick's record is kept until it is taken below
+    loop.startRecording(); // keeps each tick until taken below
     if (const core::Status status = loop.start(hand); !status.isOk()) {
         std::fprintf(stderr, "%s\n", status.message().c_str());
         return 1;
     }
     while (loop.isRunning() && !hand.isFinished()) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        // A fault switches the force off until it is rearmed: with a device, ask the user before.
+        // A fault switches the force off until `rearm`: with a device, ask the user before.
         if (const servo::FaultReport fault = loop.fault(); fault.isFaulted()) {
             std::fprintf(stderr, "%s\n", fault.message.english().c_str());
             loop.rearm();

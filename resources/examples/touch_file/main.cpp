@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// touch_file FILE   reads a mesh file (STL, VTP, OBJ, PLY) and presses 2 mm into each of its structures from above, in
+// touch_file FILE   reads a mesh file (STL, VTP, OBJ, PLY) and presses 2 mm into each structure from above, in
 // the middle.
 #include <palpate/geometry/Repair.h>
 #include <palpate/haptics/Palpator.h>
@@ -11,7 +11,7 @@
 int main(int argc, char** argv)
 {
     using namespace palpate;
-    // Before any thread: files are then read in a child process, and one that crashes its reader is an error here.
+    // Before any thread: files are then read in a child process, and a file that crashes the reader is an error here.
     const core::Status server = meshio::startImportServer();
     const auto file = meshio::readMesh(argc > 1 ? argv[1] : "");
     if (!server.isOk() || !file.isOk()) {

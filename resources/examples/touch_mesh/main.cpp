@@ -8,7 +8,7 @@
 int main()
 {
     using namespace palpate;
-    geometry::TriangleMesh plate; // 20 mm × 20 mm in z = 0, its front side up [mm]
+    geometry::TriangleMesh plate; // 20 mm × 20 mm in z = 0, front side up [mm]
     plate.vertices = {{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}};
     plate.triangles = {{0, 1, 2}, {0, 2, 3}};
     const auto repaired = geometry::surfaceOf(plate); // checked, welded, closed parts turned outwards

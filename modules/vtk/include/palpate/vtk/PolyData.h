@@ -23,7 +23,7 @@ struct SurfaceOptions
 };
 
 /// Converts polygons and triangle strips to triangles; vertices and lines are ignored. The vertices are the points in
-/// the same order, also those that no polygon uses. Polygons are triangulated, concave ones too.
+/// the same order, including points without a polygon. Polygons are triangulated, concave ones too.
 /// @param data  may be null
 /// @return Empty: null, or no polygon; BadFormat: a polygon with less than 3 or more than
 ///         geometry::PolygonCutter::kMostCorners corners; OutOfRange or NonFinite: see geometry::check
@@ -51,7 +51,8 @@ struct SurfaceOptions
 ///     data->GetPointData()->AddArray(atPoints(surface, felt.press[0].ratio, "k/k0").value());
 ///
 /// @param surface  from `surfaceOf`
-/// @param values  one for each vertex of `surface.mesh`; further values are ignored, such as those of the vertices that
+/// @param values  one for each vertex of `surface.mesh`; further values are ignored, such as the values at vertices
+/// that
 ///                feltSurface adds
 /// @return one value per point, NaN at points that no triangle uses; Mismatch for too few values or if the surface has
 ///         no `vertexOfSource`
