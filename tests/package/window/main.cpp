@@ -7,7 +7,8 @@
 
 #include <cstdio>
 
-/// Prints whether VTK's OpenGL classes are registered, which this program leaves to the library, and a translated message.
+/// Prints whether VTK's OpenGL classes are registered, which this program leaves to the library, and a translated
+/// message.
 int main()
 {
     using namespace palpate;
