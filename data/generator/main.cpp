@@ -124,7 +124,7 @@ core::Status compareBytes(const std::filesystem::path& kept, const std::filesyst
     std::ifstream b(made, std::ios::binary);
     using Bytes = std::istreambuf_iterator<char>;
     if (!a || !b || !std::equal(Bytes(a), Bytes(), Bytes(b), Bytes())) {
-        return {core::StatusCode::Mismatch, kept.string() + " is not what the generator makes"};
+        return {core::StatusCode::Mismatch, PALPATE_TEXT("%1 is not what the generator makes"), kept};
     }
     return {};
 }
@@ -145,7 +145,7 @@ core::Status compareMeshes(const std::filesystem::path& kept, const std::filesys
     const std::vector<meshio::MeshStructure>& x = a.value().structures;
     const std::vector<meshio::MeshStructure>& y = b.value().structures;
     if (!std::equal(x.begin(), x.end(), y.begin(), y.end(), same)) {
-        return {core::StatusCode::Mismatch, kept.string() + " is not what the generator makes"};
+        return {core::StatusCode::Mismatch, PALPATE_TEXT("%1 is not what the generator makes"), kept};
     }
     return {};
 }
@@ -178,8 +178,8 @@ core::Status compareRecordings(const std::filesystem::path& kept, const std::fil
     };
     const auto [a, b] = std::mismatch(ticks[0].begin(), ticks[0].end(), ticks[1].begin(), ticks[1].end(), same);
     if (a != ticks[0].end() || b != ticks[1].end()) {
-        return {core::StatusCode::Mismatch,
-                kept.string() + ": tick " + std::to_string(a - ticks[0].begin()) + " is not what the generator makes"};
+        return {core::StatusCode::Mismatch, PALPATE_TEXT("%1: tick %2 is not what the generator makes"), kept,
+                a - ticks[0].begin()};
     }
     return {};
 }

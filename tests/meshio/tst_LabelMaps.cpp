@@ -17,7 +17,6 @@
 
 using namespace palpate;
 using core::Vec3;
-using meshio::MeshFile;
 using meshio::MeshStructure;
 
 namespace {
@@ -88,7 +87,7 @@ bool isSame(const MeshStructure& a, const MeshStructure& b)
            std::memcmp(a.mesh.vertices.data(), b.mesh.vertices.data(), a.mesh.vertices.size() * sizeof(Vec3)) == 0;
 }
 
-std::vector<std::string> namesOf(const MeshFile& file)
+std::vector<std::string> namesOf(const meshio::MeshFile& file)
 {
     std::vector<std::string> names;
     for (const MeshStructure& structure : file.structures) {
@@ -108,7 +107,7 @@ test::LabelGrid small()
     return grid;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to)
+std::string withReplaced(std::string text, const std::string& from, const std::string& to)
 {
     return text.replace(text.find(from), from.size(), to);
 }
@@ -186,7 +185,7 @@ class LabelMaps : public QObject
              test::labelMeta(grid, "MET_SHORT",
                              "CompressedData = True\nCompressedDataSize = " + std::to_string(packed.size()) + "\n") +
                  packed},
-            {"h.mhd", replaced(test::labelMeta(grid, "MET_SHORT"), "LOCAL", "k.raw")},
+            {"h.mhd", withReplaced(test::labelMeta(grid, "MET_SHORT"), "LOCAL", "k.raw")},
             {"i.nhdr", test::labelNrrd(grid, "short", "raw", "data file: k.raw\n")},
             {"j.nii", test::labelNifti(grid, 8) + test::labelNumbers<std::int32_t>(grid)}};
         for (const auto& [name, bytes] : files) {
@@ -270,7 +269,7 @@ class LabelMaps : public QObject
         (void)beside.write("other.label", snap); // now it is not certain which one belongs to the file
         const auto uncertain = meshio::readMesh(beside.path("b.nii"));
         QCOMPARE(namesOf(uncertain.value()), (Names{"label 1", "label 2"}));
-        (void)beside.write("b.label", replaced(snap, "left lobe", "caudate"));
+        (void)beside.write("b.label", withReplaced(snap, "left lobe", "caudate"));
         QCOMPARE(namesOf(meshio::readMesh(beside.path("b.nii")).value()), (Names{"caudate", "right lobe"}));
 
         const auto table = meshio::readMesh(other.write("total_ct.nii", test::labelNifti(grid, 2) + bytes));
@@ -484,12 +483,12 @@ class LabelMaps : public QObject
             std::memcpy(&text[at], &value, sizeof(value));
             return text + bytes;
         };
-        row("sheared", "v.nrrd", replaced(nrrd, "(0,1,0)", "(0.5,1,0)") + bytes,
+        row("sheared", "v.nrrd", withReplaced(nrrd, "(0,1,0)", "(0.5,1,0)") + bytes,
             "v.nrrd: header: axes 1 and 2 are sheared by 26.6°; expected perpendicular axes");
         row("sheared sform", "v.nii", nifti(284, 0.25F), "v.nii: header: axes 1 and 2 are sheared by 14°");
-        row("in a plane", "v.nrrd", replaced(nrrd, "(0,1,0)", "(2,0,0)") + bytes,
+        row("in a plane", "v.nrrd", withReplaced(nrrd, "(0,1,0)", "(2,0,0)") + bytes,
             "v.nrrd: header: axes that lie in one plane");
-        row("no length", "v.mha", replaced(meta, "ElementSpacing = 1 1 1", "ElementSpacing = 1 0 1") + bytes,
+        row("no length", "v.mha", withReplaced(meta, "ElementSpacing = 1 1 1", "ElementSpacing = 1 0 1") + bytes,
             "v.mha: header: voxels of 1 × 0 × 1 mm; expected three perpendicular axes with a voxel size above 0");
         row("no numbers", "v.nii", nifti(280, std::nanf("")), "v.nii: header: voxels of ");
         row("cut off", "v.nrrd", nrrd + bytes.substr(0, 200),
@@ -498,31 +497,31 @@ class LabelMaps : public QObject
             "v.nrrd: ");
         row("fewer in the gzip", "v.nii.gz", test::gzipped(test::labelNifti(grid, 2) + bytes.substr(0, 100)),
             "v.nii.gz: 100 of 240 bytes of voxels");
-        row("more than declared", "v.nrrd", replaced(nrrd, "sizes: 8 6 5", "sizes: 8 6 4") + bytes,
+        row("more than declared", "v.nrrd", withReplaced(nrrd, "sizes: 8 6 5", "sizes: 8 6 4") + bytes,
             "v.nrrd: more bytes than its 192 voxels have; expected 192 bytes of voxels");
         row("more in the gzip", "v.nrrd",
-            replaced(test::labelNrrd(grid, "uchar", "gzip"), "sizes: 8 6 5", "sizes: 8 6 4") + test::gzipped(bytes),
+            withReplaced(test::labelNrrd(grid, "uchar", "gzip"), "sizes: 8 6 5", "sizes: 8 6 4") + test::gzipped(bytes),
             "v.nrrd: more bytes than its 192 voxels have");
-        row("too many", "v.mha", replaced(meta, "DimSize = 8 6 5", "DimSize = 80000 60000 5") + bytes,
+        row("too many", "v.mha", withReplaced(meta, "DimSize = 8 6 5", "DimSize = 80000 60000 5") + bytes,
             "v.mha: header: 80,000 × 60,000 × 5 voxels in 1 layers; expected 1 to 1,073,741,824 voxels");
         row("a bomb", "v.nrrd",
-            replaced(test::labelNrrd(grid, "uchar", "gzip"), "sizes: 8 6 5", "sizes: 1000 1000 1000") +
+            withReplaced(test::labelNrrd(grid, "uchar", "gzip"), "sizes: 8 6 5", "sizes: 1000 1000 1000") +
                 test::gzipped(bytes),
             "v.nrrd: 1,000,000,000 voxels declared");
         row("no count", "v.nii", nifti(42, std::int16_t{-3}), "v.nii: header: dim");
         row("no type", "v.nii", nifti(70, std::int16_t{128}), "v.nii: header: datatype: 128");
         row("voxels in the header", "v.nii", nifti(108, 8.0F), "v.nii: header: vox_offset: 8; expected the byte");
-        row("five axes", "v.nrrd", replaced(nrrd, "dimension: 3", "dimension: 5") + bytes,
+        row("five axes", "v.nrrd", withReplaced(nrrd, "dimension: 3", "dimension: 5") + bytes,
             "v.nrrd: header: dimension: \"5\"; expected 3 or 4");
         row("text", "v.nrrd", test::labelNrrd(grid, "uchar", "ascii") + "1 2 3",
             "v.nrrd: header: encoding: \"ascii\"; expected \"raw\" or \"gzip\"");
         row("no end", "v.nrrd", "NRRD0004\ntype: uchar\ndimension: 3\n", "v.nrrd: line 3: the header does not end");
-        row("a field twice", "v.nrrd", replaced(nrrd, "endian: little", "endian: little\nsizes: 1 1 1") + bytes,
+        row("a field twice", "v.nrrd", withReplaced(nrrd, "endian: little", "endian: little\nsizes: 1 1 1") + bytes,
             "v.nrrd: line 9: \"sizes\" a second time");
-        row("no data file", "v.nhdr", replaced(nrrd, "encoding", "data file: away.raw\nencoding"),
+        row("no data file", "v.nhdr", withReplaced(nrrd, "encoding", "data file: away.raw\nencoding"),
             "v.nhdr: header: file of the voxels: no file \"away.raw\"");
-        row("a pattern", "v.mhd", replaced(meta, "LOCAL", "slice%d.raw 0 1 0"), "v.mhd: header: ElementDataFile: ");
-        row("a pair of files", "v.nii", replaced(test::labelNifti(grid, 2), "n+1", "ni1") + bytes,
+        row("a pattern", "v.mhd", withReplaced(meta, "LOCAL", "slice%d.raw 0 1 0"), "v.mhd: header: ElementDataFile: ");
+        row("a pair of files", "v.nii", withReplaced(test::labelNifti(grid, 2), "n+1", "ni1") + bytes,
             "v.nii: header: voxels in a separate .img file");
     }
     void whatIsWrongIsRefused() { refuse(); }

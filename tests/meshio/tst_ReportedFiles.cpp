@@ -148,7 +148,7 @@ std::string plyHeader(int vertexCount, int faceCount, const std::string& extra =
            "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
-std::string binaryPly(bool isStrips = false)
+std::string boxPly(bool isStrips = false)
 {
     std::string out = plyHeader(8, 12, "", "binary_little_endian");
     if (isStrips) {
@@ -356,10 +356,10 @@ void ReportedFiles::opensAsTheBox_data()
         "none of PLY");
     row("ply, CR", ".ply", replaced(plyHeader(8, 12) + vertices(kA, "") + faces(0, "3 "), "\n", "\r"));
     row("ply, Ctrl-Z", ".ply", plyHeader(8, 12) + vertices(kA, "") + faces(0, "3 ") + "\x1a");
-    row("ply, binary", ".ply", binaryPly());
-    row("ply, binary, LF behind", ".ply", binaryPly() + "\n");
-    row("ply, binary, zeros behind", ".ply", binaryPly() + std::string(100, '\0'), "100 bytes behind");
-    row("ply, strips", ".ply", binaryPly(true));
+    row("ply, binary", ".ply", boxPly());
+    row("ply, binary, LF behind", ".ply", boxPly() + "\n");
+    row("ply, binary, zeros behind", ".ply", boxPly() + std::string(100, '\0'), "100 bytes behind");
+    row("ply, strips", ".ply", boxPly(true));
 
     row("vtp, two corners", ".vtp",
         replaced(replaced(replaced(xml("PolyData", false), "NumberOfPolys=\"12\"", "NumberOfPolys=\"13\""), "36 </Data",

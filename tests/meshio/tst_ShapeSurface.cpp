@@ -2,6 +2,7 @@
 #include "English.h"
 #include "Masks.h"
 #include "Samples.h"
+#include "Shapes.h"
 #include "TestRunner.h"
 
 #include <palpate/meshio/ShapeSurface.h>
