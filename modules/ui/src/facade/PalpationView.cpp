@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/PalpationView.h"
 
-#include "palpate/ui/Translated.h"
 #include "palpate/ui/LiveTouch.h"
 #include "palpate/ui/PalpationController.h"
 #include "palpate/ui/StructureModel.h"
+#include "palpate/ui/Translated.h"
 #include "palpate/ui/ViewKeys.h"
 #include "palpate/ui/VtkViewport.h"
 

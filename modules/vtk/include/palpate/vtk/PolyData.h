@@ -12,8 +12,8 @@
 
 #include <span>
 
-/// Conversion between vtkPolyData and Palpate's meshes. VTK has a global namespace `vtk` of its own: after `using
-/// namespace palpate` write `palpate::vtk::surfaceOf`, and within namespace palpate `::vtk::` for VTK's.
+/// Conversion between vtkPolyData and Palpate's meshes. VTK has a global namespace of the same name: after `using
+/// namespace palpate` write `palpate::vtk::surfaceOf`; within namespace palpate, names of VTK's need a leading `::`.
 namespace palpate::vtk {
 
 struct SurfaceOptions
