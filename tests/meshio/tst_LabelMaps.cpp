@@ -33,11 +33,11 @@ double boxDistance(const Vec3& p)
     return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0);
 }
 
-/// @return true within a voxel of an edge of the box
+/// @return true within two voxels of an edge of the box, which is as far as the filter rounds it
 bool isNearEdge(const Vec3& p, double voxel_mm)
 {
     const Vec3 q = (p - kBoxCentre).cwiseAbs() - kBoxHalf;
-    return (q.array() > -voxel_mm).count() >= 2;
+    return (q.array() > -2.0 * voxel_mm).count() >= 2;
 }
 
 double ballDistance(const Vec3& p)
@@ -517,7 +517,7 @@ class LabelMaps : public QObject
             "v.nrrd: header: encoding: \"ascii\"; expected \"raw\" or \"gzip\"");
         row("no end", "v.nrrd", "NRRD0004\ntype: uchar\ndimension: 3\n", "v.nrrd: line 3: the header does not end");
         row("a field twice", "v.nrrd", withReplaced(nrrd, "endian: little", "endian: little\nsizes: 1 1 1") + bytes,
-            "v.nrrd: line 9: \"sizes\" a second time");
+            "v.nrrd: line 10: \"sizes\" a second time");
         row("no data file", "v.nhdr", withReplaced(nrrd, "encoding", "data file: away.raw\nencoding"),
             "v.nhdr: header: file of the voxels: no file \"away.raw\"");
         row("a pattern", "v.mhd", withReplaced(meta, "LOCAL", "slice%d.raw 0 1 0"), "v.mhd: header: ElementDataFile: ");
