@@ -183,7 +183,7 @@ void ImportedFiles::cutFileNeedsPartialAndThenSaysTheLoss()
     (void)folder.write("cut.stl", stl.substr(0, stl.size() - 60));
     (void)folder.write("m.csv", "x,y,z\n1,1,1\n1,1,-1\n");
     const std::string loss = "palpate: cut.stl: byte 174: the file ends there: 2 of 3 triangles lost\n";
-    QCOMPARE(mistakeOf(run(folder, {"info", "cut.stl"}), "cut.stl", false, "byte 80: "), std::string());
+    QCOMPARE(mistakeOf(run(folder, {"info", "cut.stl"}), "cut.stl", false, "byte 174: cut off: "), std::string());
     const Ending info = run(folder, {"info", "cut.stl", "--partial", "--json"});
     QCOMPARE(info.exitCode, 3);
     QCOMPARE(info.error, loss);

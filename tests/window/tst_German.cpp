@@ -103,7 +103,7 @@ class German : public QObject
         row("empty", write("empty.stl", ""), "empty.stl: Byte 0: die Datei ist leer");
         row("letter", write("letter.obj", "Dear colleague,\n"), "letter.obj");
         row("page", write("page.stl", "<!DOCTYPE html><html></html>"), "eine Webseite");
-        row("image", write("image.stl", "NRRD0004\n"), "ein NRRD-Bild; das liest Palpate nicht");
+        row("image", write("image.stl", "NRRD0004\n"), "der Kopf endet nicht");
         row("cut", write("cut.stl", QByteArray(100, '\0')), "cut.stl");
         row("flat",
             m_desk->writeStl("flat.stl",
