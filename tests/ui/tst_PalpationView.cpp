@@ -76,7 +76,7 @@ class PalpationViewTest : public QObject
         const auto wrong = m_view->add(inwardBall(), {.name = "liver", .tissue = {.stiffness_N_per_mm = -1.0}});
         QCOMPARE(wrong.status().code(), StatusCode::OutOfRange);
         QCOMPARE(m_view->text(wrong.status()),
-                 QStringLiteral("liver: stiffness_N_per_mm: found -1, expected 0 to 1,000 N/mm"));
+                 QStringLiteral("liver: stiffness_N_per_mm: found -1, expected 0 to 1000 N/mm"));
         QCOMPARE(m_view->setStiffness(0, 1.0).code(), StatusCode::OutOfRange);
         QCOMPARE(m_view->add(inwardBall(), {.name = "liver"}).value(), 0);
         QCOMPARE(m_view->setStiffness(0, std::nan("")).code(), StatusCode::NonFinite);
