@@ -114,9 +114,9 @@ void noteLabels(const NamedLabels& named, const std::vector<LabelName>& names, c
         return; // a table names more structures than a file has
     }
     for (const auto& [key, name] : named.names) {
-        const bool isPresent = std::any_of(volume.labels.begin(), volume.labels.end(), [&key](const Label& label) {
-            return std::pair(label.layer, label.value) == key;
-        });
+        const bool isPresent =
+            std::any_of(volume.labels.begin(), volume.labels.end(),
+                        [&key = key](const Label& label) { return std::pair(label.layer, label.value) == key; });
         if (!isPresent && key.second != 0) {
             empty.push_back(inQuotes(name.name));
         }
