@@ -4551,10 +4551,6 @@
         <translation>Kopf: Datei der Voxel</translation>
     </message>
     <message>
-        <source>a file in the folder of the header</source>
-        <translation>eine Datei im Ordner des Kopfes</translation>
-    </message>
-    <message>
         <source>%1 of %2 bytes of voxels</source>
         <translation>%1 von %2 Bytes an Voxeln</translation>
     </message>
@@ -4821,6 +4817,10 @@
     <message>
         <source>%1: the recording holds no tick; there is nothing to play</source>
         <translation>%1: die Aufzeichnung enthält keinen Takt; es gibt nichts abzuspielen</translation>
+    </message>
+    <message>
+        <source>%1 includes what it encloses, %2 voxels of other labels</source>
+        <translation>%1 enthält, was es umschließt: %2 Voxel anderer Labels</translation>
     </message>
 </context>
 <context>

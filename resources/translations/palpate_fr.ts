@@ -4551,10 +4551,6 @@
         <translation>en-tête&#x202f;: fichier des voxels</translation>
     </message>
     <message>
-        <source>a file in the folder of the header</source>
-        <translation>un fichier dans le dossier de l’en-tête</translation>
-    </message>
-    <message>
         <source>%1 of %2 bytes of voxels</source>
         <translation>%1 octets de voxels sur %2</translation>
     </message>
@@ -4812,7 +4808,7 @@
     </message>
     <message>
         <source>%1: tick %2 is not what the generator makes</source>
-        <translation>%1 : le cycle %2 n’est pas ce que le générateur produit</translation>
+        <translation>%1&#x202f;: le cycle %2 n’est pas ce que le générateur produit</translation>
     </message>
     <message>
         <source>its coordinates are not finite numbers</source>
@@ -4820,7 +4816,11 @@
     </message>
     <message>
         <source>%1: the recording holds no tick; there is nothing to play</source>
-        <translation>%1 : l’enregistrement ne contient aucun cycle ; il n’y a rien à lire</translation>
+        <translation>%1&#x202f;: l’enregistrement ne contient aucun cycle&#x202f;; il n’y a rien à lire</translation>
+    </message>
+    <message>
+        <source>%1 includes what it encloses, %2 voxels of other labels</source>
+        <translation>%1 contient ce qu’il entoure : %2 voxels d’autres étiquettes</translation>
     </message>
 </context>
 <context>
