@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/ui/StructureModel.h"
+#include "palpate/ui/TouchPanel.h"
 
 #include <optional>
 
@@ -24,5 +25,8 @@ struct LumpAtContact
 /// @par Cost O(vertices of the organ). Thread: GUI
 [[nodiscard]] std::optional<LumpAtContact> lumpAtContact(const StructureModel& model, int organRow,
                                                          const core::Vec3& p_WG, double depth_mm);
+
+/// Adds that lump to a reading. @param organRow  structure in contact
+void addLump(const StructureModel& model, int organRow, const core::Vec3& p_WG, TouchReading& reading);
 
 } // namespace palpate::ui

@@ -4,6 +4,7 @@
 #include "palpate/ui/FeltLayers.h"
 #include "palpate/ui/TouchHistory.h"
 
+#include <QColor>
 #include <QString>
 #include <QWidget>
 
@@ -23,15 +24,17 @@ struct TouchReading
     double time_s = 0.0;
     double force_N = 0.0; ///< force on the hand; model force for devices without motors
     double depth_mm = 0.0;
-    QString structure;                ///< structure of the outermost layer; empty in free space
-    double stiffness_N_per_mm = 0.0;  ///< all layers in contact together; a healthy liver: about 0.1
-    double stiffnessRatio = 1.0;      ///< relative to the tissue of the outermost layer alone [1]
-    int constraints = 0;              ///< active constraints of the outermost layer, for the engineering panel
-    bool isSlidOff = false;           ///< pressing, but the surface has slid aside
-    bool isAtIterationLimit = false;  ///< the solver stopped at the iteration limit; the force lags
-    std::vector<LayerShare> layers{}; ///< outermost first
-    QString lump{};                   ///< lump felt through `structure` here; empty: no lump
-    double lumpRatio = 1.0;           ///< local stiffness relative to the organ without the lump [1]
+    QString structure;                  ///< structure of the outermost layer; empty in free space
+    double stiffness_N_per_mm = 0.0;    ///< all layers in contact together; a healthy liver: about 0.1
+    double stiffnessRatio = 1.0;        ///< relative to the tissue of the outermost layer alone [1]
+    int constraints = 0;                ///< active constraints of the outermost layer, for the engineering panel
+    bool isSlidOff = false;             ///< pressing, but the surface has slid aside
+    bool isAtIterationLimit = false;    ///< the solver stopped at the iteration limit; the force lags
+    std::vector<LayerShare> layers{};   ///< outermost first
+    QString lump{};                     ///< lump felt through `structure` here; empty: no lump
+    QColor lumpColour{};                ///< colour of the lump's structure
+    double lumpRatio = 1.0;             ///< local stiffness relative to the organ without the lump [1]
+    std::optional<double> recorded_s{}; ///< position in the recording; empty: live
 };
 
 /// Innermost structure under the hand: the innermost layer, with a transmitted lump before the organ.
@@ -43,6 +46,13 @@ struct PalpatedStructure
     std::optional<double> stiffnessRatio{}; ///< of a transmitted lump
 };
 [[nodiscard]] PalpatedStructure palpatedStructure(const TouchReading& reading);
+/// Lump under the contact with the change of stiffness: "over lump 20 mm: +55 %"; empty without a lump.
+[[nodiscard]] QString overLumpText(const TouchReading& reading);
+/// The same with the verdict: "over lump 20 mm: +55 %, plainly felt".
+[[nodiscard]] QString lumpText(const TouchReading& reading);
+/// Shares of the force for the chart: of the layers in contact or, over a lump that stiffens its organ, of the organ
+/// as it would be without the lump and of what the lump adds.
+[[nodiscard]] std::vector<LayerForce> chartForces(const TouchReading& reading);
 /// Location: "lump 20 mm in liver".
 [[nodiscard]] QString whereText(const PalpatedStructure& felt);
 
@@ -74,11 +84,13 @@ class TouchPanel : public QWidget
   private:
     void fitFont();
     void setLine(const QString& structure, const QString& detail);
+    void showSource(const std::optional<double>& recorded_s);
     void setLayers(std::vector<LayerShare> layers);
     void showLump(const TouchReading& reading);
 
     TouchReading m_reading;
     TouchHistory m_history;
+    QLabel* m_source = nullptr; ///< live hand or recording
     QLabel* m_force = nullptr;
     QLabel* m_forceUnit = nullptr;
     QLabel* m_structure = nullptr;
