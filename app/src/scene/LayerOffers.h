@@ -38,6 +38,7 @@ class LayerOffers : public QObject
     void offer(const study::Layering& layering);
 
   private:
+    void offerBelowOpen(const LumpLayout& layout);
     void offerOther(const LumpLayout& layout, const QString& line);
     [[nodiscard]] bool isFlat() const;
 

@@ -6,7 +6,7 @@
 #include "shared/Paths.h"
 #include "shell/Docks.h"
 #include "shell/Notices.h"
-#include "touch/FingertipMenu.h"
+#include "touch/FingertipPart.h"
 #include "touch/TouchPart.h"
 
 #include <palpate/session/RecordingReader.h>
@@ -22,6 +22,7 @@
 #include <QAction>
 #include <QLocale>
 #include <QMainWindow>
+#include <QTimer>
 
 #include <utility>
 
@@ -43,6 +44,8 @@ RecordingPart::RecordingPart(const WindowCore& core, DocumentPart& document, Tou
     connect(&core.live, &ui::LiveTouch::statusChanged, m_control, &RecordingControl::refresh);
     connect(m_playback, &ui::Playback::stateChanged, this, &RecordingPart::stateChanged);
     connect(&touch, &TouchPart::palpationBegins, m_playback, &ui::Playback::pause);
+    connect(this, &RecordingPart::ended, this, [this] { m_trace.end(); });
+    QTimer::singleShot(0, this, &RecordingPart::offerInterrupted);
     ui::PalpationController& palpation = touch.palpation();
     connect(&palpation, &ui::PalpationController::touched, this, [this](const ui::TouchReading& reading) {
         const session::RecorderStatus recording = m_core.live.recording();
@@ -158,6 +161,7 @@ void RecordingPart::start()
         m_core.notices.showError(ui::translated(started));
         return;
     }
+    m_trace.begin(m_control->path());
     m_touch.panel().clearHistory();
     m_panel->showTitle(tr("Recording %1").arg(toText(m_control->path().filename())));
     m_touch.setPalpating(true);
@@ -181,9 +185,33 @@ void RecordingPart::stop()
 
 void RecordingPart::takeFailure(const QString& line)
 {
+    m_trace.end(); // the line below offers the recording
     m_core.actions.at("record").setChecked(false);
     Q_EMIT stateChanged();
     m_core.notices.bar().offer(line, tr("Open the recording"), [this] { open(m_control->path()); });
+}
+
+/// Offers a recording that a crash cut off, if nothing is open.
+void RecordingPart::offerInterrupted()
+{
+    const auto left = RecordingTrace::findLeft();
+    if (!left || m_core.model.rowCount() > 0) {
+        return;
+    }
+    const auto reader = session::RecordingReader::open(left->recording);
+    if (!reader.isOk() || reader.value()->extent().ticks == 0) {
+        RecordingTrace::discard(*left); // nothing was recorded yet
+        return;
+    }
+    m_core.notices.bar().ask(
+        tr("Palpate ended unexpectedly while recording %1. The first %2 s were saved.")
+            .arg(toText(left->recording.filename()), QLocale().toString(reader.value()->extent().duration_s, 'f', 1)),
+        tr("Open the recording"),
+        [this, left = *left] {
+            RecordingTrace::discard(left);
+            Q_EMIT m_document.openWanted(left.recording);
+        },
+        tr("Do not offer again"), [left = *left] { RecordingTrace::discard(left); });
 }
 
 void RecordingPart::togglePlaying()

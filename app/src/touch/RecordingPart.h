@@ -3,6 +3,7 @@
 
 #include "shell/WindowPart.h"
 #include "touch/RecordingControl.h"
+#include "touch/RecordingTrace.h"
 
 #include <filesystem>
 
@@ -55,6 +56,7 @@ class RecordingPart : public WindowPart
     void stop();
     void togglePlaying();
     void takeFailure(const QString& line);
+    void offerInterrupted();
     void showForceLimit(const WindowState& state);
 
     WindowCore m_core;
@@ -63,6 +65,7 @@ class RecordingPart : public WindowPart
     ui::SessionPanel* m_panel = nullptr;
     ui::Playback* m_playback = nullptr;
     RecordingControl* m_control = nullptr;
+    RecordingTrace m_trace;
 };
 
 } // namespace palpate::app

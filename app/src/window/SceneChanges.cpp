@@ -134,6 +134,7 @@ void SceneChanges::arrange(const ui::OpenedScene& scene)
     }
     const bool hasRecording = m_parts.files.hasWaitingRecording();
     if (scene.areMeshes() && !hasRecording) {
+        m_parts.structures.colourAsChosen(0);
         applyTissueByName(m_core.model, m_core.notices.bar(), scene.layering, 0);
         m_core.model.undoStack().setClean(); // automatic changes do not make the document modified
     }
@@ -196,6 +197,7 @@ void SceneChanges::addRows(ui::OpenedScene& scene, int first)
     model.addRows(std::move(scene.rows), text);
     model.setNesting(in);
     if (scene.areMeshes()) {
+        m_parts.structures.colourAsChosen(first);
         applyTissueByName(model, m_core.notices.bar(), scene.layering, first);
     }
     SceneDocument& document = m_parts.document.document();

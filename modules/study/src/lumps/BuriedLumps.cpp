@@ -5,7 +5,10 @@
 #include "palpate/study/Layers.h"
 #include "palpate/study/LumpRule.h"
 
+#include <palpate/geometry/Holes.h>
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
@@ -82,6 +85,22 @@ std::vector<core::Message> lumpsWithoutOrgan(const LumpRule& rule, const meshio:
         }
     }
     return clauses;
+}
+
+/// Returns a sentence for each lump inside a surface that is open or inside out.
+std::vector<core::Message> lumpsInOpenSurfaces(const meshio::LoadedScene& scene, const Layering& layers)
+{
+    std::vector<core::Message> sentences;
+    for (std::size_t i = 0; i < scene.structures.size(); ++i) {
+        const meshio::SceneStructure& one = scene.structures[i].description;
+        const auto in = layers.structures[i].unreliableParent;
+        if (in && !layers.structures[i].in && meshio::isLump(meshio::anatomyKind(one.name))) {
+            const meshio::LoadedStructure& around = scene.structures[*in];
+            sentences.push_back(core::Message(PALPATE_TEXT("%1 was left out: %2"), one.name,
+                                              openSurface(around.description.name, *around.surface)));
+        }
+    }
+    return sentences;
 }
 
 buried::FeltOptions usualOptions(const OrganWithLumps& organ, const std::function<bool(double)>& progress)
@@ -171,15 +190,34 @@ std::vector<buried::BuriedLump> OrganWithLumps::shapes(const meshio::LoadedScene
 }
 
 Result<std::vector<OrganWithLumps>> organsWithLumps(const meshio::LoadedScene& scene,
-                                                    const std::map<std::string, double>& ratios)
+                                                    const std::map<std::string, double>& ratios,
+                                                    std::vector<core::Message>* leftOut)
 {
     const Layering layers = layeringOf(scene);
+    if (leftOut != nullptr) {
+        *leftOut = lumpsInOpenSurfaces(scene, layers);
+    }
     const LumpRule rule = ruleOf(scene, layers, ratios);
     std::vector<OrganWithLumps> organs = organsBy(rule, scene, ratios);
     if (Status status = statusOf(organs, rule, scene, layers, ratios); !status.isOk()) {
         return status;
     }
     return organs;
+}
+
+core::Message openSurface(const std::string& name, const geometry::RepairedMesh& surface)
+{
+    if (surface.report.isClosed()) {
+        return {PALPATE_TEXT("the surface of %1 is inside out"), name};
+    }
+    const std::vector<geometry::Hole> holes = geometry::holesOf(surface.mesh);
+    if (holes.empty()) {
+        return {PALPATE_TEXT("more than two triangles of %1 meet at an edge"), name};
+    }
+    const auto across_mm = static_cast<int>(std::lround(holes.front().across_mm));
+    return holes.size() == 1 ? core::Message(PALPATE_TEXT("the surface of %1 has a hole of %2 mm"), name, across_mm)
+                             : core::Message(PALPATE_TEXT("the surface of %1 has %2 holes, the largest of %3 mm"), name,
+                                             holes.size(), across_mm);
 }
 
 bool isLumpCandidate(const meshio::SceneStructure& structure)

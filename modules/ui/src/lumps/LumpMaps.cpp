@@ -100,9 +100,18 @@ class LumpMaps::Making
 
     Found run()
     {
-        const auto all = study::organsWithLumps(m_scene);
+        std::vector<core::Message> leftOut;
+        const auto all = study::organsWithLumps(m_scene, {}, &leftOut);
+        if (!leftOut.empty()) {
+            m_found.notes << tr("%n lump(s) left out:", nullptr, static_cast<int>(leftOut.size()));
+            for (const core::Message& one : leftOut) {
+                m_found.notes << translated(one);
+            }
+        }
         if (!all.isOk()) {
-            m_found.notes << tr("No lump was found inside a closed organ.");
+            if (leftOut.empty()) {
+                m_found.notes << tr("No lump was found inside a closed organ.");
+            }
             m_found.isShown = true;
             return std::move(m_found);
         }
