@@ -120,9 +120,10 @@ function(palpate_add_to_library library module)
     set_target_properties(${target} PROPERTIES OUTPUT_NAME palpate-${library} EXPORT_NAME ${library}_library
       VERSION ${PROJECT_VERSION} SOVERSION ${compatible} LINKER_LANGUAGE CXX)
     # Symbols carry the version, so that two versions in one process stay apart, and calls within the library are direct.
-    # GCC 12 does not hide functions with target_clones, which haptics has.
+    # Hidden besides what visibility hides: functions with target_clones, which GCC 12 exports, instances of templates
+    # for internal types, and those of the standard library.
     file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${target}.map
-      "PALPATE_${compatible} { global: *; local: extern \"C++\" { palpate::haptics::internal::*; }; };\n")
+      "PALPATE_${compatible} { global: *; local: extern \"C++\" { *palpate::haptics::internal*; std::*; }; };\n")
     target_link_options(${target} PRIVATE -Wl,--version-script=${CMAKE_CURRENT_BINARY_DIR}/${target}.map
       -Wl,--no-undefined -Wl,-Bsymbolic-functions
       $<TARGET_PROPERTY:palpate_flags,INTERFACE_LINK_OPTIONS>)

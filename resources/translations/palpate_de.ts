@@ -4303,10 +4303,6 @@
         <translation>er ist weiter als 10 km vom Ursprung entfernt</translation>
     </message>
     <message>
-        <source>its coordinates are not numbers</source>
-        <translation>seine Koordinaten sind keine Zahlen</translation>
-    </message>
-    <message>
         <source>all triangles have zero area (number of triangles: %1)</source>
         <translation>keines der Dreiecke hat eine Fläche (Anzahl der Dreiecke: %1)</translation>
     </message>
@@ -4553,10 +4549,6 @@
     <message>
         <source>header: file of the voxels</source>
         <translation>Kopf: Datei der Voxel</translation>
-    </message>
-    <message>
-        <source>a file in the folder of the header</source>
-        <translation>eine Datei im Ordner des Kopfes</translation>
     </message>
     <message>
         <source>%1 of %2 bytes of voxels</source>
@@ -4809,6 +4801,26 @@
     <message>
         <source>found %1 values for %2 vertices and %3 points, expected one for each vertex of a surface from surfaceOf</source>
         <translation>%1 Werte für %2 Eckpunkte und %3 Punkte gefunden, erwartet einer je Eckpunkt einer Oberfläche von surfaceOf</translation>
+    </message>
+    <message>
+        <source>%1 is not what the generator makes</source>
+        <translation>%1 ist nicht, was der Generator erzeugt</translation>
+    </message>
+    <message>
+        <source>%1: tick %2 is not what the generator makes</source>
+        <translation>%1: Takt %2 ist nicht, was der Generator erzeugt</translation>
+    </message>
+    <message>
+        <source>its coordinates are not finite numbers</source>
+        <translation>seine Koordinaten sind keine endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>%1: the recording holds no tick; there is nothing to play</source>
+        <translation>%1: die Aufzeichnung enthält keinen Takt; es gibt nichts abzuspielen</translation>
+    </message>
+    <message>
+        <source>%1 includes what it encloses, %2 voxels of other labels</source>
+        <translation>%1 enthält, was es umschließt: %2 Voxel anderer Labels</translation>
     </message>
 </context>
 <context>

@@ -2300,7 +2300,7 @@
     </message>
     <message>
         <source>nothing lies in another structure: all is in one layer</source>
-        <translation>rien n’est dans une autre structure : tout est dans une seule couche</translation>
+        <translation>rien n’est dans une autre structure&#x202f;: tout est dans une seule couche</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
@@ -2312,31 +2312,31 @@
     </message>
     <message>
         <source>the steps of %1 are felt, with forces that are wrong by a multiple: --smooth smooths them</source>
-        <translation>les marches de %1 se sentent, avec des forces fausses d’un multiple : --smooth les lisse</translation>
+        <translation>les marches de %1 se sentent, avec des forces fausses d’un multiple&#x202f;: --smooth les lisse</translation>
     </message>
     <message>
         <source>1 surface is inside out and felt from within only: %1; --outwards turns closed surfaces outwards</source>
-        <translation>1 surface est à l’envers et ne se sent que de l’intérieur : %1 ; --outwards tourne les surfaces fermées vers l’extérieur</translation>
+        <translation>1 surface est à l’envers et ne se sent que de l’intérieur&#x202f;: %1&#x202f;; --outwards tourne les surfaces fermées vers l’extérieur</translation>
     </message>
     <message>
         <source>%1 surfaces are inside out and felt from within only: %2; --outwards turns closed surfaces outwards</source>
-        <translation>%1 surfaces sont à l’envers et ne se sentent que de l’intérieur : %2 ; --outwards tourne les surfaces fermées vers l’extérieur</translation>
+        <translation>%1 surfaces sont à l’envers et ne se sentent que de l’intérieur&#x202f;: %2&#x202f;; --outwards tourne les surfaces fermées vers l’extérieur</translation>
     </message>
     <message>
         <source>%1: found %2, expected 0 to %3 %4</source>
-        <translation>%1 : trouvé %2, attendu 0 à %3 %4</translation>
+        <translation>%1&#x202f;: trouvé %2, attendu 0 à %3 %4</translation>
     </message>
     <message>
         <source>friction_dynamic: found %1, expected at most %2 (friction_static)</source>
-        <translation>friction_dynamic : trouvé %1, attendu au plus %2 (friction_static)</translation>
+        <translation>friction_dynamic&#x202f;: trouvé %1, attendu au plus %2 (friction_static)</translation>
     </message>
     <message>
         <source>1 value of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
-        <translation>1 valeur de tableau différait de plus de 10 % d’une autre au même sommet : la moyenne est prise</translation>
+        <translation>1 valeur de tableau différait de plus de 10 % d’une autre au même sommet&#x202f;: la moyenne est prise</translation>
     </message>
     <message>
         <source>%1 values of arrays differed by more than 10 % from another at the same vertex: the mean is used</source>
-        <translation>%1 valeurs de tableaux différaient de plus de 10 % d’une autre au même sommet : la moyenne est prise</translation>
+        <translation>%1 valeurs de tableaux différaient de plus de 10&#x202f;% d’une autre au même sommet&#x202f;: la moyenne est prise</translation>
     </message>
     <message>
         <source>1 triangle without area left out</source>
@@ -2364,11 +2364,11 @@
     </message>
     <message>
         <source>1 open edge: the surface has holes or a rim</source>
-        <translation>1 arête ouverte : la surface a des trous ou un bord</translation>
+        <translation>1 arête ouverte&#x202f;: la surface a des trous ou un bord</translation>
     </message>
     <message>
         <source>%1 open edges: the surface has holes or a rim</source>
-        <translation>%1 arêtes ouvertes : la surface a des trous ou un bord</translation>
+        <translation>%1 arêtes ouvertes&#x202f;: la surface a des trous ou un bord</translation>
     </message>
     <message>
         <source>1 edge shared by more than two triangles</source>
@@ -2396,11 +2396,11 @@
     </message>
     <message>
         <source>1 closed part looks inside out: touched from within only, unless turned outwards</source>
-        <translation>1 partie fermée semble à l’envers : touchée de l’intérieur seulement, sauf si elle est retournée</translation>
+        <translation>1 partie fermée semble à l’envers&#x202f;: touchée de l’intérieur seulement, sauf si elle est retournée</translation>
     </message>
     <message>
         <source>%1 closed parts look inside out: touched from within only, unless turned outwards</source>
-        <translation>%1 parties fermées semblent à l’envers : touchées de l’intérieur seulement, sauf si elles sont retournées</translation>
+        <translation>%1 parties fermées semblent à l’envers&#x202f;: touchées de l’intérieur seulement, sauf si elles sont retournées</translation>
     </message>
     <message>
         <source>1 closed part was inside out and turned to face outwards</source>
@@ -2436,7 +2436,7 @@
     </message>
     <message>
         <source>vertex %1 has the coordinate %2 mm, expected at most %3 mm; check the unit</source>
-        <translation>le sommet %1 a la coordonnée %2 mm, attendu au plus %3 mm ; vérifiez l’unité</translation>
+        <translation>le sommet %1 a la coordonnée %2 mm, attendu au plus %3 mm&#x202f;; vérifiez l’unité</translation>
     </message>
     <message>
         <source>array %1 has %2 values, expected %3</source>
@@ -2444,11 +2444,11 @@
     </message>
     <message>
         <source>weldWithin_mm: found %1, expected 0 to %2 mm</source>
-        <translation>weldWithin_mm : trouvé %1, attendu 0 à %2 mm</translation>
+        <translation>weldWithin_mm&#x202f;: trouvé %1, attendu 0 à %2 mm</translation>
     </message>
     <message>
         <source>none of the %1 triangles has an area; check the unit, expected mm</source>
-        <translation>aucun des %1 triangles n’a d’aire ; vérifiez l’unité, attendu mm</translation>
+        <translation>aucun des %1 triangles n’a d’aire&#x202f;; vérifiez l’unité, attendu mm</translation>
     </message>
     <message>
         <source>found structure %1, expected a number below %2</source>
@@ -2460,11 +2460,11 @@
     </message>
     <message>
         <source>fingertip: found a radius of %1, expected 0 to %2 mm</source>
-        <translation>bout du doigt : rayon %1 trouvé, attendu 0 à %2 mm</translation>
+        <translation>bout du doigt&#x202f;: rayon %1 trouvé, attendu 0 à %2 mm</translation>
     </message>
     <message>
         <source>structure %1 (%2): found no surface, expected at least one triangle</source>
-        <translation>structure %1 (%2) : aucune surface trouvée, attendu au moins un triangle</translation>
+        <translation>structure %1 (%2)&#x202f;: aucune surface trouvée, attendu au moins un triangle</translation>
     </message>
     <message>
         <source>found %1</source>
@@ -2532,7 +2532,7 @@
     </message>
     <message>
         <source>%1; --partial opens the complete triangles</source>
-        <translation>%1 ; --partial ouvre les triangles complets</translation>
+        <translation>%1&#x202f;; --partial ouvre les triangles complets</translation>
     </message>
     <message>
         <source>0 triangles</source>
@@ -2544,7 +2544,7 @@
     </message>
     <message>
         <source>the last line, &quot;endsolid&quot;, is missing: if the file was cut off there, triangles are missing</source>
-        <translation>la dernière ligne, « endsolid », manque : si le fichier a été coupé là, des triangles manquent</translation>
+        <translation>la dernière ligne, «&#x202f;endsolid&#x202f;», manque&#x202f;: si le fichier a été coupé là, des triangles manquent</translation>
     </message>
     <message>
         <source>everything after the first triangle is lost</source>
@@ -2556,19 +2556,19 @@
     </message>
     <message>
         <source>a cell of VTK&apos;s type %1: not a surface, but a volume mesh or curved cells</source>
-        <translation>une cellule de type VTK %1 : non pas une surface, mais un maillage volumique ou des cellules courbes</translation>
+        <translation>une cellule de type VTK %1&#x202f;: non pas une surface, mais un maillage volumique ou des cellules courbes</translation>
     </message>
     <message>
         <source>number of corners of a cell of VTK&apos;s type %1: %2</source>
-        <translation>nombre de sommets d’une cellule de type VTK %1 : %2</translation>
+        <translation>nombre de sommets d’une cellule de type VTK %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>triangles and quadrilaterals: extract the surface first (ParaView: Extract Surface)</source>
-        <translation>des triangles et des quadrilatères : extraire d’abord la surface (ParaView : Extract Surface)</translation>
+        <translation>des triangles et des quadrilatères&#x202f;: extraire d’abord la surface (ParaView&#x202f;: Extract Surface)</translation>
     </message>
     <message>
         <source>vertices and lines left out: %1</source>
-        <translation>points et lignes omis : %1</translation>
+        <translation>points et lignes omis&#x202f;: %1</translation>
     </message>
     <message>
         <source>names and colours from the ITK-SNAP label description %1</source>
@@ -2576,11 +2576,11 @@
     </message>
     <message>
         <source>the file has no names: names by the numbers of %1, check them</source>
-        <translation>le fichier n’a pas de noms : noms selon les numéros de %1, à vérifier</translation>
+        <translation>le fichier n’a pas de noms&#x202f;: noms selon les numéros de %1, à vérifier</translation>
     </message>
     <message>
         <source>structures of at most %1 voxels, whose shape is uncertain: %2</source>
-        <translation>structures d’au plus %1 voxels, dont la forme est incertaine : %2</translation>
+        <translation>structures d’au plus %1 voxels, dont la forme est incertaine&#x202f;: %2</translation>
     </message>
     <message>
         <source>no voxels of %1</source>
@@ -2588,7 +2588,7 @@
     </message>
     <message>
         <source>%1: found %2</source>
-        <translation>%1 : trouvé %2</translation>
+        <translation>%1&#x202f;: trouvé %2</translation>
     </message>
     <message>
         <source>a whole number from 0</source>
@@ -2596,7 +2596,7 @@
     </message>
     <message>
         <source>%1: declared %2</source>
-        <translation>%1 : annoncé %2</translation>
+        <translation>%1&#x202f;: annoncé %2</translation>
     </message>
     <message>
         <source>at most %1, one for each byte that follows</source>
@@ -2636,11 +2636,11 @@
     </message>
     <message>
         <source>point %1: %2</source>
-        <translation>point %1 : %2</translation>
+        <translation>point %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1: a point index is missing or not a whole number</source>
-        <translation>%1 : un indice de point manque ou n’est pas un nombre entier</translation>
+        <translation>%1&#x202f;: un indice de point manque ou n’est pas un nombre entier</translation>
     </message>
     <message>
         <source>as many whole numbers as are declared</source>
@@ -2660,11 +2660,11 @@
     </message>
     <message>
         <source>%1: number of corners of cell %2: %3</source>
-        <translation>%1 : nombre de coins de la cellule %2 : %3</translation>
+        <translation>%1&#x202f;: nombre de coins de la cellule %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>%1: the number of corners of cell %2 is missing</source>
-        <translation>%1 : le nombre de coins de la cellule %2 manque</translation>
+        <translation>%1&#x202f;: le nombre de coins de la cellule %2 manque</translation>
     </message>
     <message>
         <source>%1 to %2, as many as the declared values allow</source>
@@ -2672,7 +2672,7 @@
     </message>
     <message>
         <source>%1: number of values: declared %2</source>
-        <translation>%1 : nombre de valeurs : annoncé %2</translation>
+        <translation>%1&#x202f;: nombre de valeurs&#x202f;: annoncé %2</translation>
     </message>
     <message>
         <source>%1, as many as the cells use</source>
@@ -2688,11 +2688,11 @@
     </message>
     <message>
         <source>%1: offset %2 is %3</source>
-        <translation>%1 : le décalage %2 est %3</translation>
+        <translation>%1&#x202f;: le décalage %2 est %3</translation>
     </message>
     <message>
         <source>%1: offset %2 is missing or not a whole number</source>
-        <translation>%1 : le décalage %2 manque ou n’est pas un nombre entier</translation>
+        <translation>%1&#x202f;: le décalage %2 manque ou n’est pas un nombre entier</translation>
     </message>
     <message>
         <source>exactly %1</source>
@@ -2700,7 +2700,7 @@
     </message>
     <message>
         <source>%1: number of corners: declared %2</source>
-        <translation>%1 : nombre de coins : annoncé %2</translation>
+        <translation>%1&#x202f;: nombre de coins&#x202f;: annoncé %2</translation>
     </message>
     <message>
         <source>%1, the last offset</source>
@@ -2724,11 +2724,11 @@
     </message>
     <message>
         <source>%1: a value is missing or not a whole number</source>
-        <translation>%1 : une valeur manque ou n’est pas un nombre entier</translation>
+        <translation>%1&#x202f;: une valeur manque ou n’est pas un nombre entier</translation>
     </message>
     <message>
         <source>length of a text: %1 bytes</source>
-        <translation>longueur d’un texte : %1 octets</translation>
+        <translation>longueur d’un texte&#x202f;: %1 octets</translation>
     </message>
     <message>
         <source>at most %1, the number of bytes that follow</source>
@@ -2748,11 +2748,11 @@
     </message>
     <message>
         <source>array %1: %2</source>
-        <translation>tableau %1 : %2</translation>
+        <translation>tableau %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>number of values: declared %1, of type %2</source>
-        <translation>nombre de valeurs : annoncé %1, de type %2</translation>
+        <translation>nombre de valeurs&#x202f;: annoncé %1, de type %2</translation>
     </message>
     <message>
         <source>a known type and as many numbers as are declared</source>
@@ -2780,7 +2780,7 @@
     </message>
     <message>
         <source>colours not read: those of %1</source>
-        <translation>couleurs non lues : celles de %1</translation>
+        <translation>couleurs non lues&#x202f;: celles de %1</translation>
     </message>
     <message>
         <source>a ZIP archive</source>
@@ -2796,7 +2796,7 @@
     </message>
     <message>
         <source>an SQLite database (a recording?)</source>
-        <translation>une base de données SQLite (un enregistrement ?)</translation>
+        <translation>une base de données SQLite (un enregistrement&#x202f;?)</translation>
     </message>
     <message>
         <source>a DICOM file</source>
@@ -2844,7 +2844,7 @@
     </message>
     <message>
         <source>vertex index %1 (number of vertices so far: %2)</source>
-        <translation>indice de sommet %1 (nombre de sommets jusque-là : %2)</translation>
+        <translation>indice de sommet %1 (nombre de sommets jusque-là&#x202f;: %2)</translation>
     </message>
     <message>
         <source>indices from 1, or negative indices that count back from the last vertex</source>
@@ -2876,23 +2876,23 @@
     </message>
     <message>
         <source>colours not read: those of its material</source>
-        <translation>couleurs non lues : celles du matériau</translation>
+        <translation>couleurs non lues&#x202f;: celles du matériau</translation>
     </message>
     <message>
         <source>colours not read: those of its %1 materials</source>
-        <translation>couleurs non lues : celles des %1 matériaux</translation>
+        <translation>couleurs non lues&#x202f;: celles des %1 matériaux</translation>
     </message>
     <message>
         <source>number of line, point and curve elements that are ignored: %1</source>
-        <translation>nombre d’éléments de ligne, de point et de courbe ignorés : %1</translation>
+        <translation>nombre d’éléments de ligne, de point et de courbe ignorés&#x202f;: %1</translation>
     </message>
     <message>
         <source>colours not read: those of its vertices</source>
-        <translation>couleurs non lues : celles des sommets</translation>
+        <translation>couleurs non lues&#x202f;: celles des sommets</translation>
     </message>
     <message>
         <source>the file ends in a line; that line is lost</source>
-        <translation>le fichier finit au milieu d’une ligne ; cette ligne est perdue</translation>
+        <translation>le fichier finit au milieu d’une ligne&#x202f;; cette ligne est perdue</translation>
     </message>
     <message>
         <source>a mesh saved as STL, PLY, OBJ or VTK (MeshLab or Blender convert it)</source>
@@ -2900,7 +2900,7 @@
     </message>
     <message>
         <source>a mesh in VTK format: convert it with FreeSurfer&apos;s mris_convert to a name that ends in .vtk</source>
-        <translation>un maillage au format VTK : le convertir avec mris_convert de FreeSurfer en un fichier dont le nom finit par .vtk</translation>
+        <translation>un maillage au format VTK&#x202f;: le convertir avec mris_convert de FreeSurfer en un fichier dont le nom finit par .vtk</translation>
     </message>
     <message>
         <source>an AppleDouble file, in which macOS keeps the attributes of another file</source>
@@ -2908,7 +2908,7 @@
     </message>
     <message>
         <source>the file of the same name without &quot;._&quot;</source>
-        <translation>le fichier du même nom sans « ._ »</translation>
+        <translation>le fichier du même nom sans «&#x202f;._&#x202f;»</translation>
     </message>
     <message>
         <source>a FreeSurfer surface</source>
@@ -2920,7 +2920,7 @@
     </message>
     <message>
         <source>the mesh itself: unpack it first (gunzip)</source>
-        <translation>le maillage lui-même : le décompresser d’abord (gunzip)</translation>
+        <translation>le maillage lui-même&#x202f;: le décompresser d’abord (gunzip)</translation>
     </message>
     <message>
         <source>a glTF file</source>
@@ -2944,7 +2944,7 @@
     </message>
     <message>
         <source>its surface saved as VTK or STL (Gmsh: Export)</source>
-        <translation>sa surface enregistrée en VTK ou STL (Gmsh : Export)</translation>
+        <translation>sa surface enregistrée en VTK ou STL (Gmsh&#x202f;: Export)</translation>
     </message>
     <message>
         <source>a VRML file</source>
@@ -2956,7 +2956,7 @@
     </message>
     <message>
         <source>a mesh made of it (FreeCAD: Export as STL)</source>
-        <translation>un maillage qui en est tiré (FreeCAD : exporter en STL)</translation>
+        <translation>un maillage qui en est tiré (FreeCAD&#x202f;: exporter en STL)</translation>
     </message>
     <message>
         <source>a GIFTI surface</source>
@@ -2968,7 +2968,7 @@
     </message>
     <message>
         <source>the files of its models, which are beside the scene: open them or their folder</source>
-        <translation>les fichiers de ses modèles, à côté de la scène : ouvrir ceux-ci ou leur dossier</translation>
+        <translation>les fichiers de ses modèles, à côté de la scène&#x202f;: ouvrir ceux-ci ou leur dossier</translation>
     </message>
     <message>
         <source>an AMF file</source>
@@ -3008,11 +3008,11 @@
     </message>
     <message>
         <source>vertex %1: %2</source>
-        <translation>sommet %1 : %2</translation>
+        <translation>sommet %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>number of corners of face %1: %2</source>
-        <translation>nombre de coins de la face %1 : %2</translation>
+        <translation>nombre de coins de la face %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>face %1 uses vertex %2</source>
@@ -3024,7 +3024,7 @@
     </message>
     <message>
         <source>element %1 %2: length of a list: %3</source>
-        <translation>élément %1 %2 : longueur d’une liste : %3</translation>
+        <translation>élément %1 %2&#x202f;: longueur d’une liste&#x202f;: %3</translation>
     </message>
     <message>
         <source>header</source>
@@ -3052,7 +3052,7 @@
     </message>
     <message>
         <source>number of vertices: %1, of faces: %2</source>
-        <translation>nombre de sommets : %1, de faces : %2</translation>
+        <translation>nombre de sommets&#x202f;: %1, de faces&#x202f;: %2</translation>
     </message>
     <message>
         <source>at most %1 of each</source>
@@ -3076,11 +3076,11 @@
     </message>
     <message>
         <source>lines with more numbers than the header declares: %1; the surplus is left out</source>
-        <translation>lignes avec plus de nombres que n’en annonce l’en-tête : %1 ; le surplus est omis</translation>
+        <translation>lignes avec plus de nombres que n’en annonce l’en-tête&#x202f;: %1&#x202f;; le surplus est omis</translation>
     </message>
     <message>
         <source>the file ends there: %1 of %2 faces lost</source>
-        <translation>le fichier finit là : %1 faces sur %2 perdues</translation>
+        <translation>le fichier finit là&#x202f;: %1 faces sur %2 perdues</translation>
     </message>
     <message>
         <source>the format %1</source>
@@ -3100,7 +3100,7 @@
     </message>
     <message>
         <source>lines of the header that are none of PLY left out: %1</source>
-        <translation>lignes d’en-tête étrangères à PLY, omises : %1</translation>
+        <translation>lignes d’en-tête étrangères à PLY, omises&#x202f;: %1</translation>
     </message>
     <message>
         <source>the header has no line %1</source>
@@ -3116,11 +3116,11 @@
     </message>
     <message>
         <source>colours not read: those of its elements %1</source>
-        <translation>couleurs non lues : celles des éléments %1</translation>
+        <translation>couleurs non lues&#x202f;: celles des éléments %1</translation>
     </message>
     <message>
         <source>number of elements %1: declared %2</source>
-        <translation>nombre d’éléments %1 : annoncé %2</translation>
+        <translation>nombre d’éléments %1&#x202f;: annoncé %2</translation>
     </message>
     <message>
         <source>at most %1, as many as the %2 bytes that follow can hold</source>
@@ -3128,19 +3128,19 @@
     </message>
     <message>
         <source>coordinates are not numbers in %1 of %2 triangles (first: triangle %3)</source>
-        <translation>des coordonnées ne sont pas des nombres dans %1 triangles sur %2 (premier : triangle %3)</translation>
+        <translation>des coordonnées ne sont pas des nombres dans %1 triangles sur %2 (premier&#x202f;: triangle %3)</translation>
     </message>
     <message>
         <source>coordinates are farther than 10 km from the origin in %1 of %2 triangles (first: triangle %3)</source>
-        <translation>des coordonnées sont à plus de 10 km de l’origine dans %1 triangles sur %2 (premier : triangle %3)</translation>
+        <translation>des coordonnées sont à plus de 10 km de l’origine dans %1 triangles sur %2 (premier&#x202f;: triangle %3)</translation>
     </message>
     <message>
         <source>coordinates are not numbers, or farther than 10 km from the origin, in %1 of %2 triangles (first: triangle %3)</source>
-        <translation>des coordonnées ne sont pas des nombres, ou sont à plus de 10 km de l’origine, dans %1 triangles sur %2 (premier : triangle %3)</translation>
+        <translation>des coordonnées ne sont pas des nombres, ou sont à plus de 10 km de l’origine, dans %1 triangles sur %2 (premier&#x202f;: triangle %3)</translation>
     </message>
     <message>
         <source>the count of triangles in the header, 0, is wrong: the size of the file says %1</source>
-        <translation>le nombre de triangles de l’en-tête, 0, est faux : d’après la taille du fichier, il y en a %1</translation>
+        <translation>le nombre de triangles de l’en-tête, 0, est faux&#x202f;: d’après la taille du fichier, il y en a %1</translation>
     </message>
     <message>
         <source>the last triangle is whole, but the attribute behind it is cut off</source>
@@ -3148,11 +3148,11 @@
     </message>
     <message>
         <source>the file ends there: %1 of %2 triangles lost</source>
-        <translation>le fichier finit là : %1 triangles sur %2 perdus</translation>
+        <translation>le fichier finit là&#x202f;: %1 triangles sur %2 perdus</translation>
     </message>
     <message>
         <source>cut off: the binary STL declares %1 triangles, but the %2 bytes hold %3</source>
-        <translation>coupé : le STL binaire annonce %1 triangles, mais les %2 octets en contiennent %3</translation>
+        <translation>coupé&#x202f;: le STL binaire annonce %1 triangles, mais les %2 octets en contiennent %3</translation>
     </message>
     <message>
         <source>%1 bytes</source>
@@ -3160,15 +3160,15 @@
     </message>
     <message>
         <source>%1 bytes; --partial opens the first %2 of %3 triangles</source>
-        <translation>%1 octets ; --partial ouvre les %2 premiers des %3 triangles</translation>
+        <translation>%1 octets&#x202f;; --partial ouvre les %2 premiers des %3 triangles</translation>
     </message>
     <message>
         <source>number of triangles of the binary STL: declared %1, but the %2 bytes hold %3</source>
-        <translation>nombre de triangles du STL binaire : annoncé %1, mais les %2 octets en contiennent %3</translation>
+        <translation>nombre de triangles du STL binaire&#x202f;: annoncé %1, mais les %2 octets en contiennent %3</translation>
     </message>
     <message>
         <source>colours not read: those of %1 of the triangles, as a structure has one colour</source>
-        <translation>couleurs non lues : celles de %1 des triangles, car une structure a une seule couleur</translation>
+        <translation>couleurs non lues&#x202f;: celles de %1 des triangles, car une structure a une seule couleur</translation>
     </message>
     <message>
         <source>the file ends in the STL header</source>
@@ -3192,7 +3192,7 @@
     </message>
     <message>
         <source>size of its data: %1 bytes</source>
-        <translation>taille de ses données : %1 octets</translation>
+        <translation>taille de ses données&#x202f;: %1 octets</translation>
     </message>
     <message>
         <source>a multiple of %1 bytes</source>
@@ -3208,11 +3208,11 @@
     </message>
     <message>
         <source>number of values: %1</source>
-        <translation>nombre de valeurs : %1</translation>
+        <translation>nombre de valeurs&#x202f;: %1</translation>
     </message>
     <message>
         <source>number of points: declared %1, but there is no array of points</source>
-        <translation>nombre de points : annoncé %1, mais il n’y a pas de tableau de points</translation>
+        <translation>nombre de points&#x202f;: annoncé %1, mais il n’y a pas de tableau de points</translation>
     </message>
     <message>
         <source>an array of points</source>
@@ -3220,7 +3220,7 @@
     </message>
     <message>
         <source>number of components: %1</source>
-        <translation>nombre de composantes : %1</translation>
+        <translation>nombre de composantes&#x202f;: %1</translation>
     </message>
     <message>
         <source>its compressed data are damaged</source>
@@ -3232,7 +3232,7 @@
     </message>
     <message>
         <source>%1: declared %2 cells, but an array is missing</source>
-        <translation>%1 : %2 cellules annoncées, mais un tableau manque</translation>
+        <translation>%1&#x202f;: %2 cellules annoncées, mais un tableau manque</translation>
     </message>
     <message>
         <source>the arrays %1 and %2</source>
@@ -3268,7 +3268,7 @@
     </message>
     <message>
         <source>number of tuples: declared %1, of components in each: %2</source>
-        <translation>nombre de tuples : annoncé %1, de composantes dans chacun : %2</translation>
+        <translation>nombre de tuples&#x202f;: annoncé %1, de composantes dans chacun&#x202f;: %2</translation>
     </message>
     <message>
         <source>exactly %1 values, as many as it contains</source>
@@ -3280,11 +3280,11 @@
     </message>
     <message>
         <source>colours not read: the array %1 of its points</source>
-        <translation>couleurs non lues : le tableau %1 des points</translation>
+        <translation>couleurs non lues&#x202f;: le tableau %1 des points</translation>
     </message>
     <message>
         <source>colours not read: the array %1 of its polygons</source>
-        <translation>couleurs non lues : le tableau %1 des polygones</translation>
+        <translation>couleurs non lues&#x202f;: le tableau %1 des polygones</translation>
     </message>
     <message>
         <source>%1, one for each point</source>
@@ -3300,11 +3300,11 @@
     </message>
     <message>
         <source>number of elements: declared %1</source>
-        <translation>nombre d’éléments : annoncé %1</translation>
+        <translation>nombre d’éléments&#x202f;: annoncé %1</translation>
     </message>
     <message>
         <source>number of points: %1, of polygons and strips: %2</source>
-        <translation>nombre de points : %1, de polygones et de bandes : %2</translation>
+        <translation>nombre de points&#x202f;: %1, de polygones et de bandes&#x202f;: %2</translation>
     </message>
     <message>
         <source>the cells have no types</source>
@@ -3316,7 +3316,7 @@
     </message>
     <message>
         <source>number of points: %1</source>
-        <translation>nombre de points : %1</translation>
+        <translation>nombre de points&#x202f;: %1</translation>
     </message>
     <message>
         <source>the file ends in the header of its data</source>
@@ -3324,7 +3324,7 @@
     </message>
     <message>
         <source>size of its data: declared %1 bytes</source>
-        <translation>taille de ses données : annoncé %1 octets</translation>
+        <translation>taille de ses données&#x202f;: annoncé %1 octets</translation>
     </message>
     <message>
         <source>at most %1, the number of characters that follow</source>
@@ -3332,7 +3332,7 @@
     </message>
     <message>
         <source>block %1 reaches beyond the end of the file; its size is %2 bytes</source>
-        <translation>le bloc %1 dépasse la fin du fichier ; sa taille est de %2 octets</translation>
+        <translation>le bloc %1 dépasse la fin du fichier&#x202f;; sa taille est de %2 octets</translation>
     </message>
     <message>
         <source>at most %1 bytes</source>
@@ -3340,7 +3340,7 @@
     </message>
     <message>
         <source>block %1: declared sizes are %2 bytes compressed and %3 bytes decompressed</source>
-        <translation>bloc %1 : les tailles annoncées sont %2 octets compressés et %3 octets décompressés</translation>
+        <translation>bloc %1&#x202f;: les tailles annoncées sont %2 octets compressés et %3 octets décompressés</translation>
     </message>
     <message>
         <source>at most %1 bytes decompressed</source>
@@ -3348,7 +3348,7 @@
     </message>
     <message>
         <source>number of blocks: declared %1</source>
-        <translation>nombre de blocs : annoncé %1</translation>
+        <translation>nombre de blocs&#x202f;: annoncé %1</translation>
     </message>
     <message>
         <source>at most %1, the number of header words that follow</source>
@@ -3416,7 +3416,7 @@
     </message>
     <message>
         <source>invalid XML: %1</source>
-        <translation>XML non valide : %1</translation>
+        <translation>XML non valide&#x202f;: %1</translation>
     </message>
     <message>
         <source>well-formed XML to the end of the file</source>
@@ -3448,11 +3448,11 @@
     </message>
     <message>
         <source>not enough memory to read it: %1</source>
-        <translation>pas assez de mémoire pour le lire : %1</translation>
+        <translation>pas assez de mémoire pour le lire&#x202f;: %1</translation>
     </message>
     <message>
         <source>cannot be read: %1</source>
-        <translation>ne peut pas être lu : %1</translation>
+        <translation>ne peut pas être lu&#x202f;: %1</translation>
     </message>
     <message>
         <source>the file became shorter while it was read</source>
@@ -3464,7 +3464,7 @@
     </message>
     <message>
         <source>cannot be opened: %1</source>
-        <translation>ne peut pas être ouvert : %1</translation>
+        <translation>ne peut pas être ouvert&#x202f;: %1</translation>
     </message>
     <message>
         <source>is a folder</source>
@@ -3480,19 +3480,19 @@
     </message>
     <message>
         <source>the frame SPACE=%1 is not used: expected LPS or RAS</source>
-        <translation>le repère SPACE=%1 n’est pas utilisé ; attendu LPS ou RAS</translation>
+        <translation>le repère SPACE=%1 n’est pas utilisé&#x202f;; attendu LPS ou RAS</translation>
     </message>
     <message>
         <source>SCALE=%1 in the header is not used: expected %2 to %3</source>
-        <translation>SCALE=%1 dans l’en-tête n’est pas utilisé ; attendu %2 à %3</translation>
+        <translation>SCALE=%1 dans l’en-tête n’est pas utilisé&#x202f;; attendu %2 à %3</translation>
     </message>
     <message>
         <source>1 vertex without finite coordinates left out: no face uses it</source>
-        <translation>1 sommet sans coordonnées finies omis : aucune face ne l’utilise</translation>
+        <translation>1 sommet sans coordonnées finies omis&#x202f;: aucune face ne l’utilise</translation>
     </message>
     <message>
         <source>%1 vertices without finite coordinates left out: no face uses them</source>
-        <translation>%1 sommets sans coordonnées finies omis : aucune face ne les utilise</translation>
+        <translation>%1 sommets sans coordonnées finies omis&#x202f;: aucune face ne les utilise</translation>
     </message>
     <message>
         <source>1 face of fewer than 3 corners left out</source>
@@ -3520,11 +3520,11 @@
     </message>
     <message>
         <source>0 faces, but %1 points: a point cloud</source>
-        <translation>0 face, mais %1 points : un nuage de points</translation>
+        <translation>0 face, mais %1 points&#x202f;: un nuage de points</translation>
     </message>
     <message>
         <source>a surface: reconstruct one first (MeshLab: Screened Poisson)</source>
-        <translation>une surface : en reconstruire une d’abord (MeshLab : Screened Poisson)</translation>
+        <translation>une surface&#x202f;: en reconstruire une d’abord (MeshLab&#x202f;: Screened Poisson)</translation>
     </message>
     <message>
         <source>a coordinate is not a finite number (%1)</source>
@@ -3536,11 +3536,11 @@
     </message>
     <message>
         <source>header: %1</source>
-        <translation>en-tête : %1</translation>
+        <translation>en-tête&#x202f;: %1</translation>
     </message>
     <message>
         <source>header: the file of its voxels</source>
-        <translation>en-tête : le fichier de ses voxels</translation>
+        <translation>en-tête&#x202f;: le fichier de ses voxels</translation>
     </message>
     <message>
         <source>an empty LIST</source>
@@ -3688,7 +3688,7 @@
     </message>
     <message>
         <source>the XML is broken: %1</source>
-        <translation>le XML est défectueux : %1</translation>
+        <translation>le XML est défectueux&#x202f;: %1</translation>
     </message>
     <message>
         <source>well-formed XML to the end</source>
@@ -3696,7 +3696,7 @@
     </message>
     <message>
         <source>a label map: whole numbers from 0, one for each structure. As a map of stiffness, a volume is named in a scene (maps.md)</source>
-        <translation>une carte d’étiquettes : des nombres entiers à partir de 0, un par structure. Comme carte de raideur, un volume est nommé dans une scène (maps.md)</translation>
+        <translation>une carte d’étiquettes&#x202f;: des nombres entiers à partir de 0, un par structure. Comme carte de raideur, un volume est nommé dans une scène (maps.md)</translation>
     </message>
     <message>
         <source>a %1 volume with more than %2 intensities, not labels</source>
@@ -3716,7 +3716,7 @@
     </message>
     <message>
         <source>a %1 volume without labels: every voxel is 0</source>
-        <translation>un volume %1 sans étiquettes : chaque voxel vaut 0</translation>
+        <translation>un volume %1 sans étiquettes&#x202f;: chaque voxel vaut 0</translation>
     </message>
     <message>
         <source>at least one voxel with a label</source>
@@ -3784,7 +3784,7 @@
     </message>
     <message>
         <source>the process to read it could not be started: %1</source>
-        <translation>le processus qui devait le lire n’a pas pu démarrer : %1</translation>
+        <translation>le processus qui devait le lire n’a pas pu démarrer&#x202f;: %1</translation>
     </message>
     <message>
         <source>reading it took more than %1 s</source>
@@ -3832,11 +3832,11 @@
     </message>
     <message>
         <source>SCALE=%1 in the header: a unit of the file is taken as %2 mm</source>
-        <translation>SCALE=%1 dans l’en-tête : une unité du fichier est prise comme %2 mm</translation>
+        <translation>SCALE=%1 dans l’en-tête&#x202f;: une unité du fichier est prise comme %2 mm</translation>
     </message>
     <message>
         <source>SCALE=%1 in the header: not used, because the unit was given</source>
-        <translation>SCALE=%1 dans l’en-tête : non utilisé, car l’unité était donnée</translation>
+        <translation>SCALE=%1 dans l’en-tête&#x202f;: non utilisé, car l’unité était donnée</translation>
     </message>
     <message>
         <source>unit</source>
@@ -3856,7 +3856,7 @@
     </message>
     <message>
         <source>number of corners: %1</source>
-        <translation>nombre de coins : %1</translation>
+        <translation>nombre de coins&#x202f;: %1</translation>
     </message>
     <message>
         <source>it uses point %1</source>
@@ -3864,11 +3864,11 @@
     </message>
     <message>
         <source>at most %1 arrays of the points are used; number of arrays left out: %2</source>
-        <translation>au plus %1 tableaux des points sont utilisés ; nombre de tableaux laissés de côté : %2</translation>
+        <translation>au plus %1 tableaux des points sont utilisés&#x202f;; nombre de tableaux laissés de côté&#x202f;: %2</translation>
     </message>
     <message>
         <source>at most %1 arrays of the polygons are used; number of arrays left out: %2</source>
-        <translation>au plus %1 tableaux des polygones sont utilisés ; nombre de tableaux laissés de côté : %2</translation>
+        <translation>au plus %1 tableaux des polygones sont utilisés&#x202f;; nombre de tableaux laissés de côté&#x202f;: %2</translation>
     </message>
     <message>
         <source>one polygon has no simple outline</source>
@@ -3920,7 +3920,7 @@
     </message>
     <message>
         <source>a volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz</source>
-        <translation>un volume : .vti, .mha, .mhd, .nrrd, .nhdr, .nii ou .nii.gz</translation>
+        <translation>un volume&#x202f;: .vti, .mha, .mhd, .nrrd, .nhdr, .nii ou .nii.gz</translation>
     </message>
     <message>
         <source>no numbers</source>
@@ -3944,7 +3944,7 @@
     </message>
     <message>
         <source>VTK could not read it: %1</source>
-        <translation>VTK n’a pas pu le lire : %1</translation>
+        <translation>VTK n’a pas pu le lire&#x202f;: %1</translation>
     </message>
     <message>
         <source>a readable volume</source>
@@ -3976,7 +3976,7 @@
     </message>
     <message>
         <source>number of points read by VTK: %1, of polygons: %2</source>
-        <translation>nombre de points lus par VTK : %1, de polygones : %2</translation>
+        <translation>nombre de points lus par VTK&#x202f;: %1, de polygones&#x202f;: %2</translation>
     </message>
     <message>
         <source>%1 and %2</source>
@@ -3984,7 +3984,7 @@
     </message>
     <message>
         <source>the result of the import process is damaged: %1</source>
-        <translation>le résultat du processus d’importation est endommagé : %1</translation>
+        <translation>le résultat du processus d’importation est endommagé&#x202f;: %1</translation>
     </message>
     <message>
         <source>a result that passed all checks</source>
@@ -4028,7 +4028,7 @@
     </message>
     <message>
         <source>one time step: open the file of that step</source>
-        <translation>un pas de temps : ouvrir le fichier de ce pas</translation>
+        <translation>un pas de temps&#x202f;: ouvrir le fichier de ce pas</translation>
     </message>
     <message>
         <source>it names no files</source>
@@ -4060,11 +4060,11 @@
     </message>
     <message>
         <source>%1: taken as %2, as the scene file says; not as %3</source>
-        <translation>%1 : lu comme %2, comme l’indique le fichier de scène ; pas comme %3</translation>
+        <translation>%1&#x202f;: lu comme %2, comme l’indique le fichier de scène&#x202f;; pas comme %3</translation>
     </message>
     <message>
         <source>the folder cannot be read: %1</source>
-        <translation>le dossier ne peut pas être lu : %1</translation>
+        <translation>le dossier ne peut pas être lu&#x202f;: %1</translation>
     </message>
     <message>
         <source>a folder of meshes</source>
@@ -4080,7 +4080,7 @@
     </message>
     <message>
         <source>%1: changed since the scene was saved: found SHA-256 %2..., expected %3...; opened as it is now</source>
-        <translation>%1 : modifié depuis l’enregistrement de la scène : SHA-256 trouvé : %2..., attendu : %3... ; ouvert dans son état actuel</translation>
+        <translation>%1&#x202f;: modifié depuis l’enregistrement de la scène&#x202f;: SHA-256 trouvé&#x202f;: %2..., attendu&#x202f;: %3...&#x202f;; ouvert dans son état actuel</translation>
     </message>
     <message>
         <source>no structure %1</source>
@@ -4092,39 +4092,39 @@
     </message>
     <message>
         <source>%1: all triangles have zero area (number of triangles: %2); expected at least one with an area</source>
-        <translation>%1 : tous les triangles ont une aire nulle (nombre de triangles : %2) ; attendu : au moins un d’aire non nulle</translation>
+        <translation>%1&#x202f;: tous les triangles ont une aire nulle (nombre de triangles&#x202f;: %2)&#x202f;; attendu&#x202f;: au moins un d’aire non nulle</translation>
     </message>
     <message>
         <source>%1: tagged SPACE=%2, but taken as %3, as was chosen</source>
-        <translation>%1 : étiqueté SPACE=%2, mais lu comme %3, selon le choix fait</translation>
+        <translation>%1&#x202f;: étiqueté SPACE=%2, mais lu comme %3, selon le choix fait</translation>
     </message>
     <message>
         <source>%1: tagged SPACE=RAS: x and y negated to get LPS</source>
-        <translation>%1 : étiqueté SPACE=RAS : signes de x et de y inversés pour obtenir LPS</translation>
+        <translation>%1&#x202f;: étiqueté SPACE=RAS&#x202f;: signes de x et de y inversés pour obtenir LPS</translation>
     </message>
     <message>
         <source>%1 and %2 more files: no SPACE tag: coordinates taken as LPS</source>
-        <translation>%1 et %2 autres fichiers : pas d’étiquette SPACE : coordonnées lues comme LPS</translation>
+        <translation>%1 et %2 autres fichiers&#x202f;: pas d’étiquette SPACE&#x202f;: coordonnées lues comme LPS</translation>
     </message>
     <message>
         <source>%1 and %2: no SPACE tag: coordinates taken as LPS</source>
-        <translation>%1 et %2 : pas d’étiquette SPACE : coordonnées lues comme LPS</translation>
+        <translation>%1 et %2&#x202f;: pas d’étiquette SPACE&#x202f;: coordonnées lues comme LPS</translation>
     </message>
     <message>
         <source>%1: no SPACE tag: coordinates taken as LPS</source>
-        <translation>%1 : pas d’étiquette SPACE : coordonnées lues comme LPS</translation>
+        <translation>%1&#x202f;: pas d’étiquette SPACE&#x202f;: coordonnées lues comme LPS</translation>
     </message>
     <message>
         <source>%1: only %2 units wide, taken as mm; looks like metres: open with --unit m</source>
-        <translation>%1 : large de %2 unités seulement, lues comme des mm ; sans doute des mètres : ouvrir avec --unit m</translation>
+        <translation>%1&#x202f;: large de %2 unités seulement, lues comme des mm&#x202f;; sans doute des mètres&#x202f;: ouvrir avec --unit m</translation>
     </message>
     <message>
         <source>%1: %2 units wide, with units of %3 mm; looks like millimetres: open with --unit mm</source>
-        <translation>%1 : large de %2 unités de %3 mm ; sans doute des millimètres : ouvrir avec --unit mm</translation>
+        <translation>%1&#x202f;: large de %2 unités de %3 mm&#x202f;; sans doute des millimètres&#x202f;: ouvrir avec --unit mm</translation>
     </message>
     <message>
         <source>left out: %1</source>
-        <translation>omis : %1</translation>
+        <translation>omis&#x202f;: %1</translation>
     </message>
     <message>
         <source>not enough memory to open it</source>
@@ -4160,7 +4160,7 @@
     </message>
     <message>
         <source>the unit of the numbers: scale, N_per_mm, young_kPa or shear_kPa</source>
-        <translation>l’unité des nombres : scale, N_per_mm, young_kPa ou shear_kPa</translation>
+        <translation>l’unité des nombres&#x202f;: scale, N_per_mm, young_kPa ou shear_kPa</translation>
     </message>
     <message>
         <source>a unit of `%1`</source>
@@ -4180,7 +4180,7 @@
     </message>
     <message>
         <source>one of the two: a structure felt through its organ has no layer of its own</source>
-        <translation>l’un des deux : une structure sentie à travers son organe n’a pas de couche propre</translation>
+        <translation>l’un des deux&#x202f;: une structure sentie à travers son organe n’a pas de couche propre</translation>
     </message>
     <message>
         <source>its own name</source>
@@ -4232,7 +4232,7 @@
     </message>
     <message>
         <source>the name of one structure: rename the others</source>
-        <translation>le nom d’une seule structure : renommer les autres</translation>
+        <translation>le nom d’une seule structure&#x202f;: renommer les autres</translation>
     </message>
     <message>
         <source>%1, which lies inside %2</source>
@@ -4256,7 +4256,7 @@
     </message>
     <message>
         <source>not smoothed: too small, it would lose more than half of its volume</source>
-        <translation>non lissée : trop petite, elle perdrait plus de la moitié de son volume</translation>
+        <translation>non lissée&#x202f;: trop petite, elle perdrait plus de la moitié de son volume</translation>
     </message>
     <message>
         <source>surface from a label map of %1 × %2 × %3 mm voxels, %4</source>
@@ -4264,35 +4264,35 @@
     </message>
     <message>
         <source>surface from a label map of %1 × %2 × %3 mm voxels, smoothed by %4: at most %5 mm from the voxel boundary</source>
-        <translation>surface d’une carte d’étiquettes à voxels de %1 × %2 × %3 mm, lissée de %4 : à %5 mm au plus de la limite des voxels</translation>
+        <translation>surface d’une carte d’étiquettes à voxels de %1 × %2 × %3 mm, lissée de %4&#x202f;: à %5 mm au plus de la limite des voxels</translation>
     </message>
     <message>
         <source>smoothed: vertices moved by at most %1 mm</source>
-        <translation>lissée : sommets déplacés de %1 mm au plus</translation>
+        <translation>lissée&#x202f;: sommets déplacés de %1 mm au plus</translation>
     </message>
     <message>
         <source>surface from a label map of %1 × %2 × %3 mm voxels, smoothed by %4: volume changed by %5 %, at most %6 mm from the voxel boundary</source>
-        <translation>surface d’une carte d’étiquettes à voxels de %1 × %2 × %3 mm, lissée de %4 : volume modifié de %5 %, à %6 mm au plus de la limite des voxels</translation>
+        <translation>surface d’une carte d’étiquettes à voxels de %1 × %2 × %3 mm, lissée de %4&#x202f;: volume modifié de %5 %, à %6 mm au plus de la limite des voxels</translation>
     </message>
     <message>
         <source>smoothed: vertices moved by at most %1 mm, volume %2 %</source>
-        <translation>lissée : sommets déplacés de %1 mm au plus, volume %2 %</translation>
+        <translation>lissée&#x202f;: sommets déplacés de %1 mm au plus, volume %2 %</translation>
     </message>
     <message>
         <source>curved facets would be %1 triangles, expected at most %2; the surface is felt and drawn as facets</source>
-        <translation>les facettes courbes donneraient %1 triangles, attendu au plus %2 ; la surface est ressentie et dessinée en facettes planes</translation>
+        <translation>les facettes courbes donneraient %1 triangles, attendu au plus %2&#x202f;; la surface est ressentie et dessinée en facettes planes</translation>
     </message>
     <message>
         <source>no facet is curved: all edges are flat or sharp</source>
-        <translation>aucune facette n’est courbée : toutes les arêtes sont planes ou vives</translation>
+        <translation>aucune facette n’est courbée&#x202f;: toutes les arêtes sont planes ou vives</translation>
     </message>
     <message>
         <source>curved facets: %1 triangles instead of %2; facets kept flat, because they would fold: %3</source>
-        <translation>facettes courbes : %1 triangles au lieu de %2 ; facettes laissées planes, car elles se replieraient : %3</translation>
+        <translation>facettes courbes&#x202f;: %1 triangles au lieu de %2&#x202f;; facettes laissées planes, car elles se replieraient&#x202f;: %3</translation>
     </message>
     <message>
         <source>curved facets: %1 triangles instead of %2</source>
-        <translation>facettes courbes : %1 triangles au lieu de %2</translation>
+        <translation>facettes courbes&#x202f;: %1 triangles au lieu de %2</translation>
     </message>
     <message>
         <source>point %1</source>
@@ -4303,12 +4303,8 @@
         <translation>il est à plus de 10 km de l’origine</translation>
     </message>
     <message>
-        <source>its coordinates are not numbers</source>
-        <translation>ses coordonnées ne sont pas des nombres</translation>
-    </message>
-    <message>
         <source>all triangles have zero area (number of triangles: %1)</source>
-        <translation>tous les triangles ont une aire nulle (nombre de triangles : %1)</translation>
+        <translation>tous les triangles ont une aire nulle (nombre de triangles&#x202f;: %1)</translation>
     </message>
     <message>
         <source>at least one with an area</source>
@@ -4316,7 +4312,7 @@
     </message>
     <message>
         <source>a mesh with arrays: this one has none</source>
-        <translation>un maillage avec des tableaux : celui-ci n’en a pas</translation>
+        <translation>un maillage avec des tableaux&#x202f;: celui-ci n’en a pas</translation>
     </message>
     <message>
         <source>the volume</source>
@@ -4324,11 +4320,11 @@
     </message>
     <message>
         <source>%1: %2 has no value at %3 of %4 places, more than a fifth: the structure&apos;s own value is felt there</source>
-        <translation>%1 : %2 n’a pas de valeur en %3 points sur %4, plus d’un cinquième : la valeur propre de la structure s’y sent</translation>
+        <translation>%1&#x202f;: %2 n’a pas de valeur en %3 points sur %4, plus d’un cinquième&#x202f;: la valeur propre de la structure s’y sent</translation>
     </message>
     <message>
         <source>%1: %2 has no value at %3 of %4 places: the structure&apos;s own value is felt there</source>
-        <translation>%1 : %2 n’a pas de valeur en %3 points sur %4 : la valeur propre de la structure s’y sent</translation>
+        <translation>%1&#x202f;: %2 n’a pas de valeur en %3 points sur %4&#x202f;: la valeur propre de la structure s’y sent</translation>
     </message>
     <message>
         <source>no array %1</source>
@@ -4336,11 +4332,11 @@
     </message>
     <message>
         <source>%1; expected %2</source>
-        <translation>%1 ; attendu %2</translation>
+        <translation>%1&#x202f;; attendu %2</translation>
     </message>
     <message>
         <source>%1: %2: %3</source>
-        <translation>%1 : %2 : %3</translation>
+        <translation>%1&#x202f;: %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>line %1</source>
@@ -4360,7 +4356,7 @@
     </message>
     <message>
         <source>%1: %2: found %3, expected %4</source>
-        <translation>%1 : %2 : trouvé : %3, attendu : %4</translation>
+        <translation>%1&#x202f;: %2&#x202f;: trouvé&#x202f;: %3, attendu&#x202f;: %4</translation>
     </message>
     <message>
         <source>a text without the character U+0000</source>
@@ -4424,11 +4420,11 @@
     </message>
     <message>
         <source>True: voxels as binary numbers</source>
-        <translation>True : des voxels en nombres binaires</translation>
+        <translation>True&#x202f;: des voxels en nombres binaires</translation>
     </message>
     <message>
         <source>0: voxels from the first byte on</source>
-        <translation>0 : des voxels dès le premier octet</translation>
+        <translation>0&#x202f;: des voxels dès le premier octet</translation>
     </message>
     <message>
         <source>one file, or uncompressed files in a LIST</source>
@@ -4440,7 +4436,7 @@
     </message>
     <message>
         <source>header: dim</source>
-        <translation>en-tête : dim</translation>
+        <translation>en-tête&#x202f;: dim</translation>
     </message>
     <message>
         <source>%1 axes of %2 × %3 × %4 voxels</source>
@@ -4464,11 +4460,11 @@
     </message>
     <message>
         <source>a single file: save it as .nii or .nii.gz</source>
-        <translation>un seul fichier : enregistrez-le en .nii ou .nii.gz</translation>
+        <translation>un seul fichier&#x202f;: enregistrez-le en .nii ou .nii.gz</translation>
     </message>
     <message>
         <source>header: datatype</source>
-        <translation>en-tête : datatype</translation>
+        <translation>en-tête&#x202f;: datatype</translation>
     </message>
     <message>
         <source>one number for each voxel, as 2 or 4</source>
@@ -4476,7 +4472,7 @@
     </message>
     <message>
         <source>header: vox_offset</source>
-        <translation>en-tête : vox_offset</translation>
+        <translation>en-tête&#x202f;: vox_offset</translation>
     </message>
     <message>
         <source>the byte of the first voxel, %1 or more</source>
@@ -4548,15 +4544,11 @@
     </message>
     <message>
         <source>perpendicular axes: resample the volume first (3D Slicer: Resample Image)</source>
-        <translation>des axes perpendiculaires : rééchantillonnez d’abord le volume (3D Slicer : Resample Image)</translation>
+        <translation>des axes perpendiculaires&#x202f;: rééchantillonnez d’abord le volume (3D Slicer&#x202f;: Resample Image)</translation>
     </message>
     <message>
         <source>header: file of the voxels</source>
-        <translation>en-tête : fichier des voxels</translation>
-    </message>
-    <message>
-        <source>a file in the folder of the header</source>
-        <translation>un fichier dans le dossier de l’en-tête</translation>
+        <translation>en-tête&#x202f;: fichier des voxels</translation>
     </message>
     <message>
         <source>%1 of %2 bytes of voxels</source>
@@ -4580,7 +4572,7 @@
     </message>
     <message>
         <source>number of triangles to write: %1</source>
-        <translation>nombre de triangles à écrire : %1</translation>
+        <translation>nombre de triangles à écrire&#x202f;: %1</translation>
     </message>
     <message>
         <source>structure %1</source>
@@ -4604,11 +4596,11 @@
     </message>
     <message>
         <source>structure %1 (%2) has no surface to embed; pass StructureSource::embed to setScene, or record without surfaces</source>
-        <translation>la structure %1 (%2) n’a pas de surface à intégrer ; passez StructureSource::embed à setScene, ou enregistrez sans surfaces</translation>
+        <translation>la structure %1 (%2) n’a pas de surface à intégrer&#x202f;; passez StructureSource::embed à setScene, ou enregistrez sans surfaces</translation>
     </message>
     <message>
         <source>lumps felt through their organ: %1</source>
-        <translation>nodules sentis à travers leur organe : %1</translation>
+        <translation>nodules sentis à travers leur organe&#x202f;: %1</translation>
     </message>
     <message>
         <source>malignant tumour of the liver</source>
@@ -4688,7 +4680,7 @@
     </message>
     <message>
         <source>%1: the stiffness ratio to %2 is not known, so no verdict is given; expected a ratio, as --ratio &quot;%1=R&quot; or `young_ratio` in a scene file. Published: %3</source>
-        <translation>%1 : le rapport de rigidité à %2 n’est pas connu, donc aucun verdict ; attendu : un rapport, par --ratio &quot;%1=R&quot; ou `young_ratio` dans un fichier de scène. Publié : %3</translation>
+        <translation>%1&#x202f;: le rapport de rigidité à %2 n’est pas connu, donc aucun verdict&#x202f;; attendu&#x202f;: un rapport, par --ratio &quot;%1=R&quot; ou `young_ratio` dans un fichier de scène. Publié&#x202f;: %3</translation>
     </message>
     <message>
         <source>%1 and %2 are the same surface twice</source>
@@ -4696,7 +4688,7 @@
     </message>
     <message>
         <source>%1 lies in %2, which is felt in the last of %3 layers: both are felt in that one</source>
-        <translation>%1 est dans %2, qui se sent dans la dernière des %3 couches : les deux se sentent dans celle-là</translation>
+        <translation>%1 est dans %2, qui se sent dans la dernière des %3 couches&#x202f;: les deux se sentent dans celle-là</translation>
     </message>
     <message>
         <source>%1 lies in %2 and is felt below it</source>
@@ -4704,67 +4696,67 @@
     </message>
     <message>
         <source>%1 seems to lie in %2, whose surface is open or inside out: it is not felt below it</source>
-        <translation>%1 semble être dans %2, dont la surface est ouverte ou retournée : il ne se sent pas dessous</translation>
+        <translation>%1 semble être dans %2, dont la surface est ouverte ou retournée&#x202f;: il ne se sent pas dessous</translation>
     </message>
     <message>
         <source>%1 and %2 come within %3 mm of each other at (%4, %5, %6) without touching: a point falls into the gap, a fingertip of 0.5 mm or more rides over it</source>
-        <translation>%1 et %2 s’approchent à %3 mm en (%4, %5, %6) sans se toucher : un point tombe dans l’interstice, un bout de doigt de 0,5 mm ou plus passe dessus</translation>
+        <translation>%1 et %2 s’approchent à %3 mm en (%4, %5, %6) sans se toucher&#x202f;: un point tombe dans l’interstice, un bout de doigt de 0,5 mm ou plus passe dessus</translation>
     </message>
     <message>
         <source>%1 and %2 touch in one layer and differ %3-fold in stiffness: the force steps at the seam</source>
-        <translation>%1 et %2 se touchent dans une même couche et leurs rigidités diffèrent d’un facteur %3 : la force fait un saut à la jonction</translation>
+        <translation>%1 et %2 se touchent dans une même couche et leurs rigidités diffèrent d’un facteur %3&#x202f;: la force fait un saut à la jonction</translation>
     </message>
     <message>
         <source>%1 lies in %2 and in the same layer: it is never felt; a deeper layer lets it be felt (--layers auto for mesh files, the field layer in a scene file)</source>
-        <translation>%1 est dans %2 et dans la même couche : il ne se sent jamais ; une couche plus profonde le rend palpable (--layers auto pour des maillages, le champ layer dans un fichier de scène)</translation>
+        <translation>%1 est dans %2 et dans la même couche&#x202f;: il ne se sent jamais&#x202f;; une couche plus profonde le rend palpable (--layers auto pour des maillages, le champ layer dans un fichier de scène)</translation>
     </message>
     <message>
         <source>%1 lies in %2 and in the same layer: it is felt only where it reaches out; a deeper layer lets it be felt (--layers auto for mesh files, the field layer in a scene file)</source>
-        <translation>%1 est dans %2 et dans la même couche : il ne se sent que là où il dépasse ; une couche plus profonde le rend palpable (--layers auto pour des maillages, le champ layer dans un fichier de scène)</translation>
+        <translation>%1 est dans %2 et dans la même couche&#x202f;: il ne se sent que là où il dépasse&#x202f;; une couche plus profonde le rend palpable (--layers auto pour des maillages, le champ layer dans un fichier de scène)</translation>
     </message>
     <message>
         <source>%1: %2: %3 (and %4 more)</source>
-        <translation>%1 : %2 : %3 (et %4 de plus)</translation>
+        <translation>%1&#x202f;: %2&#x202f;: %3 (et %4 de plus)</translation>
     </message>
     <message>
         <source>found version %1, expected 1.0: read as far as it is the same</source>
-        <translation>version trouvée : %1, attendue : 1.0 ; lue dans la mesure où elle est identique</translation>
+        <translation>version trouvée&#x202f;: %1, attendue&#x202f;: 1.0&#x202f;; lue dans la mesure où elle est identique</translation>
     </message>
     <message>
         <source>found no version, expected 1.0: read as far as it is the same</source>
-        <translation>aucune version trouvée, attendue : 1.0 ; lue dans la mesure où elle est identique</translation>
+        <translation>aucune version trouvée, attendue&#x202f;: 1.0&#x202f;; lue dans la mesure où elle est identique</translation>
     </message>
     <message>
         <source>found %1, expected a list of points: left out</source>
-        <translation>trouvé : %1, attendu : une liste de points ; laissé de côté</translation>
+        <translation>trouvé&#x202f;: %1, attendu&#x202f;: une liste de points&#x202f;; laissé de côté</translation>
     </message>
     <message>
         <source>found %1, expected LPS or RAS: the list is left out</source>
-        <translation>trouvé : %1, attendu : LPS ou RAS ; la liste est laissée de côté</translation>
+        <translation>trouvé&#x202f;: %1, attendu&#x202f;: LPS ou RAS&#x202f;; la liste est laissée de côté</translation>
     </message>
     <message>
         <source>found another unit, expected mm or um: the list is left out</source>
-        <translation>autre unité trouvée, attendu : mm ou um ; la liste est laissée de côté</translation>
+        <translation>autre unité trouvée, attendu&#x202f;: mm ou um&#x202f;; la liste est laissée de côté</translation>
     </message>
     <message>
         <source>found more than %1 points: left out</source>
-        <translation>plus de %1 points trouvés : laissés de côté</translation>
+        <translation>plus de %1 points trouvés&#x202f;: laissés de côté</translation>
     </message>
     <message>
         <source>found no position: left out</source>
-        <translation>aucune position trouvée : laissé de côté</translation>
+        <translation>aucune position trouvée&#x202f;: laissé de côté</translation>
     </message>
     <message>
         <source>found a coordinate that is not a number within 1e7 mm: left out</source>
-        <translation>coordonnée trouvée qui n’est pas un nombre dans la limite de 1e7 mm : laissée de côté</translation>
+        <translation>coordonnée trouvée qui n’est pas un nombre dans la limite de 1e7 mm&#x202f;: laissée de côté</translation>
     </message>
     <message>
         <source>found a text of %1 characters, expected at most %2: shortened</source>
-        <translation>texte de %1 caractères trouvé, attendu : au plus %2 ; raccourci</translation>
+        <translation>texte de %1 caractères trouvé, attendu&#x202f;: au plus %2&#x202f;; raccourci</translation>
     </message>
     <message>
         <source>%1: found none of the surfaces that it was made on: %2</source>
-        <translation>%1 : aucune des surfaces de son enregistrement n’a été trouvée : %2</translation>
+        <translation>%1&#x202f;: aucune des surfaces de son enregistrement n’a été trouvée&#x202f;: %2</translation>
     </message>
     <message>
         <source>it contains none and names no mesh</source>
@@ -4772,19 +4764,19 @@
     </message>
     <message>
         <source>%1: %2: no such file, neither where it was nor beside the recording</source>
-        <translation>%1 : %2 : fichier introuvable, ni à son ancien emplacement ni à côté de l’enregistrement</translation>
+        <translation>%1&#x202f;: %2&#x202f;: fichier introuvable, ni à son ancien emplacement ni à côté de l’enregistrement</translation>
     </message>
     <message>
         <source>%1: %2: is another surface now than was recorded; opened as it is now</source>
-        <translation>%1 : %2 : n’est plus la surface de l’enregistrement ; ouverte dans son état actuel</translation>
+        <translation>%1&#x202f;: %2&#x202f;: n’est plus la surface de l’enregistrement&#x202f;; ouverte dans son état actuel</translation>
     </message>
     <message>
         <source>%1: its recorded map is of another surface; it is not felt</source>
-        <translation>%1 : sa carte enregistrée est celle d’une autre surface ; elle ne se sent pas</translation>
+        <translation>%1&#x202f;: sa carte enregistrée est celle d’une autre surface&#x202f;; elle ne se sent pas</translation>
     </message>
     <message>
         <source>%1: the recorded effect of its lumps is of another surface; it is not felt</source>
-        <translation>%1 : l’effet enregistré de ses nodules est celui d’une autre surface ; il ne se sent pas</translation>
+        <translation>%1&#x202f;: l’effet enregistré de ses nodules est celui d’une autre surface&#x202f;; il ne se sent pas</translation>
     </message>
     <message>
         <source>%1 (in English)</source>
@@ -4800,15 +4792,35 @@
     </message>
     <message>
         <source>found no points, expected a surface; was the filter before it updated?</source>
-        <translation>aucun point trouvé, attendu une surface ; le filtre précédent a-t-il été mis à jour ?</translation>
+        <translation>aucun point trouvé, attendu une surface&#x202f;; le filtre précédent a-t-il été mis à jour&#x202f;?</translation>
     </message>
     <message>
         <source>unit_mm: found %1, expected more than 0 and at most %2</source>
-        <translation>unit_mm : trouvé %1, attendu plus de 0 et au plus %2</translation>
+        <translation>unit_mm&#x202f;: trouvé %1, attendu plus de 0 et au plus %2</translation>
     </message>
     <message>
         <source>found %1 values for %2 vertices and %3 points, expected one for each vertex of a surface from surfaceOf</source>
         <translation>%1 valeurs trouvées pour %2 sommets et %3 points, attendu une par sommet d’une surface de surfaceOf</translation>
+    </message>
+    <message>
+        <source>%1 is not what the generator makes</source>
+        <translation>%1 n’est pas ce que le générateur produit</translation>
+    </message>
+    <message>
+        <source>%1: tick %2 is not what the generator makes</source>
+        <translation>%1&#x202f;: le cycle %2 n’est pas ce que le générateur produit</translation>
+    </message>
+    <message>
+        <source>its coordinates are not finite numbers</source>
+        <translation>ses coordonnées ne sont pas des nombres finis</translation>
+    </message>
+    <message>
+        <source>%1: the recording holds no tick; there is nothing to play</source>
+        <translation>%1&#x202f;: l’enregistrement ne contient aucun cycle&#x202f;; il n’y a rien à lire</translation>
+    </message>
+    <message>
+        <source>%1 includes what it encloses, %2 voxels of other labels</source>
+        <translation>%1 contient ce qu’il entoure : %2 voxels d’autres étiquettes</translation>
     </message>
 </context>
 <context>
@@ -7761,7 +7773,7 @@ Voir les détails dans la liste des messages (F4).</translation>
     </message>
     <message>
         <source>The surface is not smoothed: it is too small</source>
-        <translation>La surface n’est pas lissée : elle est trop petite</translation>
+        <translation>La surface n’est pas lissée&#x202f;: elle est trop petite</translation>
     </message>
 </context>
 <context>
@@ -8108,7 +8120,7 @@ Voir les détails dans la liste des messages (F4).</translation>
     </message>
     <message>
         <source>Smoothing removes voxel steps for display and touch, moving the surface by at most half a voxel. Curved facets make coarse facets round; edges of more than 40° stay sharp. The file is not changed.</source>
-        <translation>Le lissage supprime les marches de voxels pour l’affichage et le toucher et déplace la surface d’un demi-voxel au plus. Les facettes courbes arrondissent les facettes grossières ; les arêtes de plus de 40° restent vives. Le fichier n’est pas modifié.</translation>
+        <translation>Le lissage supprime les marches de voxels pour l’affichage et le toucher et déplace la surface d’un demi-voxel au plus. Les facettes courbes arrondissent les facettes grossières&#x202f;; les arêtes de plus de 40° restent vives. Le fichier n’est pas modifié.</translation>
     </message>
     <message>
         <source>%1 triangles, %2 MiB for touch</source>

@@ -183,7 +183,7 @@ class PnTriangles : public QObject
     void closesEverySeamBetweenUnequalNumbersOfPieces()
     {
         for (const double bump : {0.02, 0.1, 0.3}) {
-            const RepairedMesh bumpy = repair(bumpySphere(12, 30.0, bump));
+            const RepairedMesh bumpy = repair(bumpySphere(6, 30.0, bump));
             const PnSurface round = pnTriangles(bumpy);
             QVERIFY(round.surface.has_value());
             QCOMPARE(round.surface->report.openEdges, std::size_t{0});

@@ -272,7 +272,7 @@ class Repair : public QObject
                 ++v;
             }
         }
-        const RepairedMesh r = repair(mesh);
+        const RepairedMesh r = repair(mesh, geometry::Facing::Outward);
         QCOMPARE(r.report.turnedComponents, std::size_t{1});
         QCOMPARE(r.vertexSource.size(), r.mesh.vertices.size());
         QCOMPARE(r.vertexOfSource.size(), mesh.vertices.size());

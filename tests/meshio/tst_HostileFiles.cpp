@@ -211,7 +211,7 @@ void HostileFiles::ownFilesAreRefused_data()
         "line 4: array \"Points\": number of values: 0; expected exactly 9");
     row("vtp numbers around a comment", "a.vtp", test::asciiVtp("0 0 0 1 0 <!-- 2 -->0 0 1 0"),
         "line 4: array \"Points\": number of values: 5; expected exactly 9");
-    row("vtp without area", "a.vtp", test::asciiVtp("0 0 0 1 1 1 2 2 2"), "none of 1 triangle");
+    row("vtp without area", "a.vtp", test::asciiVtp("0 0 0 1 1 1 2 2 2"), "all triangles have zero area");
     const auto withText = [](const char* tuples, const char* characters) {
         return test::asciiVtp("0 0 0 1 0 0 0 1 0", "0 1 2", "NumberOfPoints=\"3\" NumberOfPolys=\"1\"", "3", "Polys",
                               std::string("<FieldData><Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"") +

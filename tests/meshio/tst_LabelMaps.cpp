@@ -319,6 +319,38 @@ class LabelMaps : public QObject
                 report.bounds.max().isApprox(Vec3(4.5, 3.5, 2.5)));
     }
 
+    void anOrganIncludesWhatItEncloses()
+    {
+        // A ball with a tumour (2), a hole (0), and a tumour at its border (3) that opens into the background.
+        test::LabelGrid grid;
+        grid.size = {44, 44, 44};
+        grid.fill([](const Vec3& p) {
+            const double all = (p - Vec3::Constant(22.0)).norm();
+            return (p - Vec3(22, 22, 14)).norm() < 5.0   ? 2
+                   : (p - Vec3(22, 22, 30)).norm() < 5.0 ? 0
+                   : all < 20.0 && p.x() > 38.0          ? 3
+                   : all < 20.0                          ? 1
+                                                         : 0;
+        });
+        const test::Folder folder;
+        const auto scene = meshio::loadScene(
+            folder.write("a.nrrd", test::labelNrrd(grid, "uchar", "raw") + test::labelNumbers<std::uint8_t>(grid)));
+        QVERIFY2(scene.isOk(), scene.status().message().c_str());
+        const auto& structures = scene.value().structures;
+        QCOMPARE(structures.size(), std::size_t{3});
+        const geometry::MeshReport& organ = structures[0].surface->report;
+        QCOMPARE(organ.components, std::size_t{2}); // with the hole, without a cavity for the tumour
+        QVERIFY(organ.bounds.max().x() < 39.0);
+        const double ball_mm3 = 4.0 / 3.0 * std::numbers::pi * std::pow(5.0, 3);
+        const double all_mm3 = 64.0 * ball_mm3; // four times the radius
+        constexpr double kCap = 4.0;            // height of the cap at the border
+        const double cap_mm3 = std::numbers::pi * kCap * kCap * (20.0 - kCap / 3.0);
+        QVERIFY2(std::abs(organ.volume_mm3 / (all_mm3 - cap_mm3 - ball_mm3) - 1.0) < 0.03,
+                 qPrintable(QString::number(organ.volume_mm3)));
+        QVERIFY(test::mentions(scene.value().warnings, "\"label 1\" includes what it encloses, "));
+        QVERIFY(!test::mentions(scene.value().warnings, "\"label 2\" includes"));
+    }
+
     void oneVoxelSurvives()
     {
         test::LabelGrid grid;
@@ -520,6 +552,10 @@ class LabelMaps : public QObject
             "v.nrrd: line 10: \"sizes\" a second time");
         row("no data file", "v.nhdr", withReplaced(nrrd, "encoding", "data file: away.raw\nencoding"),
             "v.nhdr: header: file of the voxels: no file \"away.raw\"");
+        row("a file elsewhere", "v.nhdr", withReplaced(nrrd, "encoding", "data file: ../away.raw\nencoding"),
+            "v.nhdr: header: file of the voxels: \"../away.raw\"; expected a file in this folder or below it");
+        row("an absolute path", "v.mhd", withReplaced(meta, "LOCAL", "/dev/zero"),
+            "v.mhd: header: file of the voxels: \"/dev/zero\"");
         row("a pattern", "v.mhd", withReplaced(meta, "LOCAL", "slice%d.raw 0 1 0"), "v.mhd: header: ElementDataFile: ");
         row("a pair of files", "v.nii", withReplaced(test::labelNifti(grid, 2), "n+1", "ni1") + bytes,
             "v.nii: header: voxels in a separate .img file");

@@ -139,7 +139,7 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     shown("shown map of nothing", R"({"structure": "b", "numbers": "felt:stiffness"})",
           "structure: found \"b\", expected the name of a structure of this scene");
     shown("shown map of no kind", R"({"structure": "a", "numbers": "stiffness"})",
-          "numbers: found \"stiffness\", expected felt: and a quantity, or array: and its name");
+          "numbers: found \"stiffness\", expected `felt:` and a quantity, or `array:` and its name");
     field(R"("opacity": 3)", "opacity: found 3, expected 0 to 1");
     field(R"("opacity": "much")", "opacity: found \"much\", expected 0 to 1");
     field(R"("colour": [1, 0])", "colour: found an array of 2, expected 3 numbers");
@@ -211,7 +211,7 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     finding(R"("recording": {"tick": 3})", "recording.file: found nothing, expected the path of a recording");
     finding(R"("recording": {"file": "a.palpate", "tick": 1.5})", "recording.tick: found a fraction");
     finding(R"("recording": {"file": "a.palpate", "sha256": "12"})", "recording.sha256: found \"12\", expected 64 hex");
-    finding(R"("marked_utc": "yesterday")", "marked_utc: found \"yesterday\", expected a time as 2026");
+    finding(R"("marked_utc": "yesterday")", "marked_utc: found \"yesterday\", expected a time in UTC, e.g. 2026");
     finding(R"("layers": [{"force_N": "much"}])", "layers[0].force_N: found \"much\"");
     whole(R"({"structures": []})", "a.json: version: found nothing");
     field(R"("name": "cut\u0000here")", "name: found \"cut?here\", expected a text without the character U+0000");
@@ -228,7 +228,7 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
           "0].inside: found \"c\", expected the name of a structure of this scene");
     lumps("two organs of one name",
           R"({"mesh": "a.stl", "name": "a"}, {"mesh": "b.stl", "name": "a"}, {"mesh": "c.stl", "inside": "a"})",
-          "2].inside: found \"a\", the name of 2 structures, expected a name that one structure has");
+          "2].inside: found \"a\", the name of 2 structures, expected the name of one structure: rename the others");
     lumps("lumps in a circle",
           R"({"mesh": "a.stl", "name": "a", "inside": "b"}, {"mesh": "b.stl", "name": "b", "inside": "a"})",
           "0].inside: found \"b\", which lies inside \"a\", expected the outermost structure around it");

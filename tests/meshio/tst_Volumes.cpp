@@ -211,8 +211,8 @@ class Volumes : public QObject
             "v.nii: header: 4294967308 voxels along axis 1; expected 1 to 2147483647");
         row("NIfTI-2, less than none", "v.nii", test::niftiWideHeader(1, -12) + floats,
             "v.nii: header: -12 voxels along axis 1; expected 1 to 2147483647");
-        const char* beyond = "v.vti: line 5: an array with more numbers than its file can hold; expected a "
-                             "NumberOfComponents and a NumberOfTuples that are there";
+        const char* beyond = "v.vti: line 5: an array with more numbers than its file can hold; expected values "
+                             "of NumberOfComponents and NumberOfTuples that match the data";
         row("VTI, many numbers a voxel", "v.vti", vti("Name=", "NumberOfComponents=\"200000000\" Name="), beyond);
         row("VTI, many numbers of each cell", "v.vti",
             vti("</PointData>", "</PointData><CellData><DataArray type=\"Int8\" Name=\"t\" "
@@ -230,7 +230,7 @@ class Volumes : public QObject
         row("VTI, many arrays", "v.vti", vti("</PointData>", arrays + "</PointData>"),
             "v.vti: 72 voxels declared; expected as many as its ");
         row("VTI, a document type", "v.vti", vti("<VTKFile", "<!DOCTYPE VTKFile>\n<VTKFile"),
-            "v.vti: line 2: a document type or an entity; expected none in a VTI file");
+            "v.vti: line 2: a document type or an entity; expected a VTI file without these");
         row("VTI, fewer numbers than voxels", "v.vti", test::vtiText("1 2 3"), "v.vti: ");
         row("VTI, a vast extent", "v.vti", test::vtiText("1 2 3", "0 2000000000 0 2000000000 0 2000000000"),
             "v.vti: 1,000,000,000,000,000,000 voxels declared");

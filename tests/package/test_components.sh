@@ -32,7 +32,7 @@ library=$(find "$work/prefix" -name 'libpalpate-engine.so')
 [[ $(readlink -f "$library") == *.so.$number ]]
 objdump -p "$library" | grep -q "SONAME *libpalpate-engine.so.${number%.*}\$"
 others=$(nm -D --defined-only --demangle "$library" | sed 's/^[^ ]* . //' |
-    grep -v -E '^((typeinfo|typeinfo name|vtable|guard variable) for )?palpate::[a-z]+::[^(]|^PALPATE_[0-9.]+' || true)
+    grep -v -E '^((typeinfo|typeinfo name|vtable|guard variable) for )?palpate::[a-z]+::[^(]|^PALPATE_[0-9.]+|(^| )(std|Eigen|__gnu_cxx)::' || true)
 hidden=$(nm -D --defined-only --demangle "$library" | grep 'palpate::haptics::internal' || true)
 [[ -z $others$hidden ]] || { echo "expected the shared library to export public functions alone, found $others$hidden"; exit 1; }
 [[ -f $work/prefix/share/palpate/LICENSE && -f $work/prefix/share/palpate/docs/embedding.md && -d $work/prefix/share/palpate/examples ]]

@@ -288,7 +288,8 @@ class TouchCursor : public QObject
         const std::array<std::array<std::uint32_t, 3>, 4> contacts{{{0, 0, 3}, {0, 4, 3}, {1, 1, 2}, {2, 9, 1}}};
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             haptics::Contact& contact = tick.felt.contacts[i];
-            contact = {};
+            contact.n_W = Vec3::UnitZ();
+            contact.f_W = Vec3::Zero();
             contact.layer = contacts[i][0];
             contact.structure = contacts[i][1];
             contact.depth_mm = contacts[i][2];

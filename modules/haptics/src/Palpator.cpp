@@ -225,6 +225,13 @@ bool Palpator::setScene(std::shared_ptr<const HapticScene> scene, Continuity con
     return isRestored;
 }
 
+bool Palpator::setScene(const HapticScene* scene, Continuity continuity) noexcept
+{
+    const bool isRestored = borrowScene(scene, continuity);
+    m_impl->owned.reset();
+    return isRestored;
+}
+
 bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noexcept
 {
     Impl& me = *m_impl;

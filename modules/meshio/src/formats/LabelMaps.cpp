@@ -114,9 +114,9 @@ void noteLabels(const NamedLabels& named, const std::vector<LabelName>& names, c
         return; // a table names more structures than a file has
     }
     for (const auto& [key, name] : named.names) {
-        const bool isPresent = std::any_of(volume.labels.begin(), volume.labels.end(), [&key](const Label& label) {
-            return std::pair(label.layer, label.value) == key;
-        });
+        const bool isPresent =
+            std::any_of(volume.labels.begin(), volume.labels.end(),
+                        [&key = key](const Label& label) { return std::pair(label.layer, label.value) == key; });
         if (!isPresent && key.second != 0) {
             empty.push_back(inQuotes(name.name));
         }
@@ -149,8 +149,8 @@ Result<TriangleSoup> readLabels(const FileImage& image, const ScanContext& conte
     if (!volume.isOk()) {
         return volume.status();
     }
-    std::vector<geometry::TriangleMesh> meshes = labelSurfaces(volume.value(), layout.value(), share(kVoxelsRead, 1.0));
-    if (meshes.empty()) {
+    std::vector<LabelSurface> surfaces = labelSurfaces(volume.value(), layout.value(), share(kVoxelsRead, 1.0));
+    if (surfaces.empty()) {
         return Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), file);
     }
     NamedLabels named = namesFor(layout.value(), volume.value(), context.path);
@@ -164,8 +164,12 @@ Result<TriangleSoup> readLabels(const FileImage& image, const ScanContext& conte
     scan.voxels->axes = layout.value().steps * layout.value().voxel_mm().cwiseInverse().asDiagonal();
     scan.voxels->isStated = true;
     TriangleSoup soup;
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        soup.add(std::move(meshes[i]), names[i].name, names[i].colour);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if (surfaces[i].enclosedVoxels > 0) {
+            scan.notes.push_back({PALPATE_TEXT("%1 includes what it encloses, %2 voxels of other labels"),
+                                  inQuotes(names[i].name), core::Count(surfaces[i].enclosedVoxels)});
+        }
+        soup.add(std::move(surfaces[i].mesh), names[i].name, names[i].colour);
     }
     return soup;
 }

@@ -113,8 +113,10 @@ Result<const MeshFormat*> formatOf(std::string_view bytes, const std::filesystem
     if (isWebPage(bytes)) {
         return refused(StatusCode::BadFormat, {PALPATE_TEXT("a web page (HTML), perhaps a failed download")});
     }
-    // The header of a binary STL may contain anything.
-    const Status unread = kStl.looksLike(bytes) ? Status() : otherMeshFormat(bytes, utf8Of(path.filename().string()));
+    // The header of a binary STL may contain anything, and label maps may be compressed by gzip.
+    const Status unread = kStl.looksLike(bytes) || hasLabelMapExtension(path)
+                              ? Status()
+                              : otherMeshFormat(bytes, utf8Of(path.filename().string()));
     if (!unread.isOk()) {
         return unread;
     }

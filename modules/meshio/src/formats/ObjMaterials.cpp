@@ -13,7 +13,7 @@ namespace palpate::meshio::internal {
 
 MaterialColours parseMaterials(std::string_view text)
 {
-    constexpr std::size_t kLongestName = 256;
+    constexpr std::size_t kLongestMaterialName = 256;
     MaterialColours colours;
     std::optional<std::string> material; // empty before the first "newmtl"
     LineReader lines(withoutPadding(text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text));
@@ -21,7 +21,7 @@ MaterialColours parseMaterials(std::string_view text)
         std::string_view rest = lines.line();
         const std::string_view word = takeWord(rest);
         if (sameWord(word, "newmtl")) {
-            material = trimmed(rest.substr(0, kLongestName));
+            material = trimmed(rest.substr(0, kLongestMaterialName));
         } else if (word == "Kd" && material) {
             std::array<double, 3> colour = {};
             bool isColour = true;

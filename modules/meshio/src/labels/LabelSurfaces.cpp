@@ -28,7 +28,15 @@ using core::Vec3;
 using geometry::Triangle;
 using geometry::TriangleMesh;
 
-/// Copies the bounding box of a label, with one voxel of background around: 1 for its voxels, 0 for all others.
+enum Mask : std::uint8_t
+{
+    kNone,  ///< background
+    kOwn,   ///< the label itself
+    kOther, ///< another label
+    kSeen   ///< another label, in a part that is being followed
+};
+
+/// Copies the bounding box of a label, with one voxel of background around, as Mask.
 /// @param number  1 + the place in `volume.labels`
 vtkSmartPointer<vtkImageData> maskOf(const LabelVolume& volume, std::uint16_t number)
 {
@@ -54,11 +62,48 @@ vtkSmartPointer<vtkImageData> maskOf(const LabelVolume& volume, std::uint16_t nu
             std::transform(volume.voxels.begin() + static_cast<std::ptrdiff_t>(from),
                            volume.voxels.begin() + static_cast<std::ptrdiff_t>(from + count),
                            to + 1 + along * (j + 1 + rows * (k + 1)), [number](std::uint16_t voxel) {
-                               return static_cast<std::uint8_t>(voxel == number ? 1 : 0);
+                               return voxel == number ? kOwn : voxel == 0 ? kNone : kOther;
                            });
         }
     }
     return image;
+}
+
+/// Adds the parts of other labels that the label encloses: those that touch neither background nor the border of the
+/// box over a face. The voxels of all other parts become background.
+/// @return the number of voxels added
+std::uint64_t addEnclosed(vtkImageData& image)
+{
+    auto* const mask = static_cast<std::uint8_t*>(image.GetScalarPointer());
+    const int* const size = image.GetDimensions();
+    const std::ptrdiff_t row = size[0], slice = row * size[1], all = slice * size[2];
+    const std::array<std::ptrdiff_t, 6> neighbours{1, -1, row, -row, slice, -slice};
+    std::uint64_t added = 0;
+    std::vector<std::ptrdiff_t> part;
+    for (std::ptrdiff_t start = 0; start < all; ++start) {
+        if (mask[start] != kOther) {
+            continue;
+        }
+        part.assign(1, start);
+        mask[start] = kSeen;
+        bool isEnclosed = true;
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            for (const std::ptrdiff_t step : neighbours) { // inside the image: the outermost voxels are background
+                std::uint8_t& next = mask[part[i] + step];
+                isEnclosed = isEnclosed && next != kNone;
+                if (next == kOther) {
+                    next = kSeen;
+                    part.push_back(part[i] + step);
+                }
+            }
+        }
+        added += isEnclosed ? part.size() : 0;
+        for (const std::ptrdiff_t voxel : part) {
+            mask[voxel] = isEnclosed ? kOwn : kSeen;
+        }
+    }
+    std::replace(mask, mask + all, std::uint8_t{kSeen}, std::uint8_t{kNone});
+    return added;
 }
 
 /// @return six times the enclosed volume, above 0 if the normals point outwards
@@ -72,17 +117,20 @@ double signedVolume(const TriangleMesh& mesh)
 }
 
 /// @return the surface of a label in voxels, from the first voxel of the volume
-TriangleMesh contourOf(const LabelVolume& volume, std::uint16_t number)
+LabelSurface contourOf(const LabelVolume& volume, std::uint16_t number)
 {
+    LabelSurface out;
+    TriangleMesh& mesh = out.mesh;
+    const auto mask = maskOf(volume, number);
+    out.enclosedVoxels = addEnclosed(*mask);
     vtkNew<vtkDiscreteFlyingEdges3D> contour;
-    contour->SetInputData(maskOf(volume, number));
-    contour->SetValue(0, 1.0);
+    contour->SetInputData(mask);
+    contour->SetValue(0, kOwn);
     contour->ComputeScalarsOff();
     contour->ComputeNormalsOff();
     contour->ComputeGradientsOff();
     contour->Update();
     vtkPolyData* const surface = contour->GetOutput();
-    TriangleMesh mesh;
     const Label& label = volume.labels[number - std::size_t{1}];
     const Vec3 offset = Vec3(label.first[0], label.first[1], label.first[2]) - Vec3::Ones();
     mesh.vertices.resize(static_cast<std::size_t>(surface->GetNumberOfPoints()));
@@ -101,40 +149,41 @@ TriangleMesh contourOf(const LabelVolume& volume, std::uint16_t number)
                                       static_cast<std::uint32_t>(ids[2])});
         }
     }
-    return mesh;
+    return out;
 }
 
 } // namespace
 
-std::vector<TriangleMesh> labelSurfaces(const LabelVolume& volume, const VolumeLayout& layout,
+std::vector<LabelSurface> labelSurfaces(const LabelVolume& volume, const VolumeLayout& layout,
                                         const std::function<bool(double)>& progress)
 {
-    std::vector<TriangleMesh> meshes(volume.labels.size());
+    std::vector<LabelSurface> surfaces(volume.labels.size());
     const bool isMirrored = layout.steps.determinant() < 0.0;
     std::atomic<bool> isCancelled{false};
     std::atomic<std::size_t> done{0};
-    core::parallelFor(meshes.size(), [&](std::size_t i, unsigned thread) {
+    core::parallelFor(surfaces.size(), [&](std::size_t i, unsigned thread) {
         if (isCancelled) {
             return;
         }
-        TriangleMesh mesh = contourOf(volume, static_cast<std::uint16_t>(i + 1));
+        LabelSurface surface = contourOf(volume, static_cast<std::uint16_t>(i + 1));
+        TriangleMesh& mesh = surface.mesh;
         if ((signedVolume(mesh) < 0.0) != isMirrored) {
             geometry::flip(mesh);
         }
         for (Vec3& p : mesh.vertices) {
             p = layout.steps * p + layout.origin;
         }
-        meshes[i] = std::move(mesh);
+        surfaces[i] = std::move(surface);
         ++done;
         if (thread == 0 && progress &&
-            !progress(static_cast<double>(done.load()) / static_cast<double>(meshes.size()))) {
+            !progress(static_cast<double>(done.load()) / static_cast<double>(surfaces.size()))) {
             isCancelled = true;
         }
     });
     if (isCancelled) {
-        meshes.clear();
+        surfaces.clear();
     }
-    return meshes;
+    return surfaces;
 }
 
 } // namespace palpate::meshio::internal

@@ -141,13 +141,18 @@ Status readVoxels(const VolumeLayout& layout, std::string_view bytes, const std:
     std::uint64_t stored =
         bytes.size() - std::min<std::uint64_t>(bytes.size(), layout.isWholePacked ? 0 : layout.offset);
     for (const std::string& name : layout.dataFiles) {
+        const Message place(PALPATE_TEXT("header: file of the voxels"));
+        const Message expected(PALPATE_TEXT("a file in this folder or below it"));
+        const std::filesystem::path below = std::filesystem::path(name).lexically_normal();
+        if (below.empty() || below.is_absolute() || *below.begin() == "..") {
+            return fault(StatusCode::Unsupported, file, place, Message(PALPATE_TEXT("%1"), inQuotes(name)), expected);
+        }
         std::error_code error;
-        files.push_back(path.parent_path() / name);
+        files.push_back(path.parent_path() / below);
         const std::uintmax_t size = std::filesystem::file_size(files.back(), error);
         if (error || !std::filesystem::is_regular_file(files.back(), error)) {
-            return fault(StatusCode::NotFound, file, Message(PALPATE_TEXT("header: file of the voxels")),
-                         Message(PALPATE_TEXT("no file %1"), inQuotes(name)),
-                         Message(PALPATE_TEXT("a file in the folder of the header")));
+            return fault(StatusCode::NotFound, file, place, Message(PALPATE_TEXT("no file %1"), inQuotes(name)),
+                         expected);
         }
         stored = (files.size() == 1 ? 0 : stored) + size;
     }

@@ -27,7 +27,7 @@ struct LargeAllocator
     {
     }
 
-    /// @throws std::bad_alloc
+    /// @throws std::bad_alloc; a program without exceptions is aborted
     [[nodiscard]] T* allocate(std::size_t n)
     {
         const std::size_t bytes = n * sizeof(T); // no overflow: vectors limit n
@@ -36,7 +36,11 @@ struct LargeAllocator
         }
         void* p = std::aligned_alloc(kPage, (bytes + kPage - 1) / kPage * kPage);
         if (p == nullptr) {
+#if defined(__cpp_exceptions)
             throw std::bad_alloc();
+#else
+            std::abort();
+#endif
         }
 #if defined(__linux__)
         (void)::madvise(p, bytes, MADV_HUGEPAGE); // best effort: refusal only costs speed

@@ -84,11 +84,8 @@ class PALPATE_EXPORT Palpator
     /// @par Real-time Wait-free; for replaced surfaces bounded by 4096 nearby triangles of each surface.
     bool borrowScene(const HapticScene* scene,
                      Continuity continuity = Continuity::Contacts) noexcept PALPATE_NONBLOCKING;
-    /// The name of `borrowScene` in version 0.1, for existing programs.
-    bool setScene(const HapticScene* scene, Continuity continuity = Continuity::Contacts) noexcept PALPATE_NONBLOCKING
-    {
-        return borrowScene(scene, continuity);
-    }
+    /// As in version 0.1, for existing programs: borrows the scene, and releases a shared one.
+    bool setScene(const HapticScene* scene, Continuity continuity = Continuity::Contacts) noexcept;
     /// Returns true if a god-object touches an open surface.
     [[nodiscard]] bool isOnSheet() const noexcept PALPATE_NONBLOCKING;
     [[nodiscard]] const HapticScene* scene() const noexcept;
