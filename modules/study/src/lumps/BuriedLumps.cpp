@@ -87,20 +87,17 @@ std::vector<core::Message> lumpsWithoutOrgan(const LumpRule& rule, const meshio:
     return clauses;
 }
 
-/// Returns a sentence for each lump inside a surface that is open or inside out.
-std::vector<core::Message> lumpsInOpenSurfaces(const meshio::LoadedScene& scene, const Layering& layers)
+std::vector<LumpInOpenSurface> lumpsInOpenSurfaces(const meshio::LoadedScene& scene, const Layering& layers)
 {
-    std::vector<core::Message> sentences;
+    std::vector<LumpInOpenSurface> found;
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
         const meshio::SceneStructure& one = scene.structures[i].description;
         const auto in = layers.structures[i].unreliableParent;
         if (in && !layers.structures[i].in && meshio::isLump(meshio::anatomyKind(one.name))) {
-            const meshio::LoadedStructure& around = scene.structures[*in];
-            sentences.push_back(core::Message(PALPATE_TEXT("%1 was left out: %2"), one.name,
-                                              openSurface(around.description.name, *around.surface)));
+            found.push_back({i, *in});
         }
     }
-    return sentences;
+    return found;
 }
 
 buried::FeltOptions usualOptions(const OrganWithLumps& organ, const std::function<bool(double)>& progress)
@@ -191,7 +188,7 @@ std::vector<buried::BuriedLump> OrganWithLumps::shapes(const meshio::LoadedScene
 
 Result<std::vector<OrganWithLumps>> organsWithLumps(const meshio::LoadedScene& scene,
                                                     const std::map<std::string, double>& ratios,
-                                                    std::vector<core::Message>* leftOut)
+                                                    std::vector<LumpInOpenSurface>* leftOut)
 {
     const Layering layers = layeringOf(scene);
     if (leftOut != nullptr) {
@@ -214,7 +211,7 @@ core::Message openSurface(const std::string& name, const geometry::RepairedMesh&
     if (holes.empty()) {
         return {PALPATE_TEXT("more than two triangles of %1 meet at an edge"), name};
     }
-    const auto across_mm = static_cast<int>(std::lround(holes.front().across_mm));
+    const core::Rounded across_mm{holes.front().across_mm, 3};
     return holes.size() == 1 ? core::Message(PALPATE_TEXT("the surface of %1 has a hole of %2 mm"), name, across_mm)
                              : core::Message(PALPATE_TEXT("the surface of %1 has %2 holes, the largest of %3 mm"), name,
                                              holes.size(), across_mm);

@@ -100,14 +100,9 @@ class LumpMaps::Making
 
     Found run()
     {
-        std::vector<core::Message> leftOut;
+        std::vector<study::LumpInOpenSurface> leftOut;
         const auto all = study::organsWithLumps(m_scene, {}, &leftOut);
-        if (!leftOut.empty()) {
-            m_found.notes << tr("%n lump(s) left out:", nullptr, static_cast<int>(leftOut.size()));
-            for (const core::Message& one : leftOut) {
-                m_found.notes << translated(one);
-            }
-        }
+        noteLeftOut(leftOut);
         if (!all.isOk()) {
             if (leftOut.empty()) {
                 m_found.notes << tr("No lump was found inside a closed organ.");
@@ -132,6 +127,20 @@ class LumpMaps::Making
     }
 
   private:
+    void noteLeftOut(const std::vector<study::LumpInOpenSurface>& leftOut)
+    {
+        if (leftOut.size() > 1) {
+            m_found.notes << tr("%1 lumps were left out.").arg(leftOut.size());
+        }
+        for (const study::LumpInOpenSurface& one : leftOut) {
+            const meshio::LoadedStructure& around = m_scene.structures[one.around];
+            m_found.notes << tr("%1 was left out: %2.")
+                                 .arg(readableName(m_scene.structures[one.lump].description.name),
+                                      translated(study::openSurface(readableName(around.description.name).toStdString(),
+                                                                    *around.surface)));
+        }
+    }
+
     /// Looks for already computed maps of this organ with the same lumps; null otherwise.
     std::shared_ptr<const DisplayedOrgan> made(const study::OrganWithLumps& organ) const
     {
