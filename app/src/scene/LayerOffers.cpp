@@ -85,7 +85,7 @@ void LayerOffers::layOut(const ui::OpenedScene& scene, bool hasRecording)
     }
 }
 
-/// Offers to feel lumps as layers below the open surfaces around them.
+/// Offers to close the open surfaces around lumps, or to feel the lumps as layers below them.
 void LayerOffers::offerBelowOpen(const LumpLayout& layout)
 {
     if (layout.inOpenSurfaces().empty()) {
@@ -93,6 +93,7 @@ void LayerOffers::offerBelowOpen(const LumpLayout& layout)
     }
     QStringList lines;
     std::vector<ui::TouchMode> ways;
+    std::vector<int> closable;
     for (const LumpLayout::InOpen& one : layout.inOpenSurfaces()) {
         const QString lump = ui::readableName(m_model.structure(one.lump).name);
         const QString around = ui::readableName(m_model.structure(one.around).name);
@@ -102,10 +103,32 @@ void LayerOffers::offerBelowOpen(const LumpLayout& layout)
                           ui::translated(study::openSurface(around.toStdString(), *surface.loaded.surface)));
         const std::uint32_t below = m_model.structure(one.around).layer + 1;
         ways.push_back({one.lump, std::min<std::uint32_t>(below, haptics::kMaxLayers - 1)});
+        if (std::find(closable.begin(), closable.end(), one.around) == closable.end() &&
+            !m_model.holes(one.around).empty()) {
+            closable.push_back(one.around);
+        }
     }
-    m_bar.offer(joinedSentences(lines),
-                lines.size() == 1 ? tr("Feel it as a layer below") : tr("Feel them as layers below"),
-                [this, ways] { ui::feel(m_model, ways, tr("Feel inner structures below outer ones")); });
+    const QString below = lines.size() == 1 ? tr("Feel it as a layer below") : tr("Feel them as layers below");
+    const auto feelBelow = [this, ways] { ui::feel(m_model, ways, tr("Feel inner structures below outer ones")); };
+    if (closable.empty()) {
+        m_bar.offer(joinedSentences(lines), below, feelBelow);
+        return;
+    }
+    m_bar.ask(
+        joinedSentences(lines), tr("Close the holes"), [this, closable] { m_model.closeHoles(closable); }, below,
+        feelBelow);
+}
+
+void LayerOffers::layOutClosed(const study::Layering& layering)
+{
+    if (!isFlat()) {
+        return;
+    }
+    const LumpLayout found(m_model, layering, 0);
+    ui::feel(m_model, found.ways(), tr("Feel inner structures below outer ones"));
+    if (!found.lines().isEmpty()) {
+        offerOther(found, joinedSentences(found.lines()));
+    }
 }
 
 /// Shows how nested structures are palpated and offers the alternative.
