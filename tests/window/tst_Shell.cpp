@@ -397,6 +397,10 @@ class Shell : public QObject
         m_desk->pressKeyOf("messages");
         auto& messages = the<ui::MessageList>();
         QVERIFY(messages.isVisible() && messages.hasFocus());
+        const auto* session = window().findChild<QDockWidget*>(QStringLiteral("session"));
+        QVERIFY(window()
+                    .tabifiedDockWidgets(qobject_cast<QDockWidget*>(messages.parentWidget()))
+                    .contains(session)); // as wide as the window
         QStringList all;
         for (int row = 0; row < messages.model()->rowCount(); ++row) {
             all << messages.model()->index(row, 0).data().toString();
