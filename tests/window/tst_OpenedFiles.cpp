@@ -330,6 +330,8 @@ class OpenedFiles : public QObject
         QVERIFY(m_desk->open({sample / "phantom.palpate.json"}));
         QVERIFY2(m_desk->window().windowTitle().startsWith(QStringLiteral("Unsaved copy of phantom.palpate.json")),
                  qPrintable(m_desk->window().windowTitle()));
+        const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        QVERIFY(QDir().mkpath(documents));
         QString proposed;
         QTimer look;
         connect(&look, &QTimer::timeout, &look, [&] {
@@ -340,7 +342,7 @@ class OpenedFiles : public QObject
         });
         look.start(50);
         m_desk->command("save").trigger();
-        QCOMPARE(proposed, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+        QCOMPARE(proposed, documents);
         QCOMPARE(meshio::fileHash(sample / "phantom.palpate.json"), before);
     }
 

@@ -17,7 +17,6 @@
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QUndoStack>
 
 #include <algorithm>
@@ -135,8 +134,7 @@ bool DocumentPart::saveAs()
 {
     QString proposed = toText(m_document.file());
     if (isUnsavedSample(m_document, m_files)) {
-        proposed = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QLatin1Char('/') +
-                   toText(m_files.front().filename());
+        proposed = documentsFolder() + QLatin1Char('/') + toText(m_files.front().filename());
     }
     const QString chosen =
         QFileDialog::getSaveFileName(&m_core.window, tr("Save scene"), proposed, tr("Palpate scene (*.palpate.json)"));

@@ -20,11 +20,13 @@
 #include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
+#include <QFileDialog>
 #include <QLocale>
 #include <QMainWindow>
 #include <QTimer>
 
 #include <utility>
+#include <vector>
 
 namespace palpate::app {
 
@@ -131,10 +133,26 @@ void RecordingPart::open(const std::filesystem::path& path)
         m_core.notices.showError(losses);
     }
     if (m_core.model.rowCount() == 0) {
-        m_core.notices.showError(
+        m_core.notices.bar().offer(
             tr("%1 can be played, but its meshes were not found. Open them to see what was touched.")
-                .arg(toText(path.filename())));
+                .arg(toText(path.filename())),
+            tr("Find the meshes…"), [this, path] { findMeshes(path); });
         Q_EMIT shownAlone();
+    }
+}
+
+/// Asks for the meshes of a recording and opens these with the recording.
+void RecordingPart::findMeshes(const std::filesystem::path& recording)
+{
+    const QStringList chosen =
+        QFileDialog::getOpenFileNames(&m_core.window, tr("Meshes of the recording"), toText(recording.parent_path()));
+    std::vector<std::filesystem::path> files;
+    for (const QString& file : chosen) {
+        files.push_back(toPath(file));
+    }
+    if (!files.empty()) {
+        files.push_back(recording);
+        Q_EMIT meshesFound(files);
     }
 }
 
@@ -158,7 +176,13 @@ void RecordingPart::start()
     m_core.actions.at("record").setChecked(started.isOk());
     Q_EMIT begun(m_control->path());
     if (!started.isOk()) {
-        m_core.notices.showError(ui::translated(started));
+        m_core.notices.bar().offer(ui::translated(started), tr("Record to another folder…"), [this] {
+            const QString folder = QFileDialog::getExistingDirectory(&m_core.window, tr("Folder of recordings"));
+            if (!folder.isEmpty()) {
+                m_control->setFolder(folder);
+                toggle();
+            }
+        });
         return;
     }
     m_trace.begin(m_control->path());

@@ -6,6 +6,7 @@
 #include "touch/RecordingTrace.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace palpate::ui {
 class Playback;
@@ -45,6 +46,8 @@ class RecordingPart : public WindowPart
   Q_SIGNALS:
     /// A recording without a scene is open and drawn.
     void shownAlone();
+    /// Emitted when the user has chosen the meshes of a recording. @param files  these and the recording
+    void meshesFound(const std::vector<std::filesystem::path>& files);
     void openFailed(const QString& line);
     /// Emitted after a recording was started, or failed to start, in this file.
     void begun(const std::filesystem::path& path);
@@ -53,6 +56,7 @@ class RecordingPart : public WindowPart
 
   private:
     void start();
+    void findMeshes(const std::filesystem::path& recording);
     void stop();
     void togglePlaying();
     void takeFailure(const QString& line);

@@ -234,6 +234,7 @@ void MainWindow::connectParts()
         showPage(true);
         Q_EMIT ready();
     });
+    connect(m_recording, &RecordingPart::meshesFound, this, [this](const auto& files) { m_files->open(files); });
     connect(m_files, &SceneFiles::recordingWanted, m_recording, &RecordingPart::open);
     connect(m_files, &SceneFiles::openFailed, this, &MainWindow::openFailed);
     connect(m_recording, &RecordingPart::openFailed, this, &MainWindow::openFailed);
