@@ -203,6 +203,7 @@ void FindingsPanel::rememberFocus()
 
 void FindingsPanel::giveFocusBack()
 {
+    m_table->horizontalScrollBar()->setValue(0); // an edited note is at the right
     if (m_before != nullptr) {
         m_before->setFocus();
         m_before = nullptr;

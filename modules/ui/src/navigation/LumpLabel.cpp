@@ -47,8 +47,14 @@ void LumpLabel::show()
     for (const Eigen::AlignedBox2d& mark : view.cursor().marks_px(frame)) {
         taken.push_back(mark);
     }
+    const Eigen::Vector2d place_px = frame.pixelOf(state.p_WG);
+    const Eigen::Vector2d dial_px = Eigen::Vector2d::Constant(view.cursor().arrow().radius_px() + 4.0);
+    taken.emplace_back(place_px - dial_px, place_px + dial_px);
+    if (view.legend().isShown()) {
+        taken.push_back(view.legend().box());
+    }
     view::PointLabel layout;
-    layout.point_px = frame.pixelOf(state.p_WG);
+    layout.point_px = place_px;
     layout.size_px = {m_label->width(), m_label->height()};
     layout.towards = {0.0, -1.0}; // below, because the numbers are at the sides
     layout.place = m_place;

@@ -263,7 +263,8 @@ void TouchPanel::showSource(const std::optional<double>& recorded_s)
 void TouchPanel::showNoHand()
 {
     m_reading = {};
-    showSource(std::nullopt);
+    m_source->setText(QStringLiteral(" ")); // keeps the height
+    m_source->setAutoFillBackground(false);
     m_force->setText(forceText(0.0));
     m_force->setForegroundRole(QPalette::PlaceholderText);
     m_bar->setForce(0.0);
