@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <span>
 
 using namespace palpate;
@@ -55,6 +56,11 @@ class SurfaceOptions : public QObject
     {
         write("stairs.stl", test::maskSurface(test::ballMask(15.0, Vec3(1, 1, 3))));
         write("inverted.stl", test::box(Vec3(10, 20, 30), Vec3(50, 50, 50), 2), true);
+        geometry::TriangleMesh open = test::box(Vec3(10, 20, 30), Vec3(50, 50, 50), 2);
+        std::erase_if(open.triangles, [&](const geometry::Triangle& t) {
+            return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return open.vertices[v].z() == 50.0; });
+        });
+        write("open.stl", open);
         write("organ.stl", test::sphere(24, 40.0));
         write("lump.stl", test::sphere(8, 10.0));
         std::string motion = "x,y,z\n";
@@ -113,6 +119,23 @@ class SurfaceOptions : public QObject
         const QStringList press{"inverted.stl", "--motion", "press.csv", "--stiffness", "0.5"};
         QCOMPARE(felt_N(press), 0.0);
         QVERIFY(std::abs(felt_N(press + QStringList{"--outwards"}) - 1.0) < 1e-3); // 0.5 N/mm, 2 mm deep
+    }
+
+    void closeHolesClosesThoseUpToASize()
+    {
+        const auto structure = [this](const QStringList& more) {
+            return json(QStringList{"info", "open.stl", "--json"} + more)["structures"].toArray().at(0).toObject();
+        };
+        const std::string bytes = test::fileBytes(m_folder.path("open.stl"));
+        QVERIFY(!structure({})["is_closed"].toBool());
+        QVERIFY(!structure({"--close-holes", "5"})["is_closed"].toBool());
+        const QJsonObject closed = structure({"--close-holes", "200"});
+        QVERIFY(closed["is_closed"].toBool());
+        QCOMPARE(closed["closed_holes"].toObject()["holes"].toInt(), 1);
+        QCOMPARE(closed["volume_mm3"].toDouble(), 24000.0);
+        QVERIFY(run({"info", "open.stl", "--close-holes", "200"}).out.contains("1 hole of "));
+        QCOMPARE(run({"info", "open.stl", "--close-holes", "-1"}).exitCode, 2);
+        QCOMPARE(test::fileBytes(m_folder.path("open.stl")), bytes);
     }
 
     void filesNamedTogetherAreOneScene()

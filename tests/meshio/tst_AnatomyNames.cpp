@@ -3,7 +3,11 @@
 #include "TestRunner.h"
 
 #include <palpate/meshio/AnatomyKind.h>
+#include <palpate/meshio/AnatomyPalette.h>
+#include <palpate/meshio/LoadScene.h>
 
+#include <array>
+#include <cmath>
 #include <initializer_list>
 #include <string>
 
@@ -34,7 +38,57 @@ class AnatomyNames : public QObject
         QCOMPARE(static_cast<int>(meshio::anatomyKind(QTest::currentDataTag())), kind);
     }
 
+    /// Simulates full deuteranopia: Machado, Oliveira and Fernandes 2009 (doi:10.1109/TVCG.2009.113), table 1.
+    static std::array<double, 3> asSeenByDeuteranopes(const std::array<double, 3>& rgb)
+    {
+        constexpr double kMatrix[3][3] = {
+            {0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}};
+        std::array<double, 3> seen{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                seen[i] += kMatrix[i][k] * linear(rgb[k]);
+            }
+        }
+        return seen;
+    }
+    static double linear(double value)
+    {
+        return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    }
+    /// Returns the CIE 1976 colour difference of two linear sRGB colours, white D65.
+    static double difference(const std::array<double, 3>& a, const std::array<double, 3>& b)
+    {
+        const auto lab = [](const std::array<double, 3>& c) {
+            const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };
+            const double x = f((0.4124 * c[0] + 0.3576 * c[1] + 0.1805 * c[2]) / 0.9505);
+            const double y = f(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]);
+            const double z = f((0.0193 * c[0] + 0.1192 * c[1] + 0.9505 * c[2]) / 1.089);
+            return std::array<double, 3>{116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
+        };
+        const auto p = lab(a), q = lab(b);
+        return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    }
+
   private Q_SLOTS:
+    /// What a liver surgeon must tell apart stays apart for a deuteranope; with the usual colours, artery and bile duct
+    /// do not.
+    void colourBlindPeopleCanTellTheLiverApart()
+    {
+        constexpr double kApart = 20.0; // clearly different hues or shades
+        const char* names[] = {"hepatic_artery", "portal_vein", "hepatic_veins", "bile_duct", "tumour", "liver"};
+        for (const char* a : names) {
+            for (const char* b : names) {
+                if (std::string(a) < b) {
+                    const double apart = difference(asSeenByDeuteranopes(meshio::safeColour(a, 0)),
+                                                    asSeenByDeuteranopes(meshio::safeColour(b, 0)));
+                    QVERIFY2(apart > kApart, qPrintable(QStringLiteral("%1 %2 %3").arg(a).arg(b).arg(apart)));
+                }
+            }
+        }
+        QVERIFY(difference(asSeenByDeuteranopes(meshio::defaultColour("hepatic_artery", 0)),
+                           asSeenByDeuteranopes(meshio::defaultColour("bile_duct", 0))) < kApart);
+    }
+
     /// The 117 classes of TotalSegmentator's task "total", version 2.
     void totalSegmentator_data()
     {

@@ -77,7 +77,8 @@ void LoadScene::coloursFollowTheNames_data()
     row("Liver", 221, 130, 101);
     row("capsule_of_the_liver", 221, 130, 101);
     row("right_hepatic_artery", 216, 101, 79);
-    row("hepatic_portal_vein", 0, 151, 206);
+    row("hepatic_portal_vein", 110, 64, 170);
+    row("hepatic_veins", 0, 151, 206);
     row("femur_R", 241, 214, 145);
     row("kidney_capsule_L", 185, 102, 83);
     row("Skin", 177, 122, 101);

@@ -101,16 +101,18 @@ class ShapeSurface : public QObject
             {"ball", test::maskSurface(test::ballMask(8.0, Vec3(1, 1, 3))), std::nullopt}};
         QVERIFY(meshio::writeMesh(folder.path("ball.stl"), ball).isOk());
         const auto file = folder.write("s.palpate.json", R"({"version": 1, "structures": [{"mesh": "ball.stl",
-            "surface": "smoothed", "smoothing": 0.4, "outwards": true}]})");
+            "surface": "smoothed", "smoothing": 0.4, "outwards": true, "close_holes_mm": 25}]})");
         const auto scene = meshio::readScene(file);
         QVERIFY2(scene.isOk(), scene.status().message().c_str());
         const meshio::SceneStructure& one = scene.value().structures.front();
         QVERIFY(one.surface == SurfaceKind::Smoothed && one.smoothing == 0.4 && one.outwards && one.extra.empty());
+        QCOMPARE(one.closeHoles_mm, 25.0);
         QVERIFY(meshio::writeScene(folder.path("t.palpate.json"), scene.value()).isOk());
         const auto again = meshio::readScene(folder.path("t.palpate.json"));
         QVERIFY(again.isOk());
         const meshio::SceneStructure& same = again.value().structures.front();
         QVERIFY(same.surface == SurfaceKind::Smoothed && same.smoothing == 0.4 && same.outwards);
+        QCOMPARE(same.closeHoles_mm, 25.0);
 
         const auto loaded = meshio::loadScene(file);
         QVERIFY2(loaded.isOk(), loaded.status().message().c_str());
@@ -127,7 +129,7 @@ class ShapeSurface : public QObject
         scene.structures.back().mesh = folder.path("a.stl");
         QVERIFY(meshio::writeScene(folder.path("s.palpate.json"), scene).isOk());
         const std::string text = test::fileBytes(folder.path("s.palpate.json"));
-        for (const char* field : {"surface", "smoothing", "crease_deg", "outwards"}) {
+        for (const char* field : {"surface", "smoothing", "crease_deg", "outwards", "close_holes_mm"}) {
             QVERIFY2(text.find(field) == std::string::npos, field);
         }
     }
@@ -142,6 +144,8 @@ class ShapeSurface : public QObject
         QTest::newRow("smoothing") << std::string(R"("smoothing": 1.5)")
                                    << std::string("structures[0].smoothing: found 1.5");
         QTest::newRow("outwards") << std::string(R"("outwards": 1)") << std::string("structures[0].outwards");
+        QTest::newRow("holes") << std::string(R"("close_holes_mm": -1)")
+                               << std::string("structures[0].close_holes_mm: found -1");
     }
     void wrongFieldsAreNamed()
     {
@@ -215,6 +219,32 @@ class ShapeSurface : public QObject
             QVERIFY(after.description.outwards && after.description.surface == SurfaceKind::Smoothed);
             QVERIFY(after.asRead->report.volume_mm3 < 0.0); // the original surface is kept
         }
+    }
+
+    /// A tetrahedron without one of its faces, inside out, becomes the whole one.
+    void closesHolesOnRequest()
+    {
+        const test::Folder folder;
+        std::vector<meshio::MeshStructure> one{test::tetrahedron("t", Vec3(100, 0, 0))};
+        const double whole_mm3 = geometry::repair(one.front().mesh).report.volume_mm3;
+        geometry::flip(one.front().mesh);
+        one.front().mesh.triangles.pop_back();
+        QVERIFY(meshio::writeMesh(folder.path("t.vtp"), one).isOk());
+        meshio::ReadOptions options;
+        options.turnsOutwards = true;
+        options.closeHoles_mm = 10.0;
+        const auto open = meshio::loadScene(folder.path("t.vtp"), options);
+        QVERIFY(open.isOk());
+        QVERIFY(!open.value().structures[0].closing && !open.value().structures[0].surface->report.isClosed());
+        options.closeHoles_mm = 50.0;
+        const auto closed = meshio::loadScene(folder.path("t.vtp"), options);
+        QVERIFY(closed.isOk());
+        const meshio::LoadedStructure& after = closed.value().structures[0];
+        QVERIFY(after.surface->report.isClosed());
+        QVERIFY(std::abs(after.surface->report.volume_mm3 - whole_mm3) < 1e-6 * whole_mm3);
+        QVERIFY(after.closing && after.closing->holes == 1);
+        QVERIFY(!after.asRead->report.isClosed()); // the original surface is kept
+        QVERIFY(test::mentions(closed.value().warnings, "t: 1 hole of "));
     }
 };
 

@@ -17,6 +17,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTreeView>
 
 #include <cmath>
@@ -431,6 +432,27 @@ class Panels : public QObject
         bar.showError(QStringLiteral("liver.stl: no triangle"));
         QVERIFY(bar.isVisible());
         QCOMPARE(bar.text(), QStringLiteral("liver.stl: no triangle"));
+    }
+    void messagesOfABatchAreInsertedAtOnce()
+    {
+        ui::Messages messages;
+        QSignalSpy inserted(&messages, &QAbstractItemModel::rowsInserted);
+        messages.add(ui::Messages::Kind::Warning, QStringList{"a", "b", "b", "", "c"});
+        QCOMPARE(inserted.count(), 1);
+        QCOMPARE(messages.rowCount(), 3);
+        messages.add(ui::Messages::Kind::Told, QStringLiteral("c"));
+        QCOMPARE(messages.rowCount(), 3); // repeated
+        QStringList many;
+        for (int i = 0; i < ui::Messages::kMost + 10; ++i) {
+            many << QString::number(i);
+        }
+        messages.add(ui::Messages::Kind::Told, many.mid(0, ui::Messages::kMost - 1));
+        QCOMPARE(messages.rowCount(), ui::Messages::kMost);
+        QCOMPARE(messages.text(0), QStringLiteral("c"));
+        messages.add(ui::Messages::Kind::Told, many);
+        QCOMPARE(messages.rowCount(), ui::Messages::kMost);
+        QCOMPARE(messages.text(ui::Messages::kMost - 1), many.back());
+        QCOMPARE(messages.text(0), QStringLiteral("10"));
     }
     void offerDoesWhatItsButtonSays()
     {

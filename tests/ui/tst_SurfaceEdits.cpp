@@ -2,11 +2,14 @@
 #include "Masks.h"
 #include "TestRunner.h"
 
+#include <palpate/geometry/Holes.h>
 #include <palpate/meshio/MeshFile.h>
+#include <palpate/meshio/SceneFile.h>
 #include <palpate/ui/SceneLoader.h>
 
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <span>
 
 using namespace palpate;
@@ -24,6 +27,17 @@ class SurfaceEdits : public QObject
 
     const study::OpenStructure& row() const { return m_model.rows().front(); }
 
+    void openFile(const std::filesystem::path& file)
+    {
+        std::shared_ptr<ui::OpenedScene> scene;
+        const auto opened =
+            connect(&m_loader, &ui::SceneLoader::opened, this, [&](const auto& found) { scene = found; });
+        m_loader.open({file}, 1.0);
+        PALPATE_TRY_VERIFY(scene != nullptr);
+        disconnect(opened);
+        m_model.setRows(std::move(scene->rows));
+    }
+
   private Q_SLOTS:
     void initTestCase()
     {
@@ -36,16 +50,7 @@ class SurfaceEdits : public QObject
         connect(&m_loader, &ui::SceneLoader::surfaceBuilt, this,
                 [this](int built, const auto& made) { m_model.setSurface(built, *made); });
     }
-    void init()
-    {
-        std::shared_ptr<ui::OpenedScene> scene;
-        const auto opened =
-            connect(&m_loader, &ui::SceneLoader::opened, this, [&](const auto& found) { scene = found; });
-        m_loader.open({m_file}, 1.0);
-        PALPATE_TRY_VERIFY(scene != nullptr);
-        disconnect(opened);
-        m_model.setRows(std::move(scene->rows));
-    }
+    void init() { openFile(m_file); }
 
     void smoothsAndUndoes()
     {
@@ -80,6 +85,43 @@ class SurfaceEdits : public QObject
         m_model.undoStack().undo();
         PALPATE_TRY_COMPARE(replaced.count(), 2);
         QVERIFY(row().loaded.surface->report.volume_mm3 < 0.0);
+    }
+
+    /// The holes of an open surface are closed, reopened and undone; the file stays.
+    void closesHolesAndReopensThem()
+    {
+        geometry::TriangleMesh open =
+            geometry::repair(test::maskSurface(test::ballMask(10.0, core::Vec3(1, 1, 1)))).mesh;
+        std::erase_if(open.triangles, [&](const geometry::Triangle& t) {
+            return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return open.vertices[v].z() > 6.0; });
+        });
+        const std::filesystem::path file = m_folder.path().toStdString() + "/open.vtp";
+        const meshio::MeshStructure one{"open", open, std::nullopt};
+        QVERIFY(meshio::writeMesh(file, std::span(&one, 1)).isOk());
+        const std::string before = meshio::fileHash(file);
+        openFile(file);
+        const std::vector<geometry::Hole> holes = m_model.holes(0);
+        QCOMPARE(holes.size(), std::size_t{1});
+        QSignalSpy replaced(&m_model, &StructureModel::surfaceReplaced);
+        m_model.closeHoles({0});
+        PALPATE_TRY_COMPARE(replaced.count(), 1);
+        QVERIFY(row().loaded.surface->report.isClosed() && row().loaded.surface->report.volume_mm3 > 0.0);
+        QVERIFY(m_model.holes(0).empty());
+        QVERIFY(row().touch != nullptr);
+        QVERIFY2(m_model.defects(0).join(QLatin1Char(' ')).startsWith(QStringLiteral("A hole of ")),
+                 qPrintable(m_model.defects(0).join(QLatin1Char(' '))));
+        QVERIFY(m_model.structure(0).closeHoles_mm >= holes[0].across_mm); // as saved later
+        m_model.reopenHoles({0});
+        PALPATE_TRY_COMPARE(replaced.count(), 2);
+        QCOMPARE(m_model.holes(0).size(), std::size_t{1});
+        m_model.undoStack().undo();
+        PALPATE_TRY_COMPARE(replaced.count(), 3);
+        QVERIFY(row().loaded.surface->report.isClosed());
+        m_model.undoStack().undo();
+        PALPATE_TRY_COMPARE(replaced.count(), 4);
+        QCOMPARE(m_model.holes(0).size(), std::size_t{1});
+        QCOMPARE(m_model.structure(0).closeHoles_mm, 0.0);
+        QCOMPARE(meshio::fileHash(file), before);
     }
 
     /// Changed and undone before the first surface is ready: the last request counts.

@@ -22,6 +22,7 @@ Desk::Desk()
     QStandardPaths::setTestModeEnabled(true);
     qputenv("HOME", m_folder.path().toUtf8()); // location of documents and pictures
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+    QSettings().setValue(QStringLiteral("fingertip_mm"), 0.0); // a point, whose forces are known in closed form
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
 }
 

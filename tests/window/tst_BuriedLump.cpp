@@ -10,6 +10,7 @@
 #include <palpate/session/Replay.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
+#include <palpate/ui/ActionList.h>
 #include <palpate/ui/LumpMaps.h>
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/PalpationController.h>
@@ -19,11 +20,13 @@
 #include <palpate/ui/VtkViewport.h>
 
 #include <QFile>
+#include <QLabel>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -115,6 +118,18 @@ class BuriedLump : public QObject
     ui::MessageBar& message() const { return *m_window->findChild<ui::MessageBar*>(); }
     QPushButton& wayBack() const { return *test::answerOf(message()); }
 
+    /// Clicks a button of a message.
+    void answer(const QString& text) const
+    {
+        for (QPushButton* one : message().findChildren<QPushButton*>()) {
+            if (one->text() == text) {
+                one->click();
+                return;
+            }
+        }
+        qFatal("no such button");
+    }
+
     /// Waits for the lump maps; until then, lumps are simulated as layers.
     void awaitMaps() const { PALPATE_TRY_VERIFY(m_window->findChild<ui::LumpMaps*>()->isHandUpToDate()); }
 
@@ -126,6 +141,7 @@ class BuriedLump : public QObject
         }
         QStandardPaths::setTestModeEnabled(true);
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+        QSettings().setValue(QStringLiteral("fingertip_mm"), 0.0); // a point, whose forces are known in closed form
         QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
         QVERIFY(QDir(m_folder.path()).mkpath("two"));
         writeStl("two/liver.stl", test::sphere(24, 20.0));
@@ -171,6 +187,86 @@ class BuriedLump : public QObject
         awaitMaps();
         const double through_N = pressed(view::ViewFrom::Front);
         QVERIFY2(std::abs(through_N - below_N) > 0.05, qPrintable(QString::number(through_N)));
+    }
+
+    /// While pressed, the lump is named with change and verdict in the view, and the chart shows the share of the force
+    /// that it adds.
+    void theLumpIsNamedUnderTheFinger()
+    {
+        open({folder() / "two"});
+        awaitMaps();
+        const QLabel& label = *m_window->findChild<QLabel*>(QStringLiteral("lumpLabel"));
+        const auto& panel = *m_window->findChild<ui::TouchPanel*>();
+        m_window->setPalpating(true);
+        m_window->viewport().view().look(view::ViewFrom::Front);
+        Q_EMIT m_window->viewport().depthTurned(16.0);
+        QVERIFY(!label.isVisible());
+        m_window->palpation().pressAt({0.5 * m_window->viewport().width(), 0.5 * m_window->viewport().height()});
+        PALPATE_TRY_VERIFY(label.isVisible());
+        QVERIFY2(label.text().startsWith(QStringLiteral("over tumour: +")), qPrintable(label.text()));
+        QVERIFY2(label.text().contains(QStringLiteral(" %, ")), qPrintable(label.text()));
+        const ui::TouchReading felt = panel.reading();
+        const std::vector<ui::LayerForce> forces = ui::chartForces(felt);
+        QCOMPARE(forces.size(), std::size_t{2});
+        QVERIFY(std::abs(forces[0].force_N + forces[1].force_N - felt.force_N) < 1e-9);
+        QVERIFY(std::abs(forces[0].force_N * felt.lumpRatio - felt.force_N) < 1e-9);
+        QVERIFY(forces[0].colour != forces[1].colour);
+        const QString chart = ui::overLumpText(felt);
+        QVERIFY2(label.text().startsWith(chart.section(QLatin1Char('+'), 0, 0)), qPrintable(chart));
+        m_window->palpation().letGo();
+        PALPATE_TRY_VERIFY(!label.isVisible());
+    }
+
+    /// A lump in an open organ is one click away from being a layer, and the map counts the lump.
+    void inAnOpenOrganALayerIsOneClickAway()
+    {
+        geometry::TriangleMesh liver = test::sphere(24, 20.0);
+        std::erase_if(liver.triangles, [&](const geometry::Triangle& t) {
+            return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return liver.vertices[v].z() < -15.0; });
+        });
+        QVERIFY(QDir(m_folder.path()).mkpath("open"));
+        writeStl("open/liver.stl", liver);
+        writeStl("open/tumour.stl", test::moved(test::sphere(12, 5.0), Vec3(0, -7, 0)));
+        open({folder() / "open"});
+        QVERIFY2(test::newest(message().text())
+                     .startsWith(QStringLiteral(
+                         "tumour cannot be felt through liver yet: the surface of liver has a hole of ")),
+                 qPrintable(message().text()));
+        const double without_N = pressed(view::ViewFrom::Front);
+        answer(QStringLiteral("Feel it as a layer below"));
+        const double below_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(below_N > 1.3 * without_N, qPrintable(QString::number(below_N / without_N)));
+        m_window->commands().at("felt").trigger();
+        const auto& maps = *m_window->findChild<ui::LumpMaps*>();
+        PALPATE_TRY_VERIFY(maps.isUpToDate());
+        QCOMPARE(maps.notes().size(), 1);
+        QVERIFY2(
+            maps.notes().back().startsWith(QStringLiteral("tumour was left out: the surface of liver has a hole of ")),
+            qPrintable(maps.notes().back()));
+        action("Undo")->trigger();
+        const double again_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(std::abs(again_N - without_N) < 0.05, qPrintable(QString::number(again_N)));
+    }
+
+    /// The other offer closes the hole: then the lump is felt through the organ.
+    void theHoleOfAnOpenOrganIsClosed()
+    {
+        open({folder() / "open"});
+        const double open_N = pressed(view::ViewFrom::Front);
+        answer(QStringLiteral("Close the holes"));
+        PALPATE_TRY_VERIFY(message().text().contains(QStringLiteral("felt through liver")));
+        awaitMaps();
+        const double through_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(through_N > 1.1 * open_N, qPrintable(QString::number(through_N / open_N)));
+        m_window->commands().at("felt").trigger();
+        const auto& maps = *m_window->findChild<ui::LumpMaps*>();
+        PALPATE_TRY_VERIFY(maps.isUpToDate());
+        QVERIFY2(maps.notes().filter(QStringLiteral("left out")).isEmpty(), qPrintable(maps.notes().join(' ')));
+        action("Undo")->trigger(); // felt through
+        action("Undo")->trigger(); // closed
+        PALPATE_TRY_VERIFY(!m_window->model().rows()[0].loaded.closing);
+        const double again_N = pressed(view::ViewFrom::Front);
+        QVERIFY2(std::abs(again_N - open_N) < 0.05, qPrintable(QString::number(again_N)));
     }
 
     /// The lump simulation changes twice under the pressing hand during a recording: each scene is recorded as

@@ -140,8 +140,7 @@ class FeltLiver : public QObject
         open(m_openCapsule);
         QVERIFY2(
             newestMessage().startsWith(QStringLiteral(
-                "tumour seems to be inside capsule of the liver but cannot be felt there yet, because the surface of "
-                "capsule of the liver is open")),
+                "tumour cannot be felt through capsule of the liver yet: the surface of capsule of the liver has ")),
             qPrintable(newestMessage()));
         meshio::ReadOptions metres;
         metres.unit_mm = 1000.0;

@@ -21,6 +21,7 @@
 #include <QElapsedTimer>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -28,6 +29,7 @@
 #include <QTreeView>
 #include <QUrl>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -220,16 +222,47 @@ class List : public QObject
     {
         QVERIFY(m_desk->show());
         QVERIFY(m_desk->open({m_liver, m_vein}));
-        QCOMPARE(
-            test::newest(message().text()),
-            QStringLiteral("The tissue of 2 structures was chosen by their names. No preset matches the name of 1: "
-                           "\u201CFirm organ\u201D, 0.5 N/mm."));
+        QCOMPARE(test::newest(message().text()),
+                 QStringLiteral("The tissue of 2 structures was chosen by their names."));
         QVERIFY(!window().isWindowModified());
         const view::SceneView& view = window().viewport().view();
         PALPATE_TRY_VERIFY(view.structure(1).touchable == nullptr);
         QVERIFY(view.structure(0).touchable != nullptr);
         m_desk->pressKeyOf("undo");
         PALPATE_TRY_VERIFY(view.structure(1).touchable != nullptr);
+    }
+
+    /// One choice gives all palpable structures with unknown names a tissue, as one undo step.
+    void unknownNamesGetATissueAtOnce()
+    {
+        const geometry::TriangleMesh ball = test::sphere(8, 15.0);
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({m_liver, m_desk->writeStl("u/thing_a.stl", test::moved(ball, Vec3(60, 0, 0))),
+                              m_desk->writeStl("u/thing_b.stl", test::moved(ball, Vec3(120, 0, 0)))}));
+        QVERIFY2(test::newest(message().text()).contains(QStringLiteral("No preset matches the name of 2: ")),
+                 qPrintable(message().text()));
+        QPushButton* all = nullptr;
+        for (QPushButton* one : message().findChildren<QPushButton*>()) {
+            all = one->text() == QStringLiteral("Choose for all…") ? one : all;
+        }
+        QVERIFY(all != nullptr);
+        all->click();
+        auto* menu = message().findChild<QMenu*>(QStringLiteral("tissueForAll"));
+        QVERIFY(menu != nullptr);
+        const auto actions = menu->actions();
+        const auto kidney = std::find_if(actions.begin(), actions.end(), [](const QAction* one) {
+            return one->text().startsWith(QStringLiteral("Kidney"));
+        });
+        QVERIFY(kidney != actions.end());
+        const auto stiffness = [this](int row) { return window().model().structure(row).tissue.stiffness_N_per_mm; };
+        const double liver_N_per_mm = stiffness(0);
+        (*kidney)->trigger();
+        menu->close();
+        QVERIFY(stiffness(1) != 0.5 && stiffness(1) == stiffness(2));
+        QCOMPARE(stiffness(0), liver_N_per_mm);
+        m_desk->pressKeyOf("undo");
+        QCOMPARE(stiffness(1), 0.5);
+        QCOMPARE(stiffness(2), 0.5);
     }
 
     void clickingAnatomySelectsIt()

@@ -127,6 +127,7 @@ class MappedLiver : public QObject
         }
         QStandardPaths::setTestModeEnabled(true);
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+        QSettings().setValue(QStringLiteral("fingertip_mm"), 0.0); // a point, whose forces are known in closed form
         QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
     }
     void cleanup() { m_window.reset(); }

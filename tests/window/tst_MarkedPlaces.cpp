@@ -12,7 +12,10 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
+#include <QDockWidget>
 #include <QLineEdit>
+#include <QMenu>
 
 #include <vtkCamera.h>
 
@@ -150,6 +153,45 @@ class MarkedPlaces : public QObject
         QCOMPARE(size.data().toString(), QLocale().toString(12.5));
         m_desk->pressKeyOf("undo");
         QCOMPARE(size.data().toString(), QString());
+    }
+
+    /// A click on the type of the selected row opens the list of types; the right button opens a menu.
+    void isEditedWithTheMouse()
+    {
+        auto& findings = dynamic_cast<ui::FindingsModel&>(model());
+        findings.add({{.name = "first", .p_W = Vec3(1, 2, 3)}, {.name = "second", .p_W = Vec3(3, 2, 1)}}, "test");
+        auto* dock = m_desk->window().findChild<QDockWidget*>(QStringLiteral("findings"));
+        dock->show();
+        dock->raise();
+        QCoreApplication::processEvents();
+        const QPoint place = table().visualRect(model().index(1, ui::FindingsModel::Type)).center();
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, place);
+        QVERIFY(table().findChild<QComboBox*>() == nullptr);
+        QTest::qWait(QApplication::doubleClickInterval() + 100);
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, place);
+        PALPATE_TRY_VERIFY(table().findChild<QComboBox*>() != nullptr);
+        auto* types = table().findChild<QComboBox*>();
+        types->setCurrentIndex(static_cast<int>(core::FindingType::Lump));
+        Q_EMIT types->activated(types->currentIndex());
+        QVERIFY(findings.findings()[1].type == core::FindingType::Lump);
+
+        Q_EMIT table().customContextMenuRequested(place);
+        QMenu* menu = nullptr;
+        for (auto* one : m_desk->window().findChildren<QMenu*>()) {
+            menu = one->isVisible() ? one : menu;
+        }
+        QVERIFY(menu != nullptr);
+        QStringList entries;
+        for (QAction* one : menu->actions()) {
+            entries << one->text();
+            if (one->text() == QStringLiteral("Delete")) {
+                one->trigger();
+            }
+        }
+        QVERIFY2(entries.contains(QStringLiteral("Rename")), qPrintable(entries.join(QLatin1Char(','))));
+        menu->close();
+        QCOMPARE(model().rowCount(), 1);
+        QCOMPARE(cell(0, ui::FindingsModel::Name), QStringLiteral("first"));
     }
 
     /// A marker behind the organ is hollow, and filled when seen from its side.

@@ -4,6 +4,7 @@
 #include "TestRunner.h"
 #include "scene/CoordinatesChoice.h"
 
+#include <palpate/meshio/SceneFile.h>
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/MessageList.h>
 #include <palpate/ui/StructureModel.h>
@@ -13,12 +14,14 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLockFile>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTimer>
@@ -311,6 +314,36 @@ class OpenedFiles : public QObject
         QCOMPARE(ours.size(), 1);
         QCOMPARE(jsonOf((copies() + '/' + ours[0]).toStdString())["findings"].toArray().size(), 1);
         m_desk->close();
+    }
+
+    /// The sample opens without a file of its own: saving asks for one and proposes a folder of the user's.
+    void theSampleIsNeverOverwritten()
+    {
+        const std::filesystem::path sample = folder() / "data" / "phantom";
+        std::filesystem::create_directories(sample.parent_path());
+        std::filesystem::copy(std::filesystem::path(PALPATE_SOURCE_DIR) / "data" / "phantom", sample,
+                              std::filesystem::copy_options::recursive);
+        qputenv("PALPATE_DATA_DIR", QByteArray::fromStdString((folder() / "data").string()));
+        const auto restored = qScopeGuard([] { qunsetenv("PALPATE_DATA_DIR"); });
+        const std::string before = meshio::fileHash(sample / "phantom.palpate.json");
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({sample / "phantom.palpate.json"}));
+        QVERIFY2(m_desk->window().windowTitle().startsWith(QStringLiteral("Unsaved copy of phantom.palpate.json")),
+                 qPrintable(m_desk->window().windowTitle()));
+        const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        QVERIFY(QDir().mkpath(documents));
+        QString proposed;
+        QTimer look;
+        connect(&look, &QTimer::timeout, &look, [&] {
+            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+                proposed = dialog->directory().absolutePath();
+                dialog->reject();
+            }
+        });
+        look.start(50);
+        m_desk->command("save").trigger();
+        QCOMPARE(proposed, documents);
+        QCOMPARE(meshio::fileHash(sample / "phantom.palpate.json"), before);
     }
 
     void anotherWindowWasFaster()

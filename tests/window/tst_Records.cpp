@@ -6,6 +6,7 @@
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/RecordingWriter.h>
 #include <palpate/ui/MessageBar.h>
+#include <palpate/ui/PalpationController.h>
 #include <palpate/ui/Pieces.h>
 #include <palpate/ui/Playback.h>
 #include <palpate/ui/StructureModel.h>
@@ -20,10 +21,13 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileInfo>
+#include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeView>
@@ -350,12 +354,61 @@ class Records : public QObject
         QVERIFY(writer.value()->finish().isOk());
         QVERIFY(m_desk->open({file}));
         QCOMPARE(fingertip(), QStringLiteral("Ball, radius 3 mm"));
-        QVERIFY(!QSettings().contains(QStringLiteral("fingertip_mm")));
+        QCOMPARE(QSettings().value(QStringLiteral("fingertip_mm")).toDouble(), 0.0);
         QVERIFY(m_desk->open({folder / "phantom.palpate.json"}));
         QCOMPARE(fingertip(), QStringLiteral("Point"));
         m_desk->window().open({file}); // replayed in the open scene, which keeps its fingertip
         PALPATE_TRY_VERIFY(m_desk->window().playback().recording() != nullptr);
         QCOMPARE(fingertip(), QStringLiteral("Point"));
+    }
+
+    /// A recording that a crash cut off is offered at the next start; one that ended is not.
+    void aRecordingCutOffIsOffered()
+    {
+        const QDir notes(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                         QStringLiteral("/recordings"));
+        const auto count = [&notes] { return notes.entryList({QStringLiteral("*.txt")}, QDir::Files).size(); };
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({phantom() / "lump-20-mm.stl"}));
+        m_desk->window().viewport().setFocus();
+        m_desk->pressKeyOf("record");
+        PALPATE_TRY_VERIFY(chip()->text().contains(QStringLiteral("● recording")));
+        QCOMPARE(count(), 1);
+        QTest::qWait(300);
+        m_desk->pressKeyOf("record");
+        PALPATE_TRY_COMPARE(count(), 0);
+
+        QVERIFY(notes.mkpath(QStringLiteral(".")));
+        QFile note(notes.filePath(QStringLiteral("left.txt")));
+        QVERIFY(note.open(QIODevice::WriteOnly));
+        note.write(QByteArray::fromStdString((phantom() / "palpation.palpate").string()));
+        note.close();
+        QVERIFY(m_desk->show());
+        PALPATE_TRY_VERIFY(message().isVisible());
+        QVERIFY2(message().text().contains(
+                     QStringLiteral("Palpate ended unexpectedly while recording palpation.palpate. The first ")),
+                 qPrintable(message().text()));
+        test::answerOf(message())->click();
+        PALPATE_TRY_VERIFY(m_desk->window().playback().recording() != nullptr);
+        QCOMPARE(count(), 0);
+        const QLabel& source = *m_desk->window().findChild<QLabel*>(QStringLiteral("touchSource"));
+        QVERIFY2(source.text().startsWith(QStringLiteral("Recording, ")), qPrintable(source.text()));
+        m_desk->window().setPalpating(true);
+        m_desk->window().viewport().view().look(view::ViewFrom::Front);
+        m_desk->window().palpation().pressAt(*m_desk->window().viewport().palpablePlace());
+        PALPATE_TRY_COMPARE(source.text(), QStringLiteral("Live hand"));
+    }
+
+    /// The hand of a new user is a finger, and a chip shows its size.
+    void theFingertipIsAFingerAtFirst()
+    {
+        QSettings().remove(QStringLiteral("fingertip_mm"));
+        const auto restored = qScopeGuard([] { QSettings().setValue(QStringLiteral("fingertip_mm"), 0.0); });
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({phantom() / "lump-20-mm.stl"}));
+        QCOMPARE(fingertip(), QStringLiteral("Ball, radius 8 mm"));
+        const auto* shown = m_desk->window().findChild<ui::Chip*>(QStringLiteral("fingertip"));
+        QCOMPARE(shown->said(), QStringLiteral("fingertip 8 mm ▾"));
     }
 
     /// Findings of a recording are drawn over the open scene, which stays unchanged.

@@ -18,6 +18,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -25,6 +26,7 @@
 #include <QSettings>
 #include <QToolButton>
 #include <QTreeView>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <set>
@@ -352,12 +354,53 @@ class Shell : public QObject
         QVERIFY(!bar.isVisible());
     }
 
+    /// Scrolling a panel changes no value under the pointer: fields and lists take the wheel only with the focus.
+    void theWheelNeedsTheFocus()
+    {
+        const auto turn = [](QWidget& field) {
+            const QPointF middle = QRectF(field.rect()).center();
+            QWheelEvent wheel(middle, field.mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                              Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(&field, &wheel);
+            return wheel.isAccepted();
+        };
+        int fields = 0, lists = 0;
+        for (auto* field : the<ui::StructurePanel>().findChildren<QDoubleSpinBox*>()) {
+            if (!field->isVisible() || !field->isEnabled() || field->value() == field->minimum()) {
+                continue;
+            }
+            ++fields;
+            window().viewport().setFocus();
+            const double before = field->value();
+            QVERIFY(!turn(*field));
+            QCOMPARE(field->value(), before);
+            field->setFocus();
+            QVERIFY(turn(*field));
+            QVERIFY(field->value() < before);
+            window().viewport().setFocus();
+        }
+        for (auto* list : the<ui::StructurePanel>().findChildren<QComboBox*>()) {
+            if (list->isVisible() && list->isEnabled()) {
+                ++lists;
+                const int before = list->currentIndex();
+                QVERIFY(!turn(*list));
+                QCOMPARE(list->currentIndex(), before);
+                QVERIFY(list->focusPolicy() == Qt::StrongFocus);
+            }
+        }
+        QVERIFY2(fields > 0 && lists > 0, qPrintable(QStringLiteral("%1, %2").arg(fields).arg(lists)));
+    }
+
     void theListKeepsMessagesAndCopiesThem()
     {
         window().viewport().setFocus();
         m_desk->pressKeyOf("messages");
         auto& messages = the<ui::MessageList>();
         QVERIFY(messages.isVisible() && messages.hasFocus());
+        const auto* session = window().findChild<QDockWidget*>(QStringLiteral("session"));
+        QVERIFY(window()
+                    .tabifiedDockWidgets(qobject_cast<QDockWidget*>(messages.parentWidget()))
+                    .contains(session)); // as wide as the window
         QStringList all;
         for (int row = 0; row < messages.model()->rowCount(); ++row) {
             all << messages.model()->index(row, 0).data().toString();

@@ -85,7 +85,7 @@ class Tour : public QObject
     {
         m_desk->command("show-around").trigger();
         PALPATE_TRY_VERIFY(tour().isVisible());
-        QCOMPARE(window().windowTitle(), QStringLiteral("phantom.palpate.json[*] – Palpate"));
+        QCOMPARE(window().windowTitle(), QStringLiteral("Unsaved copy of phantom.palpate.json[*] – Palpate"));
         for (int stop = 0; stop < 4; ++stop) {
             isWellPlaced();
             QTest::qWait(300);

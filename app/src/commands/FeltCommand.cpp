@@ -119,10 +119,23 @@ Result<std::vector<study::OrganPalpability>> feelAll(const meshio::LoadedScene& 
     return felt;
 }
 
-int writeAndPrint(const FeltCommandOptions& options, const meshio::LoadedScene& scene,
-                  const std::vector<study::OrganPalpability>& felt)
+std::vector<core::Message> leftOutLosses(const meshio::LoadedScene& scene,
+                                         const std::vector<study::LumpInOpenSurface>& leftOut)
 {
-    std::vector<core::Message> losses = scene.losses;
+    std::vector<core::Message> losses;
+    for (const study::LumpInOpenSurface& one : leftOut) {
+        const meshio::LoadedStructure& around = scene.structures[one.around];
+        losses.push_back({PALPATE_TEXT("%1: left out, %2; --close-holes closes holes"),
+                          scene.structures[one.lump].description.name,
+                          study::openSurface(around.description.name, *around.surface)});
+    }
+    return losses;
+}
+
+int writeAndPrint(const FeltCommandOptions& options, const meshio::LoadedScene& scene,
+                  const std::vector<study::OrganPalpability>& felt, std::vector<core::Message> losses)
+{
+    losses.insert(losses.begin(), scene.losses.begin(), scene.losses.end());
     for (const study::OrganPalpability& one : felt) {
         losses.insert(losses.end(), one.felt.notes.begin(), one.felt.notes.end());
     }
@@ -182,7 +195,8 @@ int runFelt(const FeltCommandOptions& options)
         return report(scene.status());
     }
     printTouchNotes(scene.value(), *study::hapticScene(scene.value()));
-    const auto organs = study::organsWithLumps(scene.value(), ratios.value());
+    std::vector<study::LumpInOpenSurface> leftOut;
+    const auto organs = study::organsWithLumps(scene.value(), ratios.value(), &leftOut);
     if (!organs.isOk()) {
         return report(organs.status().at(options.scene.filename()));
     }
@@ -192,7 +206,7 @@ int runFelt(const FeltCommandOptions& options)
     if (!felt.isOk()) {
         return report(felt.status().at(options.scene.filename()));
     }
-    return writeAndPrint(options, scene.value(), felt.value());
+    return writeAndPrint(options, scene.value(), felt.value(), leftOutLosses(scene.value(), leftOut));
 }
 
 } // namespace

@@ -40,7 +40,7 @@ std::string surfaceChangesOf(const meshio::LoadedScene& scene)
     bool isAny = false;
     for (const meshio::LoadedStructure& one : scene.structures) {
         looks.push_back(study::lookOf(one.description));
-        isAny = isAny || one.description.outwards || one.smoothing || one.curving;
+        isAny = isAny || one.description.outwards || one.closing || one.smoothing || one.curving;
     }
     return isAny ? study::looksText(looks) : std::string();
 }

@@ -105,6 +105,9 @@ std::vector<std::string> sentencesOf(const meshio::LoadedStructure& structure)
     for (core::Message& sentence : meshio::shapeSentences(structure.staircase, structure.smoothing)) {
         lines.push_back(std::move(sentence));
     }
+    if (structure.closing) {
+        lines.push_back(structure.closing->message());
+    }
     if (structure.curving) {
         lines.push_back(structure.curving->message());
     }
@@ -283,6 +286,11 @@ void addShape(const meshio::LoadedStructure& structure, QJsonObject& object)
                                          {"limit_mm", done->limit_mm},
                                          {"volume_before_mm3", done->volumeBefore_mm3},
                                          {"volume_after_mm3", done->volumeAfter_mm3}};
+    }
+    if (const auto& closing = structure.closing) {
+        object["closed_holes"] = QJsonObject{{"holes", static_cast<qint64>(closing->holes)},
+                                             {"largest_mm", closing->largest_mm},
+                                             {"area_mm2", closing->area_mm2}};
     }
     if (const auto& curving = structure.curving) {
         object["curved"] = QJsonObject{{"crease_deg", structure.description.crease_deg},

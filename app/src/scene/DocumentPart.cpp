@@ -3,6 +3,7 @@
 
 #include "scene/RecentFiles.h"
 #include "shared/Paths.h"
+#include "shared/ProgramFolders.h"
 #include "shell/Notices.h"
 
 #include <palpate/session/RecordingReader.h>
@@ -31,6 +32,12 @@ meshio::SceneCamera sceneCamera(ui::VtkViewport& viewport)
     vtkCamera& camera = viewport.view().camera();
     return {core::Vec3(camera.GetPosition()), core::Vec3(camera.GetFocalPoint()), core::Vec3(camera.GetViewUp()),
             camera.GetViewAngle()};
+}
+
+/// Returns whether the scene is the sample that comes with the program, not saved elsewhere yet.
+bool isUnsavedSample(const SceneDocument& document, const std::vector<std::filesystem::path>& files)
+{
+    return document.file().empty() && files.size() == 1 && isSampleFile(files.front());
 }
 
 } // namespace
@@ -91,7 +98,7 @@ bool DocumentPart::isFromRecording() const
 
 void DocumentPart::takeFiles()
 {
-    if (m_files.size() == 1 && meshio::isSceneFile(m_files.front())) {
+    if (m_files.size() == 1 && meshio::isSceneFile(m_files.front()) && !isSampleFile(m_files.front())) {
         m_files.front() = m_document.file(); // restored changes belong to their original scene file
     }
     showTitle();
@@ -125,8 +132,12 @@ bool DocumentPart::save()
 
 bool DocumentPart::saveAs()
 {
-    const QString chosen = QFileDialog::getSaveFileName(&m_core.window, tr("Save scene"), toText(m_document.file()),
-                                                        tr("Palpate scene (*.palpate.json)"));
+    QString proposed = toText(m_document.file());
+    if (isUnsavedSample(m_document, m_files)) {
+        proposed = documentsFolder() + QLatin1Char('/') + toText(m_files.front().filename());
+    }
+    const QString chosen =
+        QFileDialog::getSaveFileName(&m_core.window, tr("Save scene"), proposed, tr("Palpate scene (*.palpate.json)"));
     if (chosen.isEmpty()) {
         return false;
     }
@@ -168,6 +179,9 @@ void DocumentPart::showTitle()
     }
     QString name =
         m_files.empty() || m_files.front().empty() ? tr("Unsaved scene") : toText(m_files.front().filename());
+    if (isUnsavedSample(m_document, m_files)) {
+        name = tr("Unsaved copy of %1").arg(name);
+    }
     if (m_files.size() > 1) {
         name = tr("%1 and %2 more").arg(name).arg(m_files.size() - 1);
     }

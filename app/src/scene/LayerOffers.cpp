@@ -4,12 +4,14 @@
 #include "shared/LumpLayout.h"
 
 #include <palpate/haptics/HapticScene.h>
+#include <palpate/study/BuriedLumps.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/Layers.h>
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/SceneLoader.h>
 #include <palpate/ui/StructureModel.h>
 #include <palpate/ui/TouchMode.h>
+#include <palpate/ui/Translated.h>
 
 #include <QUndoStack>
 
@@ -77,8 +79,55 @@ void LayerOffers::layOut(const ui::OpenedScene& scene, bool hasRecording)
             m_model.undoStack().setClean(); // automatic changes do not make the document modified
             offerOther(found, joinedSentences(found.lines()));
         } else if (!found.lines().isEmpty()) {
-            m_bar.showError(joinedSentences(found.lines())); // duplicate surface or surface with holes
+            m_bar.showError(joinedSentences(found.lines())); // duplicate surface
         }
+        offerBelowOpen(found);
+    }
+}
+
+/// Offers to close the open surfaces around lumps, or to feel the lumps as layers below them.
+void LayerOffers::offerBelowOpen(const LumpLayout& layout)
+{
+    if (layout.inOpenSurfaces().empty()) {
+        return;
+    }
+    QStringList lines;
+    std::vector<ui::TouchMode> ways;
+    std::vector<int> closable;
+    for (const LumpLayout::InOpen& one : layout.inOpenSurfaces()) {
+        const QString lump = ui::readableName(m_model.structure(one.lump).name);
+        const QString around = ui::readableName(m_model.structure(one.around).name);
+        const study::OpenStructure& surface = m_model.rows()[static_cast<std::size_t>(one.around)];
+        lines << tr("%1 cannot be felt through %2 yet: %3")
+                     .arg(lump, around,
+                          ui::translated(study::openSurface(around.toStdString(), *surface.loaded.surface)));
+        const std::uint32_t below = m_model.structure(one.around).layer + 1;
+        ways.push_back({one.lump, std::min<std::uint32_t>(below, haptics::kMaxLayers - 1)});
+        if (std::find(closable.begin(), closable.end(), one.around) == closable.end() &&
+            !m_model.holes(one.around).empty()) {
+            closable.push_back(one.around);
+        }
+    }
+    const QString below = lines.size() == 1 ? tr("Feel it as a layer below") : tr("Feel them as layers below");
+    const auto feelBelow = [this, ways] { ui::feel(m_model, ways, tr("Feel inner structures below outer ones")); };
+    if (closable.empty()) {
+        m_bar.offer(joinedSentences(lines), below, feelBelow);
+        return;
+    }
+    m_bar.ask(
+        joinedSentences(lines), tr("Close the holes"), [this, closable] { m_model.closeHoles(closable); }, below,
+        feelBelow);
+}
+
+void LayerOffers::layOutClosed(const study::Layering& layering)
+{
+    if (!isFlat()) {
+        return;
+    }
+    const LumpLayout found(m_model, layering, 0);
+    ui::feel(m_model, found.ways(), tr("Feel inner structures below outer ones"));
+    if (!found.lines().isEmpty()) {
+        offerOther(found, joinedSentences(found.lines()));
     }
 }
 
@@ -124,6 +173,7 @@ void LayerOffers::offer(const study::Layering& layering)
 void LayerOffers::layOutAdded(const ui::OpenedScene& scene, bool isUnsaved)
 {
     const LumpLayout layout(m_model, scene.layering, static_cast<int>(scene.addedTo));
+    offerBelowOpen(layout);
     bool isAsFound = isUnsaved && scene.areMeshes();
     bool isOther = false;
     for (const ui::TouchMode& way : layout.ways()) {

@@ -36,8 +36,12 @@ class LayerOffers : public QObject
     void layOutAdded(const ui::OpenedScene& scene, bool isUnsaved);
     /// Offers layers for a scene with a single layer. The message names the first structure whose contact would change.
     void offer(const study::Layering& layering);
+    /// Lays out the structures as `layOut` does for meshes, after the holes of a surface were closed around some of
+    /// them. No effect if structures have layers already.
+    void layOutClosed(const study::Layering& layering);
 
   private:
+    void offerBelowOpen(const LumpLayout& layout);
     void offerOther(const LumpLayout& layout, const QString& line);
     [[nodiscard]] bool isFlat() const;
 

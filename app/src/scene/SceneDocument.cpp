@@ -2,6 +2,7 @@
 #include "scene/SceneDocument.h"
 
 #include "shared/Paths.h"
+#include "shared/ProgramFolders.h"
 
 #include <palpate/ui/Translated.h>
 
@@ -74,8 +75,10 @@ void SceneDocument::take(const ui::OpenedScene& scene)
     m_findings.reset(scene.scene.findings); // before writing a copy of unsaved changes, which includes the findings
     m_unopened = scene.unopened;
     const bool isScene = scene.files.size() == 1 && meshio::isSceneFile(scene.files.front());
-    m_file = isScene ? scene.files.front() : std::filesystem::path();
-    if (isScene && isCopy(m_file)) {
+    // The sample has no file here, so that saving never overwrites it.
+    const bool isSample = isScene && app::isSampleFile(scene.files.front());
+    m_file = isScene && !isSample ? scene.files.front() : std::filesystem::path();
+    if (isScene && !isSample && isCopy(m_file)) {
         // Restored changes stay unsaved changes of the original file, which is unmodified.
         QJsonObject extra = QJsonDocument::fromJson(QByteArray::fromStdString(m_rest.extra)).object();
         m_file = toPath(extra.take(QLatin1String(kCopyOf)).toString());

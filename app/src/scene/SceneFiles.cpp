@@ -203,7 +203,11 @@ void SceneFiles::openPhantom()
 void SceneFiles::takeFailure(const QString& line)
 {
     m_progress.end();
-    m_core.notices.showError(line);
+    if (m_waitingRecording && m_opening == std::vector{*m_waitingRecording}) {
+        m_core.notices.warn({line}); // the recording itself offers to find its meshes
+    } else {
+        m_core.notices.showError(line);
+    }
     if (m_waitingRecording && m_core.model.rowCount() == 0) {
         openWaitingRecording(); // playback works without the scene of the recording
     } else {

@@ -160,7 +160,9 @@ void SceneSurfaces::followSurface(int row)
         isFlat = isFlat && model.structure(static_cast<int>(i)).layer == 0;
     }
     model.setNesting(in);
-    if (isNestedAnew && isFlat) { // structures nested in an organ that was inverted before
+    if (isNestedAnew && changed.loaded.closing) {
+        m_layers.layOutClosed(found);
+    } else if (isNestedAnew && isFlat) { // structures nested in an organ that was inverted before
         m_layers.offer(found);
     }
     m_core.viewport.update();

@@ -4,6 +4,8 @@
 #include "shell/Docks.h"
 #include "shell/Notices.h"
 
+#include <palpate/meshio/AnatomyPalette.h>
+#include <palpate/meshio/LoadScene.h>
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/MapDisplay.h>
@@ -14,13 +16,21 @@
 
 #include <QAction>
 #include <QMainWindow>
+#include <QSettings>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace palpate::app {
 
 using ui::ActionGroup;
+
+namespace {
+
+constexpr auto kSafeKey = "look/safe_colours";
+
+} // namespace
 
 StructuresPart::StructuresPart(const WindowCore& core)
     : WindowPart(&core.window)
@@ -74,10 +84,40 @@ void StructuresPart::addActions()
     connect(actions.add("remove", ActionGroup::Edit, tr("Remove from the scene"),
                         tr("Remove the selected structures from the scene; their files are kept")),
             &QAction::triggered, m_panel, &ui::StructurePanel::removeSelected);
+    QAction* safe = actions.add("safe-colours", ActionGroup::Appearance, tr("Structures in colour-blind colours"),
+                                tr("Give lumps, arteries, portal vein, other veins, ducts and organs colours that "
+                                   "colour-blind people can distinguish; also when meshes are opened"));
+    safe->setCheckable(true);
+    safe->setChecked(QSettings().value(QLatin1String(kSafeKey), false).toBool());
+    connect(safe, &QAction::toggled, this, [this](bool isSafe) {
+        QSettings().setValue(QLatin1String(kSafeKey), isSafe);
+        recolour(isSafe, 0);
+    });
     actions.addGesture(ActionGroup::InList, tr("Ctrl+E  Ctrl+H"), tr("show or hide, turn touch on or off"));
     actions.addGesture(ActionGroup::InList, tr("letters"), tr("go to the structure whose name starts with them"));
     actions.addGesture(ActionGroup::InList, tr("F2  Del"), tr("rename, remove from the scene"));
     actions.addGesture(ActionGroup::InList, tr("Ctrl+↓  ↑"), tr("move one layer deeper or outwards"));
+}
+
+void StructuresPart::colourAsChosen(int first)
+{
+    if (m_core.actions.at("safe-colours").isChecked()) {
+        recolour(true, first);
+    }
+}
+
+/// Colours structures by their names as one undo step.
+void StructuresPart::recolour(bool isSafe, int first)
+{
+    std::vector<ui::StructureModel::Edited> edits;
+    for (int row = first; row < m_core.model.rowCount(); ++row) {
+        meshio::SceneStructure changed = m_core.model.structure(row);
+        const auto number = static_cast<std::size_t>(row);
+        changed.colour =
+            isSafe ? meshio::safeColour(changed.name, number) : meshio::defaultColour(changed.name, number);
+        edits.push_back({row, std::move(changed)});
+    }
+    m_core.model.editAll(std::move(edits), tr("Colour structures"));
 }
 
 void StructuresPart::addPanel(Docks& docks)

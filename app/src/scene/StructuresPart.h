@@ -19,6 +19,9 @@ class StructuresPart : public WindowPart
     explicit StructuresPart(const WindowCore& core);
     ~StructuresPart() override;
     void addActions() override;
+    /// Colours structures that were opened without colours of their own, as chosen under Appearance.
+    /// @param first  rows before this one are unchanged
+    void colourAsChosen(int first);
     void addPanel(Docks& docks) override;
     void showState(const WindowState& state) override;
 
@@ -29,6 +32,7 @@ class StructuresPart : public WindowPart
     void takeLimit();
 
   private:
+    void recolour(bool isSafe, int first);
     void connectMapWarnings();
 
     WindowCore m_core;

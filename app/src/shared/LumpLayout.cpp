@@ -46,9 +46,7 @@ LumpLayout::LumpLayout(const StructureModel& model, const study::Layering& layer
         if (const auto around = layering.palpableParent(i, isFelt)) {
             assignLump(row, model.organAround(row).value_or(static_cast<int>(*around)));
         } else if (one.unreliableParent && isFelt[*one.unreliableParent]) {
-            m_lines << tr("%1 seems to be inside %2 but cannot be felt there yet, because the surface of %2 is open or "
-                          "inside out")
-                           .arg(QString::fromStdString(names[i]), QString::fromStdString(names[*one.unreliableParent]));
+            m_open.push_back({row, static_cast<int>(*one.unreliableParent)});
             m_needsSentence[i] = false;
         }
     }

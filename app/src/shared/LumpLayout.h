@@ -27,6 +27,13 @@ class LumpLayout
     /// Notes for the user, one sentence each without final full stop, lumps first.
     [[nodiscard]] const QStringList& lines() const noexcept { return m_lines; }
     [[nodiscard]] bool hasTransmittedLump() const noexcept { return m_hasTransmittedLump; }
+    /// Lump inside a surface that is open or inside out. The layout leaves it where it is.
+    struct InOpen
+    {
+        int lump = 0;   ///< row
+        int around = 0; ///< row of the surface
+    };
+    [[nodiscard]] const std::vector<InOpen>& inOpenSurfaces() const noexcept { return m_open; }
 
   private:
     void assignLump(int row, int around);
@@ -37,5 +44,6 @@ class LumpLayout
     std::vector<std::uint32_t> m_layers;
     std::vector<bool> m_needsSentence; ///< included in the sentences about layers
     QStringList m_lines;
+    std::vector<InOpen> m_open;
     bool m_hasTransmittedLump = false;
 };

@@ -41,6 +41,13 @@ std::optional<std::filesystem::path> phantomFolder()
     return find("../share/palpate/phantom", "data/phantom", "phantom.palpate.json", std::move(named));
 }
 
+bool isSampleFile(const std::filesystem::path& file)
+{
+    const auto folder = phantomFolder();
+    std::error_code error;
+    return folder && std::filesystem::equivalent(file.parent_path(), *folder, error);
+}
+
 std::optional<std::filesystem::path> docsFolder()
 {
     return find("../share/palpate/docs", "resources/docs", "window.md");

@@ -3,6 +3,7 @@
 
 #include "shared/Console.h"
 
+#include <palpate/geometry/MeshCheck.h>
 #include <palpate/study/SceneNotes.h>
 
 #include <cstddef>
@@ -36,6 +37,8 @@ void SurfaceOptions::addTo(CLI::App& command)
                     "Strength of smoothing, by default 0.5 for label maps and 0.7 with --smooth; 0 leaves the steps")
         ->check(CLI::Range(0.0, 1.0));
     command.add_flag("--outwards", turnsOutwards, "Turn closed surfaces that are inside out; the files stay");
+    command.add_option("--close-holes", closeHoles_mm, "Close holes of surfaces up to this size in mm; the files stay")
+        ->check(CLI::Range(0.0, geometry::kMostCoordinate_mm));
 }
 
 void SurfaceOptions::applyTo(meshio::ReadOptions& read) const
@@ -44,6 +47,7 @@ void SurfaceOptions::applyTo(meshio::ReadOptions& read) const
     read.isCurved = isCurved;
     read.smoothing = smoothing;
     read.turnsOutwards = turnsOutwards;
+    read.closeHoles_mm = closeHoles_mm;
 }
 
 std::vector<core::Message> surfaceNotes(const meshio::LoadedScene& scene, const haptics::HapticScene& felt)
@@ -53,6 +57,9 @@ std::vector<core::Message> surfaceNotes(const meshio::LoadedScene& scene, const 
     for (std::size_t i = 0; i < scene.structures.size(); ++i) {
         const meshio::LoadedStructure& one = scene.structures[i];
         const std::string& name = one.description.name;
+        if (one.closing) {
+            lines.push_back({PALPATE_TEXT("%1: %2"), name, one.closing->message()});
+        }
         if (one.smoothing) {
             lines.push_back({PALPATE_TEXT("%1: %2"), name, one.smoothing->sentence()});
         }

@@ -12,12 +12,14 @@
 
 namespace palpate::app {
 
-/// Surface processing before contact: options `--smooth`, `--smoothing`, `--curved` and `--outwards`.
+/// Surface processing before contact: options `--smooth`, `--smoothing`, `--curved`, `--outwards` and
+/// `--close-holes`.
 struct SurfaceOptions
 {
     bool isSmoothed = false;
     bool isCurved = false;
     bool turnsOutwards = false;
+    double closeHoles_mm = 0.0;
     std::optional<double> smoothing{};
 
     void addTo(CLI::App& command);

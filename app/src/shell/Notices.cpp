@@ -35,6 +35,7 @@ void Notices::addActions()
 
 void Notices::addPanel(Docks& docks)
 {
+    m_docks = &docks;
     m_dock = &docks.addHidden(
         {tr("Messages"), "messages", new ui::MessageList(m_messages), Qt::BottomDockWidgetArea, false});
 }
@@ -52,17 +53,14 @@ void Notices::say(const QString& text, int duration_ms)
 
 void Notices::warn(const QStringList& lines)
 {
-    for (const QString& line : lines) {
-        m_messages.add(ui::Messages::Kind::Warning, line);
-    }
+    m_messages.add(ui::Messages::Kind::Warning, lines);
 }
 
 void Notices::toggleList()
 {
     const bool isShown = !m_dock->isVisible();
-    m_dock->setVisible(isShown);
+    m_docks->setShown(*m_dock, isShown);
     if (isShown) {
-        m_dock->raise();
         m_dock->widget()->setFocus(Qt::ShortcutFocusReason);
     } else {
         m_viewport.setFocus();

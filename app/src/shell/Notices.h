@@ -13,6 +13,8 @@ class QDockWidget;
 
 namespace palpate::app {
 
+class Docks;
+
 /// Messages of the window: the newest in the status line, errors and offers over the view, all in a list.
 class Notices : public WindowPart
 {
@@ -41,6 +43,7 @@ class Notices : public WindowPart
     ui::Messages m_messages;
     ui::MessageBar* m_bar = nullptr;
     ui::HintLine* m_hint = nullptr;
+    Docks* m_docks = nullptr;
     QDockWidget* m_dock = nullptr;
 };
 

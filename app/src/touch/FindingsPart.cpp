@@ -129,8 +129,8 @@ void FindingsPart::exportFindings()
     const QString markups = tr("3D Slicer markups (*.mrk.json)");
     const QString table = tr("Table (*.csv)");
     const std::filesystem::path scene = m_document.document().file();
-    const QString folder =
-        scene.empty() ? QSettings().value(QStringLiteral("folder")).toString() : toText(scene.parent_path());
+    const QString folder = scene.empty() ? QSettings().value(QStringLiteral("folder"), documentsFolder()).toString()
+                                         : toText(scene.parent_path());
     QString kind = markups;
     QString chosen = QFileDialog::getSaveFileName(&m_core.window, tr("Export findings"),
                                                   folder + QStringLiteral("/findings.mrk.json"),

@@ -6,8 +6,10 @@
 #include <palpate/core/AtomicFile.h>
 #include <palpate/ui/Translated.h>
 
+#include <QDir>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSettings>
 
 #include <algorithm>
 #include <iterator>
@@ -20,6 +22,7 @@ using namespace palpate::ui;
 namespace {
 
 constexpr int kMaxNumberedNames = 1000;
+constexpr auto kFolderKey = "recording_folder";
 constexpr const char* kSideFiles[] = {"", "-journal", "-wal", "-shm"};
 
 /// Returns whether no file has the name of the recording or of one of SQLite's side files.
@@ -45,6 +48,11 @@ RecordingControl::RecordingControl(LiveTouch& live, Chip& chip, SessionPanel& pa
                          "nothing was felt. Lost samples: felt, but not recorded because the disk was too slow."));
 }
 
+void RecordingControl::setFolder(const QString& folder)
+{
+    QSettings().setValue(QLatin1String(kFolderKey), folder);
+}
+
 core::Status RecordingControl::start(const std::filesystem::path& scene, bool embeds)
 {
     refresh(); // report a recording that has just failed first
@@ -52,7 +60,10 @@ core::Status RecordingControl::start(const std::filesystem::path& scene, bool em
     m_reportedProblem.clear();
     m_hasFailed = false;
     // The name has a resolution of one second: an older recording, or one of another window, may have the same name.
-    const std::filesystem::path wanted = newFile(QStandardPaths::DocumentsLocation, QStringLiteral(".palpate"));
+    const QString folder = QSettings().value(QLatin1String(kFolderKey)).toString(), ending = QStringLiteral(".palpate");
+    const std::filesystem::path wanted = !folder.isEmpty() && QDir(folder).exists()
+                                             ? newFileIn(folder, ending)
+                                             : newFile(QStandardPaths::DocumentsLocation, ending);
     core::Status started;
     bool isTaken = true;
     for (int number = 1; isTaken && number <= kMaxNumberedNames; ++number) {

@@ -18,8 +18,10 @@ class RecordingControl : public QObject
     RecordingControl(palpate::ui::LiveTouch& live, palpate::ui::Chip& chip, palpate::ui::SessionPanel& panel,
                      QObject* parent = nullptr);
 
-    /// Starts a recording in a new file in the user's documents. @param scene, embeds  as for
-    /// LiveTouch::startRecording
+    /// Sets the folder of new recordings, which is kept in the settings.
+    void setFolder(const QString& folder);
+    /// Starts a recording in a new file in the set folder, by default in the user's documents. @param scene, embeds  as
+    /// for LiveTouch::startRecording
     palpate::core::Status start(const std::filesystem::path& scene, bool embeds);
     /// Stops the recording. @return a description of lost data, if any
     palpate::core::Status stop();

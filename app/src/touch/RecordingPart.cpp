@@ -6,7 +6,7 @@
 #include "shared/Paths.h"
 #include "shell/Docks.h"
 #include "shell/Notices.h"
-#include "touch/FingertipMenu.h"
+#include "touch/FingertipPart.h"
 #include "touch/TouchPart.h"
 
 #include <palpate/session/RecordingReader.h>
@@ -20,10 +20,13 @@
 #include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
+#include <QFileDialog>
 #include <QLocale>
 #include <QMainWindow>
+#include <QTimer>
 
 #include <utility>
+#include <vector>
 
 namespace palpate::app {
 
@@ -43,6 +46,8 @@ RecordingPart::RecordingPart(const WindowCore& core, DocumentPart& document, Tou
     connect(&core.live, &ui::LiveTouch::statusChanged, m_control, &RecordingControl::refresh);
     connect(m_playback, &ui::Playback::stateChanged, this, &RecordingPart::stateChanged);
     connect(&touch, &TouchPart::palpationBegins, m_playback, &ui::Playback::pause);
+    connect(this, &RecordingPart::ended, this, [this] { m_trace.end(); });
+    QTimer::singleShot(0, this, &RecordingPart::offerInterrupted);
     ui::PalpationController& palpation = touch.palpation();
     connect(&palpation, &ui::PalpationController::touched, this, [this](const ui::TouchReading& reading) {
         const session::RecorderStatus recording = m_core.live.recording();
@@ -128,10 +133,26 @@ void RecordingPart::open(const std::filesystem::path& path)
         m_core.notices.showError(losses);
     }
     if (m_core.model.rowCount() == 0) {
-        m_core.notices.showError(
+        m_core.notices.bar().offer(
             tr("%1 can be played, but its meshes were not found. Open them to see what was touched.")
-                .arg(toText(path.filename())));
+                .arg(toText(path.filename())),
+            tr("Find the meshes…"), [this, path] { findMeshes(path); });
         Q_EMIT shownAlone();
+    }
+}
+
+/// Asks for the meshes of a recording and opens these with the recording.
+void RecordingPart::findMeshes(const std::filesystem::path& recording)
+{
+    const QStringList chosen =
+        QFileDialog::getOpenFileNames(&m_core.window, tr("Meshes of the recording"), toText(recording.parent_path()));
+    std::vector<std::filesystem::path> files;
+    for (const QString& file : chosen) {
+        files.push_back(toPath(file));
+    }
+    if (!files.empty()) {
+        files.push_back(recording);
+        Q_EMIT meshesFound(files);
     }
 }
 
@@ -155,9 +176,16 @@ void RecordingPart::start()
     m_core.actions.at("record").setChecked(started.isOk());
     Q_EMIT begun(m_control->path());
     if (!started.isOk()) {
-        m_core.notices.showError(ui::translated(started));
+        m_core.notices.bar().offer(ui::translated(started), tr("Record to another folder…"), [this] {
+            const QString folder = QFileDialog::getExistingDirectory(&m_core.window, tr("Folder of recordings"));
+            if (!folder.isEmpty()) {
+                m_control->setFolder(folder);
+                toggle();
+            }
+        });
         return;
     }
+    m_trace.begin(m_control->path());
     m_touch.panel().clearHistory();
     m_panel->showTitle(tr("Recording %1").arg(toText(m_control->path().filename())));
     m_touch.setPalpating(true);
@@ -181,9 +209,33 @@ void RecordingPart::stop()
 
 void RecordingPart::takeFailure(const QString& line)
 {
+    m_trace.end(); // the line below offers the recording
     m_core.actions.at("record").setChecked(false);
     Q_EMIT stateChanged();
     m_core.notices.bar().offer(line, tr("Open the recording"), [this] { open(m_control->path()); });
+}
+
+/// Offers a recording that a crash cut off, if nothing is open.
+void RecordingPart::offerInterrupted()
+{
+    const auto left = RecordingTrace::findLeft();
+    if (!left || m_core.model.rowCount() > 0) {
+        return;
+    }
+    const auto reader = session::RecordingReader::open(left->recording);
+    if (!reader.isOk() || reader.value()->extent().ticks == 0) {
+        RecordingTrace::discard(*left); // nothing was recorded yet
+        return;
+    }
+    m_core.notices.bar().ask(
+        tr("Palpate ended unexpectedly while recording %1. The first %2 s were saved.")
+            .arg(toText(left->recording.filename()), QLocale().toString(reader.value()->extent().duration_s, 'f', 1)),
+        tr("Open the recording"),
+        [this, left = *left] {
+            RecordingTrace::discard(left);
+            Q_EMIT m_document.openWanted(left.recording);
+        },
+        tr("Do not offer again"), [left = *left] { RecordingTrace::discard(left); });
 }
 
 void RecordingPart::togglePlaying()

@@ -3,8 +3,10 @@
 
 #include "shell/WindowPart.h"
 #include "touch/RecordingControl.h"
+#include "touch/RecordingTrace.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace palpate::ui {
 class Playback;
@@ -44,6 +46,8 @@ class RecordingPart : public WindowPart
   Q_SIGNALS:
     /// A recording without a scene is open and drawn.
     void shownAlone();
+    /// Emitted when the user has chosen the meshes of a recording. @param files  these and the recording
+    void meshesFound(const std::vector<std::filesystem::path>& files);
     void openFailed(const QString& line);
     /// Emitted after a recording was started, or failed to start, in this file.
     void begun(const std::filesystem::path& path);
@@ -52,9 +56,11 @@ class RecordingPart : public WindowPart
 
   private:
     void start();
+    void findMeshes(const std::filesystem::path& recording);
     void stop();
     void togglePlaying();
     void takeFailure(const QString& line);
+    void offerInterrupted();
     void showForceLimit(const WindowState& state);
 
     WindowCore m_core;
@@ -63,6 +69,7 @@ class RecordingPart : public WindowPart
     ui::SessionPanel* m_panel = nullptr;
     ui::Playback* m_playback = nullptr;
     RecordingControl* m_control = nullptr;
+    RecordingTrace m_trace;
 };
 
 } // namespace palpate::app

@@ -8,6 +8,7 @@
 #include <palpate/ui/ChipRow.h>
 #include <palpate/ui/DeviceChoice.h>
 #include <palpate/ui/LiveTouch.h>
+#include <palpate/ui/LumpLabel.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/StructurePanel.h>
 #include <palpate/ui/TouchPanel.h>
@@ -42,6 +43,7 @@ TouchPart::TouchPart(const WindowCore& core, ui::StructurePanel& structures)
     connect(&core.live, &ui::LiveTouch::statusChanged, this, &TouchPart::showHand);
     new ui::ViewKeys(core.viewport, *m_palpation, this);
     new ui::ViewVoice(core.viewport, *m_panel, this);
+    new ui::LumpLabel(core.viewport, *m_panel, this);
     connectView();
 }
 

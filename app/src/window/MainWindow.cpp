@@ -20,7 +20,7 @@
 #include "touch/DevicePart.h"
 #include "touch/EngineeringPart.h"
 #include "touch/FindingsPart.h"
-#include "touch/FingertipMenu.h"
+#include "touch/FingertipPart.h"
 #include "touch/RecordingPart.h"
 #include "touch/ResultsPart.h"
 #include "touch/TouchPart.h"
@@ -126,6 +126,7 @@ void MainWindow::makeParts()
     auto* structures = keep(new StructuresPart(core));
     m_document = keep(new DocumentPart(core, structures->maps(), *recent));
     m_touch = keep(new TouchPart(core, structures->panel()));
+    auto* fingertip = keep(new FingertipPart(core));
     m_recording = keep(new RecordingPart(core, *m_document, *m_touch));
     m_device = keep(new DevicePart(core, *structures, *m_touch, *m_recording));
     auto* findings = keep(new FindingsPart(core, *m_document, *m_touch, *m_recording));
@@ -142,8 +143,9 @@ void MainWindow::makeParts()
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files, m_document, picture, structures,    m_touch, m_device,  m_recording, findings,
-                          results, lumps,      m_view,  m_coordinates, m_docks, m_notices, engineering, m_help};
+    const Parts menuOrder{m_files,       m_document,  picture,   structures,  m_touch, m_device,
+                          fingertip,     m_recording, findings,  results,     lumps,   m_view,
+                          m_coordinates, m_docks,     m_notices, engineering, m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }
@@ -174,9 +176,7 @@ void MainWindow::makeMenus()
     m_actions.fill(*view->addMenu(tr("Appearance")), ActionGroup::Appearance);
     m_actions.fill(*view->addMenu(tr("Text size")), ActionGroup::TextSize);
     addLanguageMenu(*view, *this, [this](const QString& line) { m_notices->say(line); });
-    QMenu* session = menuBar()->addMenu(tr("&Session"));
-    m_actions.fill(*session, ActionGroup::Session);
-    addFingertipMenu(*session, m_live);
+    m_actions.fill(*menuBar()->addMenu(tr("&Session")), ActionGroup::Session);
     m_actions.fill(*menuBar()->addMenu(tr("&Help")), ActionGroup::Help);
 }
 
@@ -234,6 +234,7 @@ void MainWindow::connectParts()
         showPage(true);
         Q_EMIT ready();
     });
+    connect(m_recording, &RecordingPart::meshesFound, this, [this](const auto& files) { m_files->open(files); });
     connect(m_files, &SceneFiles::recordingWanted, m_recording, &RecordingPart::open);
     connect(m_files, &SceneFiles::openFailed, this, &MainWindow::openFailed);
     connect(m_recording, &RecordingPart::openFailed, this, &MainWindow::openFailed);

@@ -58,6 +58,7 @@ class MainWindow : public QMainWindow
               palpate::core::FileFrame frame = palpate::core::FileFrame::Untagged);
 
     [[nodiscard]] const palpate::ui::ActionList& commands() const noexcept { return m_actions; }
+    [[nodiscard]] const palpate::ui::StructureModel& model() const noexcept { return m_model; }
     [[nodiscard]] palpate::ui::VtkViewport& viewport() noexcept { return *m_viewport; }
     [[nodiscard]] palpate::ui::PalpationController& palpation() noexcept;
     [[nodiscard]] palpate::ui::Playback& playback() noexcept;

@@ -23,7 +23,9 @@
 #include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
+#include <QHash>
 #include <QMainWindow>
+#include <QSet>
 #include <QUndoStack>
 
 #include <optional>
@@ -134,6 +136,7 @@ void SceneChanges::arrange(const ui::OpenedScene& scene)
     }
     const bool hasRecording = m_parts.files.hasWaitingRecording();
     if (scene.areMeshes() && !hasRecording) {
+        m_parts.structures.colourAsChosen(0);
         applyTissueByName(m_core.model, m_core.notices.bar(), scene.layering, 0);
         m_core.model.undoStack().setClean(); // automatic changes do not make the document modified
     }
@@ -147,21 +150,46 @@ void SceneChanges::showProblems(const ui::OpenedScene& scene)
     }
 }
 
-/// Adds notes from opening to the list of messages. @return the number of notes
+/// Adds notes from opening to the list of messages. Structures with the same defects share a note. @return the number
+/// of notes
 int SceneChanges::listNotes(const ui::OpenedScene& scene)
 {
     const ui::StructureModel& model = m_core.model;
-    m_core.notices.warn(scene.warnings);
+    QSet<QString> details; // the same as warnings, which are given in the notes on the defects
+    QStringList kinds;     // in the order of the structures
+    QHash<QString, std::vector<int>> rowsOf;
     for (int row = 0; row < model.rowCount(); ++row) {
-        const QStringList details = model.findings(row);
-        if (!details.isEmpty()) {
-            m_core.notices.warn(
-                {tr("%1: %2 (%3)")
-                     .arg(ui::readableName(model.structure(row).name), model.defects(row).join(QStringLiteral("; ")),
-                          details.join(QStringLiteral("; ")))});
+        const QStringList found = model.findings(row);
+        if (found.isEmpty()) {
+            continue;
+        }
+        for (const QString& detail : found) {
+            details << ui::translated(
+                core::Message(PALPATE_TEXT("%1: %2"), model.structure(row).name, detail.toStdString()));
+        }
+        const QString kind = model.defects(row).join(QStringLiteral("; "));
+        if (!rowsOf.contains(kind)) {
+            kinds << kind;
+        }
+        rowsOf[kind].push_back(row);
+    }
+    QStringList notes;
+    for (const QString& warning : scene.warnings) {
+        if (!details.contains(warning)) {
+            notes << warning;
         }
     }
-    return static_cast<int>(scene.warnings.size());
+    for (const QString& kind : kinds) {
+        const std::vector<int>& rows = rowsOf[kind];
+        const QString first = ui::readableName(model.structure(rows.front()).name);
+        notes << (rows.size() == 1
+                      ? tr("%1: %2 (%3)").arg(first, kind, model.findings(rows.front()).join(QStringLiteral("; ")))
+                      : tr("%1 structures: %2 (%3 and others; the sign in the list of structures has the details)")
+                            .arg(rows.size())
+                            .arg(kind, first));
+    }
+    m_core.notices.warn(notes);
+    return static_cast<int>(notes.size());
 }
 
 void SceneChanges::add(ui::OpenedScene& scene)
@@ -196,6 +224,7 @@ void SceneChanges::addRows(ui::OpenedScene& scene, int first)
     model.addRows(std::move(scene.rows), text);
     model.setNesting(in);
     if (scene.areMeshes()) {
+        m_parts.structures.colourAsChosen(first);
         applyTissueByName(model, m_core.notices.bar(), scene.layering, first);
     }
     SceneDocument& document = m_parts.document.document();

@@ -13,6 +13,7 @@ struct AnatomyWords
 {
     AnatomyKind kind;
     std::array<int, 3> rgb;   ///< 0 … 255
+    std::array<int, 3> safe;  ///< for colour-blind people, 0 … 255
     std::string_view phrases; ///< lower case, singular, separated by commas
 };
 

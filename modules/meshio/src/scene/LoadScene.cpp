@@ -320,6 +320,9 @@ void Loader::repairAll()
         if (m_options.turnsOutwards) {
             pending.description.outwards = true;
         }
+        if (m_options.closeHoles_mm > 0.0) {
+            pending.description.closeHoles_mm = m_options.closeHoles_mm;
+        }
         if (m_options.isSmoothed || m_options.isCurved) {
             pending.description.surface = surfaceKind(m_options.isSmoothed || isSmoothed(pending.description.surface),
                                                       m_options.isCurved || isCurved(pending.description.surface));
@@ -349,6 +352,9 @@ void Loader::noteSurface(const Pending& pending)
     for (const core::Message& sentence : shapeSentences(pending.shaped.staircase, pending.shaped.smoothing)) {
         warn(PALPATE_TEXT("%1: %2"), name, sentence);
     }
+    if (pending.shaped.closing) {
+        warn(PALPATE_TEXT("%1: %2"), name, pending.shaped.closing->message());
+    }
     if (pending.shaped.curving) {
         const SurfaceCurving& curving = *pending.shaped.curving;
         (curving.isRefused ? m_scene.losses : m_scene.warnings)
@@ -376,6 +382,7 @@ void Loader::collect()
         loaded.surface = std::move(pending.shaped.surface);
         loaded.asRead = std::move(pending.asRead);
         loaded.staircase = pending.shaped.staircase;
+        loaded.closing = pending.shaped.closing;
         loaded.smoothing = pending.shaped.smoothing;
         loaded.curving = pending.shaped.curving;
         resolveMaps(m_scene.structures.back(), m_scene.warnings, m_scene.losses, [this] {

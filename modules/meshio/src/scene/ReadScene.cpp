@@ -12,6 +12,7 @@
 
 #include <palpate/core/Text.h>
 #include <palpate/core/VisibleText.h>
+#include <palpate/geometry/MeshCheck.h>
 
 #include <QCryptographicHash>
 #include <QDateTime>
@@ -216,6 +217,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
     fields.read("palpable", s.palpable);
     fields.read("flipped", s.flipped);
     fields.read("outwards", s.outwards);
+    fields.read("close_holes_mm", s.closeHoles_mm, 0.0, geometry::kMostCoordinate_mm);
     readName(fields, "surface", kSurfaceNames, s.surface);
     fields.read("smoothing", s.smoothing, 0.0, 1.0);
     fields.read("crease_deg", s.crease_deg, 0.0, 180.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/ShapeSurface.h"
 
+#include <palpate/geometry/Holes.h>
 #include <palpate/geometry/PnTriangles.h>
 #include <palpate/geometry/Reshape.h>
 
@@ -248,12 +249,26 @@ void curve(ShapedSurface& out, double crease_deg)
 
 } // namespace
 
+core::Message HoleClosing::message() const
+{
+    const core::Rounded across_mm{largest_mm, 3}, area{area_mm2, 3};
+    return holes == 1 ? core::Message(PALPATE_TEXT("1 hole of %1 mm closed, %2 mm² of new surface"), across_mm, area)
+                      : core::Message(PALPATE_TEXT("%1 holes of up to %2 mm closed, %3 mm² of new surface"), holes,
+                                      across_mm, area);
+}
+
 ShapedSurface shapeSurface(std::shared_ptr<const RepairedMesh> asRead, const SceneStructure& description,
                            const std::optional<geometry::Staircase>& known)
 {
-    ShapedSurface out{asRead, known ? known : geometry::findStaircase(asRead->mesh), {}, {}};
+    ShapedSurface out{asRead, known ? known : geometry::findStaircase(asRead->mesh)};
+    if (description.closeHoles_mm > 0.0) {
+        if (auto closed = geometry::withHolesClosed(*asRead, description.closeHoles_mm)) {
+            out.closing = {closed->closed, closed->largest_mm, closed->addedArea_mm2};
+            out.surface = std::make_shared<const RepairedMesh>(std::move(closed->surface));
+        }
+    }
     if (description.outwards) {
-        if (std::optional<RepairedMesh> turned = geometry::orientedOutwards(*asRead)) {
+        if (std::optional<RepairedMesh> turned = geometry::orientedOutwards(*out.surface)) {
             out.surface = std::make_shared<const RepairedMesh>(std::move(*turned));
         }
     }

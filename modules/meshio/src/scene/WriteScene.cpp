@@ -103,6 +103,9 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
     if (s.outwards) {
         out["outwards"] = true;
     }
+    if (s.closeHoles_mm > 0.0) {
+        out["close_holes_mm"] = s.closeHoles_mm;
+    }
     if (s.surface != defaultSurface(s.mesh)) {
         out["surface"] = text(std::string(kSurfaceNames[static_cast<std::size_t>(s.surface)]));
     }

@@ -5,7 +5,10 @@
 #include "palpate/study/Layers.h"
 #include "palpate/study/LumpRule.h"
 
+#include <palpate/geometry/Holes.h>
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
@@ -82,6 +85,19 @@ std::vector<core::Message> lumpsWithoutOrgan(const LumpRule& rule, const meshio:
         }
     }
     return clauses;
+}
+
+std::vector<LumpInOpenSurface> lumpsInOpenSurfaces(const meshio::LoadedScene& scene, const Layering& layers)
+{
+    std::vector<LumpInOpenSurface> found;
+    for (std::size_t i = 0; i < scene.structures.size(); ++i) {
+        const meshio::SceneStructure& one = scene.structures[i].description;
+        const auto in = layers.structures[i].unreliableParent;
+        if (in && !layers.structures[i].in && meshio::isLump(meshio::anatomyKind(one.name))) {
+            found.push_back({i, *in});
+        }
+    }
+    return found;
 }
 
 buried::FeltOptions usualOptions(const OrganWithLumps& organ, const std::function<bool(double)>& progress)
@@ -171,15 +187,34 @@ std::vector<buried::BuriedLump> OrganWithLumps::shapes(const meshio::LoadedScene
 }
 
 Result<std::vector<OrganWithLumps>> organsWithLumps(const meshio::LoadedScene& scene,
-                                                    const std::map<std::string, double>& ratios)
+                                                    const std::map<std::string, double>& ratios,
+                                                    std::vector<LumpInOpenSurface>* leftOut)
 {
     const Layering layers = layeringOf(scene);
+    if (leftOut != nullptr) {
+        *leftOut = lumpsInOpenSurfaces(scene, layers);
+    }
     const LumpRule rule = ruleOf(scene, layers, ratios);
     std::vector<OrganWithLumps> organs = organsBy(rule, scene, ratios);
     if (Status status = statusOf(organs, rule, scene, layers, ratios); !status.isOk()) {
         return status;
     }
     return organs;
+}
+
+core::Message openSurface(const std::string& name, const geometry::RepairedMesh& surface)
+{
+    if (surface.report.isClosed()) {
+        return {PALPATE_TEXT("the surface of %1 is inside out"), name};
+    }
+    const std::vector<geometry::Hole> holes = geometry::holesOf(surface.mesh);
+    if (holes.empty()) {
+        return {PALPATE_TEXT("more than two triangles of %1 meet at an edge"), name};
+    }
+    const core::Rounded across_mm{holes.front().across_mm, 3};
+    return holes.size() == 1 ? core::Message(PALPATE_TEXT("the surface of %1 has a hole of %2 mm"), name, across_mm)
+                             : core::Message(PALPATE_TEXT("the surface of %1 has %2 holes, the largest of %3 mm"), name,
+                                             holes.size(), across_mm);
 }
 
 bool isLumpCandidate(const meshio::SceneStructure& structure)

@@ -27,7 +27,7 @@ void refreshTouchMaps(OpenStructure& one)
 
 bool needsOtherSurface(const meshio::SceneStructure& a, const meshio::SceneStructure& b) noexcept
 {
-    return a.outwards != b.outwards || a.surface != b.surface ||
+    return a.outwards != b.outwards || a.closeHoles_mm != b.closeHoles_mm || a.surface != b.surface ||
            (a.smoothing != b.smoothing && meshio::isSmoothed(b.surface)) ||
            (a.crease_deg != b.crease_deg && meshio::isCurved(b.surface));
 }
@@ -244,7 +244,9 @@ std::optional<SceneEvents> OpenScene::setSurface(std::size_t structure, const Op
     }
     one.loaded.surface = built.loaded.surface;
     one.loaded.staircase = built.loaded.staircase;
+    one.loaded.closing = built.loaded.closing;
     one.loaded.smoothing = built.loaded.smoothing;
+    one.loaded.curving = built.loaded.curving;
     one.touch = built.touch;
     one.sha256 = built.sha256;
     if (now.maps == of.maps) {

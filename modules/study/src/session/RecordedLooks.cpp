@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/RecordedLooks.h"
 
+#include <palpate/geometry/MeshCheck.h>
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -32,6 +34,7 @@ RecordedLook lookIn(const QJsonObject& json)
                       {colour[0].toDouble(), colour[1].toDouble(), colour[2].toDouble()},
                       json["opacity"].toDouble()};
     look.outwards = json["outwards"].toBool();
+    look.closeHoles_mm = std::clamp(json["close_holes_mm"].toDouble(), 0.0, geometry::kMostCoordinate_mm);
     for (const auto kind :
          {meshio::SurfaceKind::Smooth, meshio::SurfaceKind::Smoothed, meshio::SurfaceKind::SmoothedSmooth}) {
         look.surface = json["surface"].toString() == nameOf(kind) ? kind : look.surface;
@@ -56,6 +59,9 @@ std::string looksText(const std::vector<RecordedLook>& looks)
                          {"opacity", one.opacity}};
         if (one.outwards) {
             look["outwards"] = true;
+        }
+        if (one.closeHoles_mm > 0.0) {
+            look["close_holes_mm"] = one.closeHoles_mm;
         }
         if (one.surface != meshio::SurfaceKind::Facets) {
             look["surface"] = nameOf(one.surface);
@@ -83,8 +89,8 @@ std::vector<RecordedLook> looksFrom(std::string_view text)
 
 RecordedLook lookOf(const meshio::SceneStructure& structure)
 {
-    return {structure.name,    structure.colour,    structure.opacity,   structure.outwards,
-            structure.surface, structure.smoothing, structure.crease_deg};
+    return {structure.name,    structure.colour,    structure.opacity,    structure.outwards,
+            structure.surface, structure.smoothing, structure.crease_deg, structure.closeHoles_mm};
 }
 
 } // namespace palpate::study

@@ -61,6 +61,7 @@ meshio::ReadOptions readAs(const RecordingReader& reader, const fs::path& file)
     if (const auto number = static_cast<std::size_t>(named == all.end() ? 0 : named - all.begin());
         number < looks.size()) {
         options.turnsOutwards = looks[number].outwards;
+        options.closeHoles_mm = looks[number].closeHoles_mm;
         options.isSmoothed = meshio::isSmoothed(looks[number].surface);
         options.isCurved = meshio::isCurved(looks[number].surface);
         if (meshio::hasLabelMapExtension(file)) {
@@ -179,6 +180,7 @@ class Reopening
             out.colour = m_looks[number].colour;
             out.opacity = m_looks[number].opacity;
             out.outwards = m_looks[number].outwards;
+            out.closeHoles_mm = m_looks[number].closeHoles_mm;
             out.surface = m_looks[number].surface;
             out.smoothing = m_looks[number].smoothing;
         }

@@ -113,6 +113,10 @@ void DeviceChoice::fill(QMenu& menu)
         }
     });
     calibrate->setToolTip(tr("Use the current pose of the device as calibration pose"));
+    connect(&menu, &QMenu::aboutToShow, calibrate, [this, calibrate] {
+        const std::string& id = m_live.deviceInfo().id;
+        calibrate->setEnabled(!m_live.usesPointer() && id != "simulated" && id != "playback");
+    });
     menu.addAction(tr("Connected devices…"), this, &DeviceChoice::reportBusDevices);
 }
 
@@ -316,6 +320,19 @@ void DeviceChoice::reportBusDevices()
     if (lines.isEmpty()) {
         lines << tr("No haptic device or 6-axis mouse is connected.");
     }
+    QStringList supported;
+    if (m_plugins != nullptr) {
+        for (const device::PluginEntry& entry : m_plugins->plugins()) {
+            if (entry.status.isOk()) {
+                supported << QString::fromStdString(entry.info.drives);
+            }
+        }
+    }
+    if (!supported.isEmpty()) {
+        lines << tr("Supported: %1.").arg(supported.join(QStringLiteral("; ")));
+    }
+    lines << tr("Not supported yet: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. A device plugin "
+                "connects such an arm; the page “device-plugin” of the documentation describes how to write one.");
     if (m_plugins != nullptr) {
         for (const device::PluginEntry& entry : m_plugins->plugins()) {
             if (!entry.status.isOk()) {

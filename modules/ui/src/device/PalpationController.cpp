@@ -433,10 +433,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         reading.force_N = f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
         reading.constraints = tick.felt.constraints;
-        if (const auto under = lumpAtContact(m_model, tick.felt.structure, tick.felt.p_WG, reading.depth_mm)) {
-            reading.lump = readableName(m_model.structure(under->row).name);
-            reading.lumpRatio = under->ratio;
-        }
+        addLump(m_model, tick.felt.structure, tick.felt.p_WG, reading);
     }
     Q_EMIT touched(reading);
 }

@@ -11,8 +11,11 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QTableView>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -36,6 +39,12 @@ class TypeDelegate final : public QStyledItemDelegate
             const auto type = static_cast<core::FindingType>(i);
             box->addItem(typeSign(type) + QLatin1Char(' ') + typeName(type));
         }
+        QTimer::singleShot(0, box, &QComboBox::showPopup);
+        auto* self = const_cast<TypeDelegate*>(this); // the interface is const, its signals are not
+        connect(box, &QComboBox::activated, self, [self, box] {
+            Q_EMIT self->commitData(box);
+            Q_EMIT self->closeEditor(box);
+        });
         return box;
     }
     void setEditorData(QWidget* editor, const QModelIndex& index) const override
@@ -68,7 +77,9 @@ FindingsPanel::FindingsPanel(FindingsModel& model, QWidget* parent)
     m_table->setObjectName(QStringLiteral("findingsTable"));
     m_table->setAccessibleName(tr("Findings and notes"));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers); // F2 edits; a double click moves the camera
+    // A double click moves the camera; F2 is handled below.
+    m_table->setEditTriggers(QAbstractItemView::SelectedClicked);
+    m_table->setContextMenuPolicy(Qt::CustomContextMenu);
     m_table->setTabKeyNavigation(false);
     m_table->setWordWrap(false);
     m_table->setShowGrid(false);
@@ -84,6 +95,7 @@ FindingsPanel::FindingsPanel(FindingsModel& model, QWidget* parent)
     }
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 
     m_empty->setText(tr("No findings yet. Press on a place and mark a finding with M; N adds a note without a place."));
     m_empty->setWordWrap(true);
@@ -100,6 +112,7 @@ FindingsPanel::FindingsPanel(FindingsModel& model, QWidget* parent)
 
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& now) { Q_EMIT selected(now.isValid() ? now.row() : -1); });
+    connect(m_table, &QWidget::customContextMenuRequested, this, &FindingsPanel::openMenu);
     connect(m_table, &QTableView::doubleClicked, this,
             [this](const QModelIndex& index) { Q_EMIT flightWanted(index.row()); });
     for (QAbstractItemDelegate* delegate :
@@ -136,6 +149,51 @@ void FindingsPanel::select(int row)
     const QModelIndex index = m_model.index(row, old.isValid() ? old.column() : int(FindingsModel::Name));
     m_table->setCurrentIndex(index);
     m_table->scrollTo(index);
+    m_table->horizontalScrollBar()->setValue(0); // number, type and name first
+}
+
+/// Opens the menu of the row at a place.
+void FindingsPanel::openMenu(const QPoint& place)
+{
+    const QModelIndex at = m_table->indexAt(place);
+    if (!at.isValid()) {
+        return;
+    }
+    const int row = at.row();
+    const core::Finding& finding = m_model.findings()[static_cast<std::size_t>(row)];
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Go there"), this, [this, row] { Q_EMIT flightWanted(row); });
+    menu->addAction(tr("Play from here"), this, [this, row] { Q_EMIT playWanted(row); })
+        ->setEnabled(finding.recording.has_value());
+    menu->addSeparator();
+    if (finding.hasPlace) {
+        QMenu* types = menu->addMenu(tr("Type"));
+        for (std::size_t i = 0; i < core::kFindingTypeNames.size(); ++i) {
+            const auto type = static_cast<core::FindingType>(i);
+            QAction* one = types->addAction(typeSign(type) + QLatin1Char(' ') + typeName(type), this, [this, row, i] {
+                m_model.setData(m_model.index(row, FindingsModel::Type), static_cast<int>(i), Qt::EditRole);
+            });
+            one->setCheckable(true);
+            one->setChecked(type == finding.type);
+        }
+    }
+    menu->addAction(tr("Rename"), this, [this, row] { editCell(row, FindingsModel::Name); });
+    if (finding.hasPlace) {
+        menu->addAction(tr("Enter the size"), this, [this, row] { editCell(row, FindingsModel::Size); });
+    }
+    menu->addAction(tr("Write a note"), this, [this, row] { editNote(row); });
+    menu->addSeparator();
+    menu->addAction(tr("Delete"), this, [this] { m_model.remove(chosenRows()); });
+    menu->popup(m_table->viewport()->mapToGlobal(place));
+}
+
+void FindingsPanel::editCell(int row, int column)
+{
+    const QModelIndex index = m_model.index(row, column);
+    m_table->setCurrentIndex(index);
+    m_table->scrollTo(index);
+    m_table->edit(index);
 }
 
 void FindingsPanel::rememberFocus()
@@ -145,6 +203,7 @@ void FindingsPanel::rememberFocus()
 
 void FindingsPanel::giveFocusBack()
 {
+    m_table->horizontalScrollBar()->setValue(0); // an edited note is at the right
     if (m_before != nullptr) {
         m_before->setFocus();
         m_before = nullptr;
@@ -154,10 +213,7 @@ void FindingsPanel::giveFocusBack()
 void FindingsPanel::editNote(int row)
 {
     rememberFocus();
-    const QModelIndex index = m_model.index(row, FindingsModel::Note);
-    m_table->setCurrentIndex(index);
-    m_table->scrollTo(index);
-    m_table->edit(index);
+    editCell(row, FindingsModel::Note);
 }
 
 void FindingsPanel::startNote()

@@ -100,9 +100,13 @@ class LumpMaps::Making
 
     Found run()
     {
-        const auto all = study::organsWithLumps(m_scene);
+        std::vector<study::LumpInOpenSurface> leftOut;
+        const auto all = study::organsWithLumps(m_scene, {}, &leftOut);
+        noteLeftOut(leftOut);
         if (!all.isOk()) {
-            m_found.notes << tr("No lump was found inside a closed organ.");
+            if (leftOut.empty()) {
+                m_found.notes << tr("No lump was found inside a closed organ.");
+            }
             m_found.isShown = true;
             return std::move(m_found);
         }
@@ -123,6 +127,20 @@ class LumpMaps::Making
     }
 
   private:
+    void noteLeftOut(const std::vector<study::LumpInOpenSurface>& leftOut)
+    {
+        if (leftOut.size() > 1) {
+            m_found.notes << tr("%1 lumps were left out.").arg(leftOut.size());
+        }
+        for (const study::LumpInOpenSurface& one : leftOut) {
+            const meshio::LoadedStructure& around = m_scene.structures[one.around];
+            m_found.notes << tr("%1 was left out: %2.")
+                                 .arg(readableName(m_scene.structures[one.lump].description.name),
+                                      translated(study::openSurface(readableName(around.description.name).toStdString(),
+                                                                    *around.surface)));
+        }
+    }
+
     /// Looks for already computed maps of this organ with the same lumps; null otherwise.
     std::shared_ptr<const DisplayedOrgan> made(const study::OrganWithLumps& organ) const
     {

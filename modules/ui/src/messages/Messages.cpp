@@ -3,21 +3,32 @@
 
 #include "palpate/ui/Theme.h"
 
+#include <vector>
+
 namespace palpate::ui {
 
-void Messages::add(Kind kind, const QString& text)
+void Messages::add(Kind kind, const QStringList& texts)
 {
-    if (text.isEmpty() || (!m_all.empty() && m_all.back().text == text)) {
+    std::vector<Message> added;
+    for (const QString& text : texts) {
+        const QString newest = !added.empty() ? added.back().text : m_all.empty() ? QString() : m_all.back().text;
+        if (!text.isEmpty() && text != newest) {
+            added.push_back({kind, QTime::currentTime(), text});
+        }
+    }
+    if (added.size() > static_cast<std::size_t>(kMost)) {
+        added.erase(added.begin(), added.end() - kMost);
+    }
+    if (added.empty()) {
         return;
     }
-    if (m_all.size() >= static_cast<std::size_t>(kMost)) {
-        beginRemoveRows({}, 0, 0);
-        m_all.pop_front();
+    if (const int surplus = rowCount() + static_cast<int>(added.size()) - kMost; surplus > 0) {
+        beginRemoveRows({}, 0, surplus - 1);
+        m_all.erase(m_all.begin(), m_all.begin() + surplus);
         endRemoveRows();
     }
-    const int row = rowCount();
-    beginInsertRows({}, row, row);
-    m_all.push_back({kind, QTime::currentTime(), text});
+    beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(added.size()) - 1);
+    m_all.insert(m_all.end(), added.begin(), added.end());
     endInsertRows();
 }
 

@@ -145,10 +145,7 @@ void Playback::addLump(TouchReading& reading, const servo::TickRecord& tick) con
         if (m_model.structure(row).name != name) {
             continue;
         }
-        if (const auto under = lumpAtContact(m_model, row, tick.felt.p_WG, reading.depth_mm)) {
-            reading.lump = readableName(m_model.structure(under->row).name);
-            reading.lumpRatio = under->ratio;
-        }
+        ui::addLump(m_model, row, tick.felt.p_WG, reading);
         return;
     }
 }
@@ -157,6 +154,7 @@ void Playback::feed(const servo::TickRecord& tick, double time_s)
 {
     TouchReading reading;
     reading.time_s = time_s;
+    reading.recorded_s = time_s;
     reading.isAtIterationLimit = (tick.flags & servo::kIterationLimit) != 0;
     if (tick.felt.structure >= 0) {
         reading.layers = layersOf(tick);

@@ -356,6 +356,7 @@ void SceneLoader::buildSurface(int row, const meshio::LoadedStructure& structure
         meshio::ShapedSurface shaped = meshio::shapeSurface(one.asRead, one.description, one.staircase);
         one.surface = std::move(shaped.surface);
         one.staircase = shaped.staircase;
+        one.closing = shaped.closing;
         one.smoothing = shaped.smoothing;
         one.curving = shaped.curving;
         std::vector<core::Message> warnings;

@@ -365,6 +365,45 @@ void StructureModel::smooth(const std::vector<int>& rows)
                                                : tr("Smooth %1 surfaces").arg(rows.size()));
 }
 
+std::vector<geometry::Hole> StructureModel::holes(int row) const
+{
+    const study::OpenStructure& one = rows()[static_cast<std::size_t>(row)];
+    return isReshapable(row) && !one.loaded.surface->report.isClosed() ? geometry::holesOf(one.loaded.surface->mesh)
+                                                                       : std::vector<geometry::Hole>();
+}
+
+void StructureModel::closeHoles(const std::vector<int>& rows)
+{
+    std::vector<Edited> edits;
+    for (const int row : rows) {
+        if (const std::vector<geometry::Hole> found = holes(row); !found.empty()) {
+            edits.push_back({row, structure(row)});
+            meshio::SceneStructure& changed = edits.back().description;
+            changed.closeHoles_mm = std::max(changed.closeHoles_mm, std::ceil(found.front().across_mm));
+            changed.outwards = true; // an open surface may face either way
+        }
+    }
+    const QString text = edits.size() == 1
+                             ? tr("Close the holes of %1").arg(readableName(edits.front().description.name))
+                             : tr("Close the holes of %1 surfaces").arg(edits.size());
+    editAll(std::move(edits), text);
+}
+
+void StructureModel::reopenHoles(const std::vector<int>& rows)
+{
+    std::vector<Edited> edits;
+    for (const int row : rows) {
+        if (structure(row).closeHoles_mm > 0.0) {
+            edits.push_back({row, structure(row)});
+            edits.back().description.closeHoles_mm = 0.0;
+        }
+    }
+    const QString text = edits.size() == 1
+                             ? tr("Reopen the holes of %1").arg(readableName(edits.front().description.name))
+                             : tr("Reopen the holes of %1 surfaces").arg(edits.size());
+    editAll(std::move(edits), text);
+}
+
 void StructureModel::setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256)
 {
     m_scene.setTouch(static_cast<std::size_t>(row), std::move(touch), std::move(sha256));
@@ -383,6 +422,9 @@ QStringList StructureModel::findings(int row) const
     }
     for (const core::Message& sentence : meshio::shapeSentences(one.staircase, one.smoothing)) {
         lines << translated(sentence);
+    }
+    if (one.closing) {
+        lines << translated(one.closing->message());
     }
     if (one.curving) {
         lines << translated(one.curving->message());
@@ -430,6 +472,13 @@ QStringList StructureModel::defects(int row) const
     }
     if (report.insideOutComponents > 0) {
         lines << tr("The mesh is inside out: palpable only from inside");
+    }
+    if (const auto& closing = rows()[static_cast<std::size_t>(row)].loaded.closing) {
+        lines << (closing->holes == 1
+                      ? tr("A hole of %1 mm was closed").arg(QLocale().toString(closing->largest_mm, 'g', 3))
+                      : tr("%1 holes of up to %2 mm were closed")
+                            .arg(closing->holes)
+                            .arg(QLocale().toString(closing->largest_mm, 'g', 3)));
     }
     lines << surfaceTexts(rows()[static_cast<std::size_t>(row)].loaded);
     if (report.zeroAreaTriangles + report.duplicateTriangles + report.reorientedTriangles + report.mixedValues > 0) {
@@ -533,8 +582,8 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const
         if ((role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) && !found.isEmpty()) {
             return tr("Mesh of %1:\n"
                       "• %2\n"
-                      "See the list of messages (F4) for details.")
-                .arg(name, found.join(QStringLiteral("\n• ")));
+                      "Details: %3")
+                .arg(name, found.join(QStringLiteral("\n• ")), findings(index.row()).join(QStringLiteral("; ")));
         }
         break;
     case Felt:

@@ -586,7 +586,7 @@ void StructurePanel::showHead(const std::vector<int>& rows)
     const QStringList found = rows.size() > 1 ? QStringList() : m_model.defects(rows.front());
     m_findings->setVisible(!found.isEmpty());
     m_findings->setText(found.join(QLatin1Char('\n')));
-    m_findings->setToolTip(tr("See the list of messages (F4) for details"));
+    m_findings->setToolTip(found.isEmpty() ? QString() : m_model.findings(rows.front()).join(QLatin1Char('\n')));
 }
 
 void StructurePanel::showSelection()
@@ -791,6 +791,27 @@ void StructurePanel::chooseColour()
     }
 }
 
+/// Adds the commands for the holes of the selection.
+void StructurePanel::addHoleActions(QMenu& menu, const std::vector<int>& rows)
+{
+    const auto isOpen = [this](int row) {
+        const meshio::LoadedStructure& one = m_model.rows()[static_cast<std::size_t>(row)].loaded;
+        return m_model.isReshapable(row) && one.surface->report.openEdges > 0;
+    };
+    if (std::any_of(rows.begin(), rows.end(), isOpen)) {
+        const std::vector<geometry::Hole> holes =
+            rows.size() == 1 ? m_model.holes(rows.front()) : std::vector<geometry::Hole>();
+        const QString size = holes.empty() ? QString() : QLocale().toString(holes.front().across_mm, 'g', 3);
+        menu.addAction(holes.empty()       ? tr("Close the holes")
+                       : holes.size() == 1 ? tr("Close the hole of %1 mm").arg(size)
+                                           : tr("Close %1 holes of up to %2 mm").arg(holes.size()).arg(size),
+                       this, [this, rows] { m_model.closeHoles(rows); });
+    }
+    if (std::any_of(rows.begin(), rows.end(), [this](int row) { return m_model.structure(row).closeHoles_mm > 0.0; })) {
+        menu.addAction(tr("Reopen the holes"), this, [this, rows] { m_model.reopenHoles(rows); });
+    }
+}
+
 void StructurePanel::openMenu(const QPoint& place)
 {
     const std::vector<int> rows = selectedRows();
@@ -822,6 +843,7 @@ void StructurePanel::openMenu(const QPoint& place)
         menu.addSeparator();
         menu.addAction(tr("Turn around"), this, [this, insideOut] { m_model.turnOutwards(insideOut); });
     }
+    addHoleActions(menu, rows);
     if (!rows.empty()) {
         menu.addSeparator();
         menu.addAction(tr("Rename…"), this, &StructurePanel::renameCurrent);

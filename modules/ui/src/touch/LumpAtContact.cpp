@@ -66,4 +66,14 @@ std::optional<LumpAtContact> lumpAtContact(const StructureModel& model, int orga
     return std::abs(std::log(under->ratio)) >= least ? under : std::nullopt;
 }
 
+void addLump(const StructureModel& model, int organRow, const core::Vec3& p_WG, TouchReading& reading)
+{
+    if (const auto under = lumpAtContact(model, organRow, p_WG, reading.depth_mm)) {
+        const meshio::SceneStructure& lump = model.structure(under->row);
+        reading.lump = readableName(lump.name);
+        reading.lumpColour = colourOf(lump);
+        reading.lumpRatio = under->ratio;
+    }
+}
+
 } // namespace palpate::ui

@@ -40,9 +40,10 @@ QString TouchChart::accessibleText() const
         return tr("no contact yet");
     }
     const TouchSample& newest = m_history.samples().back();
-    return tr("now %1 N, %2 mm deep; maximum %3 N, %4 mm")
-        .arg(forceText(newest.force_N), depthText(newest.depth_mm), forceText(m_history.peakForce_N()),
-             depthText(m_history.peakDepth_mm()));
+    const QString values = tr("now %1 N, %2 mm deep; maximum %3 N, %4 mm")
+                               .arg(forceText(newest.force_N), depthText(newest.depth_mm),
+                                    forceText(m_history.peakForce_N()), depthText(m_history.peakDepth_mm()));
+    return newest.over.isEmpty() ? values : values + QStringLiteral("; ") + newest.over;
 }
 
 QSize TouchChart::minimumSizeHint() const
@@ -124,6 +125,9 @@ void TouchChart::paintLane(QPainter& painter, const QRectF& lane, bool isForce) 
         painter.drawPath(curve(lane, top, &TouchSample::along_N));
     }
     painter.restore();
+    if (isForce && !samples.back().over.isEmpty()) {
+        paintOver(painter, lane);
+    }
     if (isForce && m_history.hasFriction()) {
         const QString text = tr("along the surface");
         const QRectF head(lane.left(), lane.top() - metrics.height() - 4.0, lane.width(), metrics.height());
@@ -133,6 +137,21 @@ void TouchChart::paintLane(QPainter& painter, const QRectF& lane, bool isForce) 
         const double x = lane.right() - metrics.horizontalAdvance(text) - 6.0;
         painter.drawLine(QPointF(x - 18.0, keyY), QPointF(x, keyY));
     }
+}
+
+/// Names the lump under the contact in the upper right corner of the force.
+void TouchChart::paintOver(QPainter& painter, const QRectF& lane) const
+{
+    const QFontMetricsF metrics(font());
+    const QString text =
+        metrics.elidedText(m_history.samples().back().over, Qt::ElideMiddle, std::max(40.0, lane.width() - 8.0));
+    const double wide = metrics.horizontalAdvance(text) + 8.0;
+    const QRectF ground(lane.right() - wide, lane.top() + 1.0, wide, metrics.height() + 2.0);
+    QColor base = palette().color(QPalette::Base);
+    base.setAlpha(220); // readable over the stacked forces
+    painter.fillRect(ground, base);
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(ground, Qt::AlignCenter, text);
 }
 
 QPainterPath TouchChart::curve(const QRectF& lane, double top, double TouchSample::*value) const

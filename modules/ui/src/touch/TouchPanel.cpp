@@ -44,6 +44,32 @@ PalpatedStructure palpatedStructure(const TouchReading& reading)
     return {reading.structure, {}, reading.force_N, reading.depth_mm, {}};
 }
 
+QString overLumpText(const TouchReading& reading)
+{
+    return reading.lump.isEmpty()
+               ? QString()
+               : TouchPanel::tr("over %1: %2").arg(reading.lump, responseChangeText(reading.lumpRatio));
+}
+
+QString lumpText(const TouchReading& reading)
+{
+    return reading.lump.isEmpty() ? QString()
+                                  : TouchPanel::tr("over %1: %2, %3")
+                                        .arg(reading.lump, responseChangeText(reading.lumpRatio),
+                                             verdictPhrase(buried::verdictOf(reading.lumpRatio)));
+}
+
+std::vector<LayerForce> chartForces(const TouchReading& reading)
+{
+    std::vector<LayerForce> forces = layerForces(reading.layers);
+    if (forces.size() == 1 && !reading.lump.isEmpty() && reading.lumpRatio > 1.0) {
+        const double organ_N = forces.front().force_N / reading.lumpRatio;
+        forces.push_back({reading.lumpColour, forces.front().force_N - organ_N});
+        forces.front().force_N = organ_N;
+    }
+    return forces;
+}
+
 QString whereText(const PalpatedStructure& felt)
 {
     return felt.inside.isEmpty() ? felt.name : TouchPanel::tr("%1 in %2").arg(felt.name, felt.inside);
@@ -65,6 +91,7 @@ QString detailText(const TouchReading& reading)
 
 TouchPanel::TouchPanel(QWidget* parent)
     : QWidget(parent)
+    , m_source(new QLabel(this))
     , m_force(new QLabel(this))
     , m_forceUnit(new QLabel(tr("N"), this))
     , m_structure(new QLabel(this))
@@ -74,6 +101,8 @@ TouchPanel::TouchPanel(QWidget* parent)
     , m_bar(new ForceBar(this))
     , m_chart(new TouchChart(m_history, this))
 {
+    m_source->setObjectName(QStringLiteral("touchSource"));
+    m_source->setAccessibleDescription(tr("Source of the values: the live hand or the recording"));
     keepFont(*m_force, 3.6, QFont::DemiBold);
     m_force->setAccessibleDescription(tr("Force in newtons"));
     m_force->setToolTip(tr("Force on the hand [N]"));
@@ -105,6 +134,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(14, 6, 14, 10);
     layout->setSpacing(6);
+    layout->addWidget(m_source);
     layout->addLayout(number);
     layout->addWidget(m_bar);
     layout->addSpacing(4);
@@ -182,7 +212,7 @@ void TouchPanel::showLump(const TouchReading& reading)
 {
     const QString change = responseChangeText(reading.lumpRatio);
     const QString verdict = verdictPhrase(buried::verdictOf(reading.lumpRatio));
-    m_layers->setAccessibleName(tr("over %1: %2, %3").arg(reading.lump, change, verdict));
+    m_layers->setAccessibleName(lumpText(reading));
     const QString name = m_layers->fontMetrics().elidedText(reading.lump, Qt::ElideMiddle, std::max(80, width() - 160));
     m_layers->setText(QStringLiteral("<p style='white-space:pre'>%1<br>%2</p>")
                           .arg(tr("over %1: %2").arg(name.toHtmlEscaped(), change), verdict));
@@ -192,6 +222,7 @@ void TouchPanel::show(const TouchReading& reading)
 {
     m_reading = reading;
     const bool isTouching = !reading.structure.isEmpty();
+    showSource(reading.recorded_s);
     m_force->setText(forceText(reading.force_N));
     m_force->setForegroundRole(QPalette::WindowText);
     m_bar->setForce(reading.force_N);
@@ -212,14 +243,28 @@ void TouchPanel::show(const TouchReading& reading)
     for (const LayerShare& layer : reading.layers) {
         along_N += layer.friction != haptics::Friction::None ? layer.sideways_N : 0.0;
     }
-    m_history.add({reading.time_s, reading.force_N, reading.depth_mm, layerForces(reading.layers), along_N});
+    m_history.add(
+        {reading.time_s, reading.force_N, reading.depth_mm, chartForces(reading), along_N, overLumpText(reading)});
     m_chart->update();
     Q_EMIT changed();
+}
+
+/// Names the source of the values, because after a recording the same panel shows either. The line always has the same
+/// height; values of a recording have a tinted ground.
+void TouchPanel::showSource(const std::optional<double>& recorded_s)
+{
+    m_source->setText(recorded_s ? tr("Recording, %1 s").arg(QLocale().toString(*recorded_s, 'f', 1))
+                                 : tr("Live hand"));
+    m_source->setAutoFillBackground(recorded_s.has_value());
+    m_source->setBackgroundRole(recorded_s ? QPalette::Highlight : QPalette::Window);
+    m_source->setForegroundRole(recorded_s ? QPalette::HighlightedText : QPalette::WindowText);
 }
 
 void TouchPanel::showNoHand()
 {
     m_reading = {};
+    m_source->setText(QStringLiteral(" ")); // keeps the height
+    m_source->setAutoFillBackground(false);
     m_force->setText(forceText(0.0));
     m_force->setForegroundRole(QPalette::PlaceholderText);
     m_bar->setForce(0.0);

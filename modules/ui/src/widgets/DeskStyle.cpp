@@ -3,8 +3,12 @@
 
 #include "palpate/ui/Theme.h"
 
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QEvent>
 #include <QMainWindow>
 #include <QPainter>
+#include <QSlider>
 #include <QStyleOption>
 #include <QTabBar>
 
@@ -46,6 +50,13 @@ bool isOfPanels(const QWidget* tabs)
            qobject_cast<const QMainWindow*>(tabs->parentWidget()) != nullptr;
 }
 
+/// True for widgets whose value the wheel changes.
+bool turnsByWheel(const QWidget* widget)
+{
+    return qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
+           qobject_cast<const QComboBox*>(widget) != nullptr || qobject_cast<const QSlider*>(widget) != nullptr;
+}
+
 int titleWidth(const QTabBar& tabs, const QString& title)
 {
     return tabs.fontMetrics().size(Qt::TextShowMnemonic, title).width();
@@ -83,6 +94,22 @@ void DeskStyle::polish(QWidget* widget)
         tabs->setElideMode(isOfPanels(tabs) ? Qt::ElideRight : Qt::ElideNone);
         tabs->setUsesScrollButtons(!isOfPanels(tabs));
     }
+    if (turnsByWheel(widget)) {
+        if (widget->focusPolicy() == Qt::WheelFocus) {
+            widget->setFocusPolicy(Qt::StrongFocus); // the wheel itself must not give the focus
+        }
+        widget->installEventFilter(this);
+    }
+}
+
+/// Passes the wheel over a widget without focus to the scrolled panel around the widget.
+bool DeskStyle::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    return QProxyStyle::eventFilter(watched, event);
 }
 
 int DeskStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const

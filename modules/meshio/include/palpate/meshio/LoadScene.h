@@ -28,7 +28,7 @@ struct LoadedStructure
 {
     SceneStructure description;            ///< with `part` set when the mesh file contains several structures
     FileFrame frame = FileFrame::Untagged; ///< tag of the mesh file; the user's choice is in `description.frame`
-    /// Surface for display and haptics in the world frame [mm], turned and smoothed as described.
+    /// Surface for display and haptics in the world frame [mm], closed, turned and smoothed as described.
     std::shared_ptr<const geometry::RepairedMesh> surface;
     std::vector<SurfaceMap> maps{}; ///< at most one per quantity
     /// Stiffness ratio k/k0 at each vertex due to buried lumps [1], one list per haptics::kFeltPress_mm; empty: no
@@ -36,9 +36,11 @@ struct LoadedStructure
     std::vector<std::vector<float>> feltBelow{};
     bool isTransmitted =
         false; ///< a buried lump whose effect is transmitted through the organ; no contact with its own surface
-    /// Surface before turning and smoothing; equal to `surface` without either. Null: unknown, e.g. from a recording.
+    /// Surface before closing, turning and smoothing; equal to `surface` without either. Null: unknown, e.g. from a
+    /// recording.
     std::shared_ptr<const geometry::RepairedMesh> asRead{};
     std::optional<geometry::Staircase> staircase{}; ///< found in `asRead`
+    std::optional<HoleClosing> closing{};           ///< result of closing holes, when applied
     std::optional<SurfaceSmoothing> smoothing{};    ///< result of smoothing, when applied
     std::optional<SurfaceCurving> curving{};        ///< result of curving the facets, when applied
 };

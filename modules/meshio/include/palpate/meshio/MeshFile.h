@@ -56,9 +56,10 @@ struct ReadOptions
     FileFrame frame = FileFrame::Untagged;
     /// Uses the unit from 3D Slicer's `SCALE=` in an STL header, if present and `unit_mm` is 1.
     bool readsScale = true;
-    /// Options of `loadScene` for every structure, overriding the scene: turn inverted closed parts, smooth the surface
-    /// (SurfaceKind::Smoothed) and curve the facets (SurfaceKind::Smooth).
+    /// Options of `loadScene` for every structure, overriding the scene: turn inverted closed parts, close holes,
+    /// smooth the surface (SurfaceKind::Smoothed) and curve the facets (SurfaceKind::Smooth).
     bool turnsOutwards = false;
+    double closeHoles_mm = 0.0; ///< close holes up to this size; 0: as in the scene [mm]
     bool isSmoothed = false;
     bool isCurved = false;
     /// Option of `loadScene`: strength of the smoothing of each smoothed surface, as of label maps, 0 … 1; overrides

@@ -62,8 +62,9 @@ struct SceneStructure
     double opacity = 1.0;                         ///< 0 … 1
     bool visible = true;
     bool palpable = true;
-    bool flipped = false;  ///< turn the surface inside out on import
-    bool outwards = false; ///< turn inverted closed parts on import, after `flipped`
+    bool flipped = false;       ///< turn the surface inside out on import
+    bool outwards = false;      ///< turn inverted closed parts on import, after `flipped` and after closing holes
+    double closeHoles_mm = 0.0; ///< close holes up to this size on import (geometry::withHolesClosed); 0: none [mm]
     SurfaceKind surface = SurfaceKind::Facets;
     double smoothing = kDefaultSmoothing;   ///< strength of the low-pass filter, 0 (nearly none) … 1
     double crease_deg = kDefaultCrease_deg; ///< crease angle of curved facets, 0 … 180 [degree]

@@ -43,22 +43,34 @@ struct PALPATE_EXPORT SurfaceCurving
     [[nodiscard]] core::Message message() const;
 };
 
+/// Result of closing holes.
+struct PALPATE_EXPORT HoleClosing
+{
+    std::size_t holes = 0;
+    double largest_mm = 0.0; ///< across the largest
+    double area_mm2 = 0.0;   ///< of the new triangles
+
+    [[nodiscard]] core::Message message() const;
+};
+
 /// A surface for display and haptics, and the data of the processing steps.
 struct ShapedSurface
 {
     std::shared_ptr<const geometry::RepairedMesh> surface;
     std::optional<geometry::Staircase> staircase; ///< of the input surface
-    std::optional<SurfaceSmoothing> smoothing;
-    std::optional<SurfaceCurving> curving;
+    std::optional<HoleClosing> closing{};
+    std::optional<SurfaceSmoothing> smoothing{};
+    std::optional<SurfaceCurving> curving{};
 };
 
 /// @return sentences on voxel steps and smoothing; the sentence on smoothing also names the voxels of a label map
 [[nodiscard]] std::vector<core::Message> shapeSentences(const std::optional<geometry::Staircase>& staircase,
                                                         const std::optional<SurfaceSmoothing>& smoothing);
 
-/// Applies the surface options of a description to a repaired surface: turns inverted closed parts (`outwards`) and
-/// smooths (`surface`, `smoothing`) and curves the facets (`surface`, `crease_deg`; geometry::pnTriangles). Does not
-/// change the input, and returns the input itself when no option applies.
+/// Applies the surface options of a description to a repaired surface: closes holes
+/// (`closeHoles_mm`; geometry::withHolesClosed), turns inverted closed parts (`outwards`), smooths (`surface`,
+/// `smoothing`) and curves the facets (`surface`, `crease_deg`; geometry::pnTriangles). Does not change the input, and
+/// returns the input itself when no option applies.
 ///
 /// Smoothing is VTK's windowed sinc filter with the settings of 3D Slicer's closed surfaces: 20 iterations, pass band
 /// 10^(-4 smoothing), boundary edges kept. No vertex moves by more than half a voxel along a voxel edge, so that the

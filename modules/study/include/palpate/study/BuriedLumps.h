@@ -49,11 +49,24 @@ struct OrganPalpability
 /// refers to a lump or to unknown anatomy, or the scene gives a stiffness ratio.
 [[nodiscard]] PALPATE_EXPORT bool isLumpCandidate(const meshio::SceneStructure& structure);
 
+/// Lump inside a surface that is open or inside out, by index in the scene.
+struct LumpInOpenSurface
+{
+    std::size_t lump = 0;
+    std::size_t around = 0;
+};
+
 /// Finds the lumps of a scene and their organs by LumpRule.
 /// @param ratios  stiffness ratios by structure name; override the ratios in the scene
+/// @param leftOut  receives the lumps that were left out because the surface around them is open or inside out; may be
+/// null
 /// @return NotFound if a name in `ratios` is not a lump; Empty if the scene has no lumps
 [[nodiscard]] PALPATE_EXPORT core::Result<std::vector<OrganWithLumps>>
-    PALPATE_EXPORT organsWithLumps(const meshio::LoadedScene& scene, const std::map<std::string, double>& ratios = {});
+organsWithLumps(const meshio::LoadedScene& scene, const std::map<std::string, double>& ratios = {},
+                std::vector<LumpInOpenSurface>* leftOut = nullptr);
+
+/// Describes why a surface has no reliable interior, in a clause: "the surface of %1 has a hole of 12 mm".
+[[nodiscard]] PALPATE_EXPORT core::Message openSurface(const std::string& name, const geometry::RepairedMesh& surface);
 
 /// Computes buried::feltSurface for an organ of a scene.
 [[nodiscard]] PALPATE_EXPORT core::Result<buried::FeltSurface> PALPATE_EXPORT

@@ -21,6 +21,7 @@ struct RecordedLook
     meshio::SurfaceKind surface = meshio::SurfaceKind::Facets;
     double smoothing = meshio::kDefaultSmoothing;
     double crease_deg = meshio::kDefaultCrease_deg;
+    double closeHoles_mm = 0.0; ///< [mm]
 };
 
 /// Serializes looks for RecordingInfo::looks, in the order of the recording's structures. See

@@ -14,8 +14,10 @@ class QTableView;
 
 namespace palpate::ui {
 
-/// Table of findings and notes with an input line for notes. Keys: Enter moves the camera to the finding, Shift+Enter
-/// plays the recording from the time of the mark, F2 edits, Del deletes, Ctrl+C copies.
+/// Table of findings and notes with an input line for notes. A click on a cell of the selected row edits the cell, one
+/// on the type opens the list of types, a double click moves the camera, the right button opens a menu. Keys: Enter
+/// moves the camera to the finding, Shift+Enter plays the recording from the time of the mark, F2 edits, Del deletes,
+/// Ctrl+C copies.
 class PALPATE_EXPORT FindingsPanel : public QWidget
 {
     Q_OBJECT
@@ -46,6 +48,8 @@ class PALPATE_EXPORT FindingsPanel : public QWidget
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    void openMenu(const QPoint& place);
+    void editCell(int row, int column);
     bool handleKey(int key, Qt::KeyboardModifiers modifiers);
     [[nodiscard]] std::vector<int> chosenRows() const;
     void rememberFocus();

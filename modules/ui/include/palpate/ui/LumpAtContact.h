@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/ui/StructureModel.h"
+#include "palpate/ui/TouchReading.h"
 
 #include <palpate/core/Export.h>
 
@@ -26,5 +27,8 @@ struct LumpAtContact
 /// @par Cost O(vertices of the organ). Thread: GUI
 [[nodiscard]] PALPATE_EXPORT std::optional<LumpAtContact> lumpAtContact(const StructureModel& model, int organRow,
                                                                         const core::Vec3& p_WG, double depth_mm);
+
+/// Adds that lump to a reading. @param organRow  structure in contact
+PALPATE_EXPORT void addLump(const StructureModel& model, int organRow, const core::Vec3& p_WG, TouchReading& reading);
 
 } // namespace palpate::ui

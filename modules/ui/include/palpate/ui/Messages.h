@@ -31,7 +31,9 @@ class PALPATE_EXPORT Messages : public QAbstractListModel
     using QAbstractListModel::QAbstractListModel;
 
     /// Adds a message unless the newest message is identical.
-    void add(Kind kind, const QString& text);
+    void add(Kind kind, const QString& text) { add(kind, QStringList(text)); }
+    /// Adds messages in one batch, which a view lays out once.
+    void add(Kind kind, const QStringList& texts);
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     [[nodiscard]] Kind kind(int row) const { return m_all[static_cast<std::size_t>(row)].kind; }

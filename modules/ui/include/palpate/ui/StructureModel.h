@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/Export.h>
+#include <palpate/geometry/Holes.h>
 #include <palpate/geometry/SurfaceIndex.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/meshio/LoadScene.h>
@@ -126,6 +127,13 @@ class PALPATE_EXPORT StructureModel : public QAbstractTableModel
     /// asynchronously (`surfaceWanted`).
     void turnOutwards(const std::vector<int>& rows);
     void smooth(const std::vector<int>& rows);
+    /// Holes of a surface, the largest first; none if it cannot be reshaped. @par Cost O(n log n)
+    [[nodiscard]] std::vector<geometry::Hole> holes(int row) const;
+    /// Closes the holes of surfaces up to the largest, and turns closed parts outwards, as one undo step. As
+    /// `turnOutwards`, the new surfaces follow.
+    void closeHoles(const std::vector<int>& rows);
+    /// Removes the triangles that `closeHoles` added, as one undo step.
+    void reopenHoles(const std::vector<int>& rows);
     /// Mesh findings of a structure, one sentence each; empty for a clean mesh.
     [[nodiscard]] QStringList findings(int row) const;
     /// Effect of the mesh findings on touch in plain words, one entry per kind.

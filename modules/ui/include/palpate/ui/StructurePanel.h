@@ -18,6 +18,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
+class QMenu;
 class QSlider;
 class QToolButton;
 
@@ -93,6 +94,7 @@ class PALPATE_EXPORT StructurePanel : public QWidget
     [[nodiscard]] QString otherLayersText(const std::vector<haptics::HapticStructure>& felt, int row) const;
     void editOpacity(int percent);
     void chooseColour();
+    void addHoleActions(QMenu& menu, const std::vector<int>& rows);
     void openMenu(const QPoint& place);
     QWidget* makeTissueBox();
     void addHead(QFormLayout& form, QWidget* box);

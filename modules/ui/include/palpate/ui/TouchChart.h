@@ -32,6 +32,7 @@ class PALPATE_EXPORT TouchChart : public QWidget, public AccessibleReadout
     void paintLane(QPainter& painter, const QRectF& lane, bool isForce) const;
     /// Curve of one sample member over time.
     [[nodiscard]] QPainterPath curve(const QRectF& lane, double top, double TouchSample::*value) const;
+    void paintOver(QPainter& painter, const QRectF& lane) const;
     void paintLayers(QPainter& painter, const QRectF& lane, double top_N) const;
     const TouchHistory& m_history;
 };

@@ -4,6 +4,7 @@
 #include <palpate/core/Export.h>
 
 #include <QColor>
+#include <QString>
 
 #include <deque>
 #include <vector>
@@ -25,6 +26,7 @@ struct TouchSample
     double depth_mm = 0.0;
     std::vector<LayerForce> layers{}; ///< outermost first; the components add up to the force
     double along_N = 0.0;             ///< tangential component of the force (friction)
+    QString over{};                   ///< lump felt through the organ with its change: "over lump 20 mm: +55 %"
 };
 
 /// Force and depth samples of the last `kLength_s` seconds.

@@ -27,6 +27,13 @@ struct PalpatedStructure
     std::optional<double> stiffnessRatio{}; ///< of a transmitted lump
 };
 [[nodiscard]] PALPATE_EXPORT PalpatedStructure palpatedStructure(const TouchReading& reading);
+/// Lump under the contact with the change of stiffness: "over lump 20 mm: +55 %"; empty without a lump.
+[[nodiscard]] PALPATE_EXPORT QString overLumpText(const TouchReading& reading);
+/// The same with the verdict: "over lump 20 mm: +55 %, plainly felt".
+[[nodiscard]] PALPATE_EXPORT QString lumpText(const TouchReading& reading);
+/// Shares of the force for the chart: of the layers in contact or, over a lump that stiffens its organ, of the organ
+/// as it would be without the lump and of what the lump adds.
+[[nodiscard]] PALPATE_EXPORT std::vector<LayerForce> chartForces(const TouchReading& reading);
 /// Location: "lump 20 mm in liver".
 [[nodiscard]] PALPATE_EXPORT QString whereText(const PalpatedStructure& felt);
 
@@ -58,11 +65,13 @@ class PALPATE_EXPORT TouchPanel : public QWidget
   private:
     void fitFont();
     void setLine(const QString& structure, const QString& detail);
+    void showSource(const std::optional<double>& recorded_s);
     void setLayers(std::vector<LayerShare> layers);
     void showLump(const TouchReading& reading);
 
     TouchReading m_reading;
     TouchHistory m_history;
+    QLabel* m_source = nullptr; ///< live hand or recording
     QLabel* m_force = nullptr;
     QLabel* m_forceUnit = nullptr;
     QLabel* m_structure = nullptr;
