@@ -53,8 +53,8 @@ struct ShapedSurface
 };
 
 /// @return sentences on voxel steps and smoothing; the sentence on smoothing also names the voxels of a label map
-[[nodiscard]] std::vector<core::Message> shapeSentences(const std::optional<geometry::Staircase>& staircase,
-                                                        const std::optional<SurfaceSmoothing>& smoothing);
+[[nodiscard]] PALPATE_EXPORT std::vector<core::Message>
+shapeSentences(const std::optional<geometry::Staircase>& staircase, const std::optional<SurfaceSmoothing>& smoothing);
 
 /// Applies the surface options of a description to a repaired surface: turns inverted closed parts (`outwards`) and
 /// smooths (`surface`, `smoothing`) and curves the facets (`surface`, `crease_deg`; geometry::pnTriangles). Does not
