@@ -29,7 +29,7 @@ for name in engine vtk qt; do
 done
 library=$(find "$work/prefix" -name 'libpalpate-engine.so')
 others=$(nm -D --defined-only --demangle "$library" | sed 's/^[^ ]* . //' |
-    grep -v -E '^((typeinfo|typeinfo name|vtable|guard variable) for )?palpate::[a-z]+::[^(]|^PALPATE_[0-9.]+|(^| )(std|Eigen|__gnu_cxx)::' || true)
+    grep -v -E '^((typeinfo|typeinfo name|vtable|guard variable) for )?palpate::[a-z]+::[^(]|^PALPATE_[0-9.]+|(^| )(std|Eigen|__gnu_cxx|Q[A-Za-z]+)::' || true)
 hidden=$(nm -D --defined-only --demangle "$library" | grep 'palpate::haptics::internal' || true)
 [[ -z $others$hidden ]] || { echo "expected the shared library to export public functions alone, found $others$hidden"; exit 1; }
 
