@@ -118,7 +118,8 @@ function(palpate_add_to_library library module)
     # While the first number is 0, the second counts incompatible changes.
     set(compatible ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     set_target_properties(${target} PROPERTIES OUTPUT_NAME palpate-${library} EXPORT_NAME ${library}_library
-      VERSION ${PROJECT_VERSION} SOVERSION ${compatible} LINKER_LANGUAGE CXX)
+      VERSION ${PROJECT_VERSION} SOVERSION ${compatible} LINKER_LANGUAGE CXX
+      INSTALL_RPATH_USE_LINK_PATH ON) # finds VTK and Qt where they are not in the system's folders
     # Symbols carry the version, so that two versions in one process stay apart, and calls within the library are direct.
     # Hidden besides what visibility hides: functions with target_clones, which GCC 12 exports, instances of templates
     # for internal types, and those of the standard library.
@@ -141,5 +142,18 @@ function(palpate_add_to_library library module)
     endif()
   endif()
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:palpate_${module}>)
-  target_link_libraries(${target} PRIVATE ${ARGN})
+  # Libraries of VTK as files: the package would name targets, and a program that links the library would have to find all
+  # that VTK needs for these as well.
+  set(vtk ${ARGN})
+  list(FILTER vtk INCLUDE REGEX "^VTK::")
+  palpate_follow_vtk(vtk ${vtk})
+  set(linked ${ARGN})
+  foreach(part IN LISTS vtk)
+    get_target_property(type ${part} TYPE)
+    if(NOT type STREQUAL "INTERFACE_LIBRARY")
+      list(REMOVE_ITEM linked ${part})
+      list(APPEND linked $<TARGET_LINKER_FILE:${part}>)
+    endif()
+  endforeach()
+  target_link_libraries(${target} PRIVATE ${linked})
 endfunction()

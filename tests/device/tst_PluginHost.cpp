@@ -87,6 +87,8 @@ class PluginHost : public QObject
         QVERIFY(problemOf(all, "text").find("not a Qt plugin") != std::string::npos);
         QVERIFY(!problemOf(all, "cut").empty());
         const std::string nobody = all.find("nobody").status().message();
+        QVERIFY2(nobody.find("(the built-in devices mouse, simulated, playback are not plugins)") != std::string::npos,
+                 nobody.c_str());
         for (const device::PluginEntry& entry : all.plugins()) {
             QVERIFY2(!entry.status.isOk() ||
                          nobody.find(entry.info.id, nobody.find("expected one of: ")) != std::string::npos,

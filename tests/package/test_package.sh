@@ -7,6 +7,7 @@ rm -rf "$work/prefix" "$work/consumer"
 cmake --install "$build" --prefix "$work/prefix" >"$work/install.log"
 internal=$(find "$work/prefix" -name internal)
 [[ -z $internal ]] || { echo "installed: $internal"; exit 1; }
+"$(dirname "${BASH_SOURCE[0]}")/check_exports.pl" "$work/prefix"
 cmake -S "$(dirname "${BASH_SOURCE[0]}")/consumer" -B "$work/consumer" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" \
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/prefix"
 cmake --build "$work/consumer"

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <new>
+#include <thread>
 
 namespace palpate::test {
 
@@ -216,6 +218,9 @@ int FaultyDisk::ask(Operation::Kind kind, const std::string& file, std::int64_t 
     {
         std::unique_lock lock(m_mutex);
         m_released.wait(lock, [this] { return !m_isHeld; });
+    }
+    if (kind == Kind::Write) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(m_delay_ms));
     }
     const std::int64_t number = m_operations++;
     const std::int64_t failAt = m_failAt;

@@ -55,6 +55,8 @@ class FaultyDisk
     /// Blocks every write and sync until `release`.
     void hold();
     void release();
+    /// Delays every write. @param delay_ms  0: no longer
+    void slowDown(int delay_ms) { m_delay_ms = delay_ms; }
 
     /// Called by the VFS.
     /// @return 0, or the error code to fail with
@@ -67,6 +69,7 @@ class FaultyDisk
     std::atomic<std::int64_t> m_failAt{-1};
     bool m_isLasting = false;
     int m_code = 0;
+    std::atomic<int> m_delay_ms{0};
     std::mutex m_mutex;
     std::condition_variable m_released;
     bool m_isHeld = false;

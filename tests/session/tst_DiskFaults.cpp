@@ -17,8 +17,11 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <future>
 #include <limits>
+#include <thread>
 
 using namespace palpate;
 using session::RecordingReader;
@@ -228,6 +231,50 @@ class DiskFaults : public QObject
         QVERIFY2(reader.value()->verify().isOk(), reader.value()->verify().message().c_str());
         qInfo("three stalls of 1000 ticks: %lld ticks recorded, none dropped",
               static_cast<long long>(reader.value()->extent().ticks));
+    }
+
+    /// On a disk slower than the servo the recording goes on, and stops with the tick at which it is told to.
+    void aSlowDiskDelaysTheEndButNotForEver()
+    {
+        FaultyDisk disk;
+        device::PlaybackDevice device(circling(60000));
+        servo::ServoLoop loop;
+        servo::ServoOptions options;
+        options.askRealtime = false;
+        loop.setScene(test::boxScene(0.5, 0.001));
+        session::Recorder recorder(loop);
+        QVERIFY(loop.start(device, options).isOk());
+        QVERIFY(recorder.start(path("slow.palpate"), {}, test::palpationScenes()[0]).isOk());
+        disk.slowDown(20); // a store of 250 ticks has some 30 writes
+        QVERIFY(test::letPass(loop, 1500));
+        const auto written = recorder.status().ticks;
+        PALPATE_TRY_VERIFY(recorder.status().ticks > written);
+
+        const auto newestTick = [&loop] {
+            servo::TickRecord tick;
+            while (loop.isRunning() && !loop.fetchSnapshot(tick)) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+            return tick.tick;
+        };
+        const std::int64_t before = newestTick();
+        recorder.requestStop();
+        const std::int64_t after = newestTick();
+        auto stopping = std::async(std::launch::async, [&] { return recorder.stop(); });
+        const auto state = stopping.wait_for(std::chrono::minutes(1));
+        disk.slowDown(0); // so that the test ends
+        QCOMPARE(state, std::future_status::ready);
+        const core::Status stopped = stopping.get();
+        QVERIFY2(stopped.isOk(), stopped.message().c_str());
+        loop.stop();
+        const auto reader = RecordingReader::open(path("slow.palpate"));
+        QVERIFY2(reader.isOk(), reader.status().message().c_str());
+        const session::RecordingExtent& extent = reader.value()->extent();
+        QCOMPARE(extent.end, session::RecordingEnd::Closed);
+        QCOMPARE(extent.dropped, std::int64_t{0});
+        // When the request came, the tick that follows the snapshot `after` may have begun.
+        QVERIFY2(extent.lastTick >= before && extent.lastTick <= after + 1,
+                 qPrintable(QString("%1 %2 %3").arg(before).arg(extent.lastTick).arg(after)));
     }
 
     void aDiskThatGetsFullEndsTheRecording_data()

@@ -225,14 +225,22 @@ core::Result<DevicePlugin*> PluginHost::load(std::string_view id)
         return skipped->status;
     }
     std::string found;
+    std::string builtIn;
+    const auto append = [](std::string& list, std::string_view next) {
+        list.append(list.empty() ? "" : ", ").append(next);
+    };
     for (const PluginEntry& entry : m_plugins) {
-        found += entry.status.isOk() ? (found.empty() ? "" : ", ") + entry.info.id : "";
+        if (entry.status.isOk()) {
+            append(found, entry.info.id);
+        }
     }
-    return Status(
-        StatusCode::NotFound,
-        PALPATE_TEXT("found no device plugin called \"%1\", expected one of: %2 (\"palpate devices\" also lists "
-                     "the built-in devices)"),
-        id, found.empty() ? "-" : found);
+    for (const std::string_view name : kBuiltIn) {
+        append(builtIn, name);
+    }
+    return Status(StatusCode::NotFound,
+                  PALPATE_TEXT("found no device plugin called \"%1\", expected one of: %2 (the built-in devices %3 are "
+                               "not plugins)"),
+                  id, found.empty() ? "-" : found, builtIn);
 }
 
 core::Result<std::vector<FoundDevice>> PluginHost::find(std::string_view id)

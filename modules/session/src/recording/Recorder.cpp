@@ -166,8 +166,10 @@ void Recorder::Private::drain(bool isLast)
             (void)writer->addEvent(waiting[told].event);
         }
     };
+    // While the disk is slower than the servo, the ring is never found empty; only the last drain has to empty it.
+    const auto due = std::chrono::steady_clock::now() + kCommitInterval;
     servo::TickRecord tick;
-    while (loop.popTick(tick)) {
+    while ((isLast || std::chrono::steady_clock::now() < due) && loop.popTick(tick)) {
         addEventsUntil(tick.time_ns);
         if (!first) {
             first = tick;
@@ -335,6 +337,9 @@ void Recorder::addEvent(const std::string& kind, const std::string& json)
 void Recorder::requestStop()
 {
     const std::lock_guard lock(m_d->mutex);
+    if (m_d->published.isRecording) {
+        m_d->loop.stopRecording(); // at once: what is left to write does not grow while the thread is busy
+    }
     m_d->isStopRequested = true;
     m_d->wake.notify_all();
 }

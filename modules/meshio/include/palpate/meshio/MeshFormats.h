@@ -19,7 +19,7 @@ namespace palpate::meshio {
 [[nodiscard]] PALPATE_EXPORT bool hasMeshExtension(const std::filesystem::path& path);
 
 /// @return true for the extensions of volumes among them, which are opened as label maps.
-[[nodiscard]] bool hasLabelMapExtension(const std::filesystem::path& path);
+[[nodiscard]] PALPATE_EXPORT bool hasLabelMapExtension(const std::filesystem::path& path);
 
 /// @param conjunction  before the last name
 /// @return the format names as a list: "STL, VTP and OBJ"

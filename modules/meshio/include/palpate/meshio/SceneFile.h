@@ -118,9 +118,9 @@ struct SceneFile
 };
 
 /// @return surface of a mesh file without a choice: smoothed for label maps (by the extension), otherwise facets
-[[nodiscard]] SurfaceKind defaultSurface(const std::filesystem::path& mesh);
+[[nodiscard]] PALPATE_EXPORT SurfaceKind defaultSurface(const std::filesystem::path& mesh);
 /// @return strength of SurfaceKind::Smoothed for a mesh file without a choice
-[[nodiscard]] double defaultSmoothing(const std::filesystem::path& mesh);
+[[nodiscard]] PALPATE_EXPORT double defaultSmoothing(const std::filesystem::path& mesh);
 
 /// @return true for a path with the extension of a scene file (".json").
 [[nodiscard]] PALPATE_EXPORT bool isSceneFile(const std::filesystem::path& path);

@@ -64,8 +64,8 @@ struct ShapedSurface
 };
 
 /// @return sentences on voxel steps and smoothing; the sentence on smoothing also names the voxels of a label map
-[[nodiscard]] std::vector<core::Message> shapeSentences(const std::optional<geometry::Staircase>& staircase,
-                                                        const std::optional<SurfaceSmoothing>& smoothing);
+[[nodiscard]] PALPATE_EXPORT std::vector<core::Message>
+shapeSentences(const std::optional<geometry::Staircase>& staircase, const std::optional<SurfaceSmoothing>& smoothing);
 
 /// Applies the surface options of a description to a repaired surface: closes holes
 /// (`closeHoles_mm`; geometry::withHolesClosed), turns inverted closed parts (`outwards`), smooths (`surface`,

@@ -56,10 +56,11 @@ class PALPATE_EXPORT Recorder
     void addScene(const SceneRecord& scene);
     /// Records an event at the most recent tick. @param json  an object
     void addEvent(const std::string& kind, const std::string& json);
-    /// Requests the end of the recording without blocking. `status().isRecording` becomes false once the file is
-    /// closed.
+    /// Requests the end of the recording without blocking. The ticks until this call are written, later ones are not.
+    /// `status().isRecording` becomes false once the file is closed.
     void requestStop();
-    /// Stops recording and closes the file. @return an error that lists any lost data
+    /// Stops recording as requestStop and waits until the file is closed: at most until the ticks in the ring
+    /// (`ServoOptions::ringCapacity`) are on the disk. @return an error that lists any lost data
     core::Status stop();
 
     [[nodiscard]] RecorderStatus status() const;

@@ -3,6 +3,8 @@
 
 #include "palpate/ui/RateLimiter.h"
 
+#include <palpate/core/Export.h>
+
 #include <QAccessible>
 #include <QString>
 
@@ -16,7 +18,7 @@ namespace palpate::ui {
 /// accessible value. To be inherited in addition to QWidget.
 ///
 /// @par Thread GUI thread only.
-class AccessibleReadout
+class PALPATE_EXPORT AccessibleReadout
 {
   public:
     /// Number on a scale, in the unit of `accessibleText`.

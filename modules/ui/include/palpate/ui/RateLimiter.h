@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <QElapsedTimer>
 #include <QTimer>
 
@@ -12,7 +14,7 @@ namespace palpate::ui {
 /// announcements.
 ///
 /// @par Thread GUI thread only.
-class RateLimiter
+class PALPATE_EXPORT RateLimiter
 {
   public:
     static constexpr int kPause_ms = 500;

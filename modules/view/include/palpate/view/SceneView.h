@@ -37,15 +37,7 @@ struct ScenePick
 
 /// 3D view: tissue under a three-point light fixed to the camera, the touch cursor, the orientation cube, a scale bar
 /// and a colour legend. Draws into a render window that the caller owns and renders.
-///
-/// @code
-/// SceneView view;
-/// view.attach(window);
-/// view.setStructures(std::move(structures));
-/// view.fitAll();
-/// view.prepareFrame(1.0);
-/// window.Render();
-/// @endcode
+/// `resources/examples/own_window` is a program with such a window.
 /// @par Thread The thread of the render window only.
 class PALPATE_EXPORT SceneView
 {

@@ -10,16 +10,8 @@
 
 namespace palpate::view {
 
-/// Converts a servo tick to the state of the cursor, for programs with a render window of their own:
-///
-/// @code
-/// servo::TickRecord tick;
-/// if (loop.fetchSnapshot(tick)) { // in a timer at display rate
-///     view.cursor().setState(view::stateOf(tick, scene->fingertip_mm()));
-///     view.prepareFrame(1.0);
-///     window->Render();
-/// }
-/// @endcode
+/// Converts a servo tick to the state of the cursor, for programs with a render window of their own, such as
+/// `resources/examples/own_window`.
 ///
 /// The force is that of the model. For a device with motors replace `f_W` by TickRecord::fSent_W, which is zero after a
 /// fault. Friction and dents depend on the tissue and are left out.
