@@ -504,18 +504,8 @@ void ReportedFiles::refusalsNameTheNextStep_data()
         {"type 10", "ParaView: Extract Surface"});
     row("glTF", "a.glb", "glTF\x02 and more", {"glTF", "MeshLab or Blender"});
     row("glTF as text", "a.gltf", "{\n  \"asset\": {\"version\": \"2.0\"}\n}\n", {"glTF", "MeshLab or Blender"});
-    row("OFF", "a.off", "OFF\n8 12 0\n", {"OFF", "MeshLab or Blender"});
-    row("GIFTI", "lh.pial.gii",
-        "<?xml version=\"1.0\"?>\n<!DOCTYPE GIFTI SYSTEM \"x\">\n<GIFTI Version=\"1.0\"></GIFTI>",
-        {"GIFTI", "mris_convert"});
-    row("FreeSurfer", "lh.pial",
-        "\xff\xff\xfe"
-        "created by someone\n\n",
-        {"FreeSurfer", "mris_convert"});
-    row("MNI object", "a.obj", "P 0.3 0.3 0.4 10 1 81920\n 1 2 3\n", {"MNI", "MeshLab"});
     row("Slicer scene", "a.mrml", "<?xml version=\"1.0\"?>\n<MRML version=\"Slicer5\"></MRML>",
         {"3D Slicer", "models"});
-    row("gzip", "a.stl.gz", "\x1f\x8b\x08 and more", {"gzip", "unpack it first"});
     row("AppleDouble", "._a.stl", std::string("\0\x05\x16\x07 and more", 13), {"macOS"});
 }
 

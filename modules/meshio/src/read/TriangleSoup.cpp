@@ -309,11 +309,7 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
             }
         }
     }
-    if (cutter.crossing() > 0) {
-        scan.notes.push_back(cutter.crossing() == 1 ? core::Message(PALPATE_TEXT("one polygon has no simple outline"))
-                                                    : core::Message(PALPATE_TEXT("%1 polygons have no simple outline"),
-                                                                    Count(cutter.crossing())));
-    }
+    noteCrossing(cutter.crossing(), scan);
     noteThinFaces(thinFaces, scan);
     ghosts.note(scan);
     if (triangles.empty()) {

@@ -8,6 +8,7 @@
 #include "scene/BlockFile.h"
 #include "text/Encoding.h"
 #include "text/Fault.h"
+#include "text/FileStem.h"
 
 #include <palpate/core/Parallel.h>
 
@@ -158,7 +159,7 @@ Status Loader::addFolder(const std::filesystem::path& path)
     m_isFolder = true;
     for (const std::filesystem::path& file : files) {
         (void)sourceOf(file, m_options.unit_mm, m_options.frame);
-        stems.push_back(utf8Of(file.stem().string()));
+        stems.push_back(utf8Of(fileStem(file)));
     }
     m_prefix = commonPrefix(stems);
     return {};
@@ -180,7 +181,7 @@ Status Loader::addBlocks(const std::filesystem::path& path)
 /// @return the name of a structure, whose file may have a name in a multi-block file or a prefix in front of its own
 std::string Loader::displayName(const Source& source, const std::string& name, std::size_t structures) const
 {
-    const bool isOfFile = structures == 1 && name == utf8Of(source.path.stem().string());
+    const bool isOfFile = structures == 1 && name == utf8Of(fileStem(source.path));
     if (isOfFile && !source.name.empty()) {
         return source.name;
     }
