@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <palpate/core/Export.h>
+
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -20,6 +22,6 @@ namespace palpate::meshio {
 /// @param names  of files without extensions
 /// @return the longest common prefix that ends in "_"; empty for fewer than two names, and if the prefix names anatomy
 /// ("lung_" of "lung_left" and "lung_right")
-[[nodiscard]] std::string commonPrefix(const std::vector<std::string>& names);
+[[nodiscard]] PALPATE_EXPORT std::string commonPrefix(const std::vector<std::string>& names);
 
 } // namespace palpate::meshio
