@@ -245,6 +245,7 @@ std::optional<SceneEvents> OpenScene::setSurface(std::size_t structure, const Op
     one.loaded.surface = built.loaded.surface;
     one.loaded.staircase = built.loaded.staircase;
     one.loaded.smoothing = built.loaded.smoothing;
+    one.loaded.curving = built.loaded.curving;
     one.touch = built.touch;
     one.sha256 = built.sha256;
     if (now.maps == of.maps) {
