@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shapes.h"
 #include "TestRunner.h"
+#include "Trials.h"
 
 #include <palpate/geometry/PnTriangles.h>
 
@@ -94,6 +95,9 @@ class PnTriangles : public QObject
   private Q_SLOTS:
     void makesASphereRound()
     {
+        if (kIsSanitized) {
+            QSKIP("an accuracy, which no sanitizer judges");
+        }
         const RepairedMesh coarse = repair(sphere(8, kRadius_mm));
         QCOMPARE(coarse.mesh.triangles.size(), std::size_t{1280});
         PnOptions fine;
@@ -122,6 +126,9 @@ class PnTriangles : public QObject
 
     void theNormalsOfASphereAreExact()
     {
+        if (kIsSanitized) {
+            QSKIP("an accuracy, which no sanitizer judges");
+        }
         // Max's weights: even the vertices of an icosahedron's division, with five unequal triangles around, are exact,
         // so that halving the edges divides the error of the patches by about 16 (it is of fourth order).
         PnOptions fine;

@@ -84,7 +84,7 @@ class Nearby : public QObject
         const HapticLayer& layer = m_scene.layer(0);
         std::mt19937_64 random(1);
         int held = 0, tooMany = 0;
-        for (int i = 0; i < test::trials(2000); ++i) {
+        for (int i = 0; i < trials(2000); ++i) {
             const Vec3 middle = randomIn(random, 32.0);
             const Vec3 half = randomIn(random, 5.0).cwiseAbs();
             const core::Box region(middle - half, middle + half);
@@ -112,8 +112,7 @@ class Nearby : public QObject
             QVERIFY(std::includes(found.begin(), found.end(), wanted.begin(), wanted.end()));
             held += wanted.empty() ? 0 : 1;
         }
-        QVERIFY2(held > test::trials(100) && tooMany > test::trials(20),
-                 qPrintable(QString("%1 %2").arg(held).arg(tooMany)));
+        QVERIFY2(held > trials(100) && tooMany > trials(20), qPrintable(QString("%1 %2").arg(held).arg(tooMany)));
     }
 
     void whatIsPreparedIsWhatWouldBeGathered()
@@ -121,7 +120,7 @@ class Nearby : public QObject
         const HapticLayer& layer = m_scene.layer(0);
         FacetCache cache;
         int prepared = 0;
-        for (int i = 0; i < 4000; ++i) {
+        for (int i = 0; i < trials(4000); ++i) {
             const double a = 0.004 * i;
             const Vec3 g = 30.0 * Vec3(std::cos(a), std::sin(a) * std::cos(0.3 * a), std::sin(a) * std::sin(0.3 * a));
             if (!cache.holds(g)) {
@@ -144,7 +143,7 @@ class Nearby : public QObject
             cache.follow(g);
             cache.prepare(layer, planOf(layer), false);
         }
-        QVERIFY2(prepared > 20, qPrintable(QString::number(prepared)));
+        QVERIFY2(prepared > trials(20), qPrintable(QString::number(prepared)));
         cache.clear();
         QVERIFY(!cache.holds(Vec3(30.0, 0.0, 0.0)));
     }
@@ -155,7 +154,7 @@ class Nearby : public QObject
         std::mt19937_64 random(2);
         NearPoint warm;
         int blocked = 0;
-        for (int i = 0; i < test::trials(3000); ++i) {
+        for (int i = 0; i < trials(3000); ++i) {
             const Vec3 x = randomIn(random, 32.0), y = x + randomIn(random, i % 2 == 0 ? 0.5 : 40.0);
             double least = 2.0;
             forEachFacet(layer, [&](const Facet& facet) {
@@ -177,7 +176,7 @@ class Nearby : public QObject
             }
             blocked += least <= 1.0 ? 1 : 0;
         }
-        QVERIFY2(blocked > test::trials(200), qPrintable(QString::number(blocked)));
+        QVERIFY2(blocked > trials(200), qPrintable(QString::number(blocked)));
     }
 
     void aCellHoldsAllThatTheBallMayTouchInIt()
@@ -186,7 +185,7 @@ class Nearby : public QObject
         const HapticLayer& layer = scene.layer(0);
         std::mt19937_64 random(3);
         int held = 0, full = 0;
-        for (int i = 0; i < 400; ++i) {
+        for (int i = 0; i < 400; i += kIsSanitized ? 4 : 1) {
             const Vec3 p = randomIn(random, 36.0);
             BallCell cell;
             const bool isHeld = cell.gather(layer, p, 0.5 + 0.01 * i);
@@ -209,7 +208,7 @@ class Nearby : public QObject
                 });
             }
         }
-        QVERIFY2(held > 1000 && full > 10, qPrintable(QString("%1 %2").arg(held).arg(full)));
+        QVERIFY2(held > trials(1000) && full > trials(10), qPrintable(QString("%1 %2").arg(held).arg(full)));
     }
 
     void aCellIsPaidForOnceATickWhetherHeldOrNot()

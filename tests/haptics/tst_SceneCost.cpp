@@ -3,6 +3,7 @@
 #include "ResidentMemory.h"
 #include "Shapes.h"
 #include "TestRunner.h"
+#include "Trials.h"
 
 #include <palpate/geometry/internal/BoxHierarchyVisit.h>
 #include <palpate/haptics/Palpator.h>
@@ -18,12 +19,6 @@ using haptics::Palpator;
 namespace {
 
 constexpr double kMostBytes = 64.0; // per triangle
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsSanitized = true;
-#else
-constexpr bool kIsSanitized = false;
-#endif
 
 /// Returns 7 × 7 × 6 bumpy balls of 10 mm, 30 mm apart, with the same mesh at different positions.
 std::vector<HapticStructure> crowd()

@@ -51,6 +51,18 @@ long lockedMemory_KiB()
     return -1;
 }
 
+/// Sanitizers replace mlock and mlockall by functions that report success and do nothing.
+bool canLockMemory()
+{
+    const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    void* const page = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    const bool isLocked = page != MAP_FAILED && mlock(page, size) == 0 && lockedMemory_KiB() > 0;
+    if (page != MAP_FAILED) {
+        munmap(page, size);
+    }
+    return isLocked;
+}
+
 bool locksFutureMappings()
 {
     const long before_KiB = lockedMemory_KiB();
@@ -134,6 +146,9 @@ class RealtimeSetup : public QObject
 
     void unlocksWhatItHasLocked()
     {
+        if (!canLockMemory()) {
+            QSKIP("memory cannot be locked here");
+        }
         RealtimeReport report;
         onAThread([&] { report = makeThreadRealtime({.lockMemory = true}); });
         if (!itemOf(report, "locked memory")->isGranted) {
@@ -146,6 +161,9 @@ class RealtimeSetup : public QObject
 
     void aPageThatTheProgramHasLockedStaysLocked()
     {
+        if (!canLockMemory()) {
+            QSKIP("memory cannot be locked here");
+        }
         const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
         void* page = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
         QVERIFY(page != MAP_FAILED && mlock(page, size) == 0);
@@ -160,7 +178,7 @@ class RealtimeSetup : public QObject
 
     void aLockOfTheProgramsWholeMemoryStays()
     {
-        if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) {
+        if (!canLockMemory() || mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) {
             QSKIP("memory may not be locked here");
         }
         RealtimeReport report;

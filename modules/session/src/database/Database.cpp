@@ -302,10 +302,16 @@ bool Database::isFull() const
         return false;
     }
     const int code = sqlite3_errcode(m_database.get());
-    // SQLite's code is unspecific for a journal that cannot be created or an exceeded quota, so check errno.
-    const bool isOfSystem = (code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_CANTOPEN;
-    const int system = isOfSystem ? sqlite3_system_errno(m_database.get()) : 0;
-    return code == SQLITE_FULL || system == ENOSPC || system == EDQUOT || system == EFBIG;
+    // SQLite's code is unspecific for a journal that cannot be created or an exceeded quota, so check errno: the one at
+    // the time of the error, which a rollback may have overwritten, and the one that the file has kept.
+    if ((code & 0xff) != SQLITE_IOERR && (code & 0xff) != SQLITE_CANTOPEN) {
+        return code == SQLITE_FULL;
+    }
+    int ofFile = 0;
+    sqlite3_file_control(m_database.get(), "main", SQLITE_FCNTL_LAST_ERRNO, &ofFile);
+    const std::array causes{sqlite3_system_errno(m_database.get()), ofFile};
+    return std::any_of(causes.begin(), causes.end(),
+                       [](int cause) { return cause == ENOSPC || cause == EDQUOT || cause == EFBIG; });
 }
 
 int Database::errorCode() const
