@@ -3,12 +3,13 @@
 
 namespace palpate::fuzz {
 
-extern const Target kMha, kNii, kNrrd, kObj, kPly, kScene, kStl, kStlAscii, kVolumeWire, kVti, kVtk, kVtp, kVtu;
+extern const Target kGii, kGzip, kMha, kMniObject, kNii, kNrrd, kObj, kOff, kPial, kPly, kScene, kStl, kStlAscii,
+    kVolumeWire, kVti, kVtk, kVtp, kVtu;
 
 std::span<const Target* const> targets()
 {
-    static const Target* const all[] = {&kMha,      &kNii,        &kNrrd, &kObj, &kPly, &kScene, &kStl,
-                                        &kStlAscii, &kVolumeWire, &kVti,  &kVtk, &kVtp, &kVtu};
+    static const Target* const all[] = {&kGii, &kGzip,  &kMha, &kMniObject, &kNii,        &kNrrd, &kObj, &kOff, &kPial,
+                                        &kPly, &kScene, &kStl, &kStlAscii,  &kVolumeWire, &kVti,  &kVtk, &kVtp, &kVtu};
     return all;
 }
 

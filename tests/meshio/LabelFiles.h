@@ -172,4 +172,38 @@ inline std::string labelNifti(const LabelGrid& grid, std::int16_t datatype, bool
     return out + extension;
 }
 
+/// @return the header of a NIfTI-2 file with an sform
+inline std::string labelNiftiWide(const LabelGrid& grid, std::int16_t datatype, bool isBigEndian = false)
+{
+    std::string out(544, '\0');
+    const auto put = [&](std::size_t at, auto value) {
+        std::array<char, sizeof(value)> raw{};
+        std::memcpy(raw.data(), &value, sizeof(value));
+        if (isBigEndian) {
+            std::reverse(raw.begin(), raw.end());
+        }
+        std::memcpy(&out[at], raw.data(), raw.size());
+    };
+    put(0, std::int32_t{540});
+    std::memcpy(&out[4], "n+2\0\r\n\x1a\n", 8);
+    put(12, datatype);
+    put(16, std::int64_t{grid.layers > 1 ? 4 : 3});
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        put(24 + 8 * axis, std::int64_t{grid.size[axis]});
+        put(112 + 8 * axis, grid.steps.col(static_cast<Eigen::Index>(axis)).norm());
+    }
+    put(48, std::int64_t{grid.layers});
+    put(104, 1.0);
+    put(168, std::int64_t{544});
+    put(348, std::int32_t{1});
+    for (Eigen::Index row = 0; row < 3; ++row) {
+        const double sign = row < 2 ? -1.0 : 1.0;
+        for (Eigen::Index column = 0; column < 3; ++column) {
+            put(400 + static_cast<std::size_t>(32 * row + 8 * column), double{sign * grid.steps(row, column)});
+        }
+        put(400 + static_cast<std::size_t>(32 * row + 24), double{sign * grid.origin[row]});
+    }
+    return out;
+}
+
 } // namespace palpate::test

@@ -187,7 +187,10 @@ class LabelMaps : public QObject
                  packed},
             {"h.mhd", withReplaced(test::labelMeta(grid, "MET_SHORT"), "LOCAL", "k.raw")},
             {"i.nhdr", test::labelNrrd(grid, "short", "raw", "data file: k.raw\n")},
-            {"j.nii", test::labelNifti(grid, 8) + test::labelNumbers<std::int32_t>(grid)}};
+            {"j.nii", test::labelNifti(grid, 8) + test::labelNumbers<std::int32_t>(grid)},
+            {"l.nii", test::labelNiftiWide(grid, 2) + test::labelNumbers<std::uint8_t>(grid)},
+            {"m.nii.gz",
+             test::gzipped(test::labelNiftiWide(grid, 4, true) + test::labelNumbers<std::int16_t>(grid, true))}};
         for (const auto& [name, bytes] : files) {
             const auto file = meshio::readMesh(folder.write(name, bytes));
             QVERIFY2(file.isOk(), file.status().message().c_str());
@@ -225,6 +228,18 @@ class LabelMaps : public QObject
             return geometry::repair(file.value().structures[i].mesh).report.volume_mm3;
         };
         QVERIFY(volumeOf(0) > 2.0 * volumeOf(1) && volumeOf(1) > 0.0);
+        // The fourth axis of NIfTI holds layers too, without names.
+        for (const std::string& header : {test::labelNifti(grid, 2), test::labelNiftiWide(grid, 2)}) {
+            const auto layers =
+                meshio::readMesh(folder.write("a.nii", header + test::labelNumbers<std::uint8_t>(grid, false, false)));
+            QVERIFY2(layers.isOk(), layers.status().message().c_str());
+            QCOMPARE(namesOf(layers.value()),
+                     (Names{"label 1 of layer 1", "label 1 of layer 2", "label 3 of layer 2"}));
+            for (std::size_t i = 0; i < 3; ++i) {
+                QVERIFY(layers.value().structures[i].mesh.triangles.size() ==
+                        file.value().structures[i].mesh.triangles.size());
+            }
+        }
         // Files of old versions have no layers: each segment has its own.
         const auto old = meshio::readMesh(folder.write(
             "old.seg.nrrd",
@@ -541,6 +556,10 @@ class LabelMaps : public QObject
                 test::gzipped(bytes),
             "v.nrrd: 1,000,000,000 voxels declared");
         row("no count", "v.nii", nifti(42, std::int16_t{-3}), "v.nii: header: dim");
+        row("no count, NIfTI-2", "v.nii", test::labelNiftiWide(grid, 2).replace(24, 8, std::string(8, '\xff')) + bytes,
+            "v.nii: header: dim");
+        row("too many, NIfTI-2", "v.nii", test::labelNiftiWide(grid, 2).replace(28, 4, std::string(4, '\x0f')) + bytes,
+            "v.nii: header: ");
         row("no type", "v.nii", nifti(70, std::int16_t{128}), "v.nii: header: datatype: 128");
         row("voxels in the header", "v.nii", nifti(108, 8.0F), "v.nii: header: vox_offset: 8; expected the byte");
         row("five axes", "v.nrrd", withReplaced(nrrd, "dimension: 3", "dimension: 5") + bytes,

@@ -41,13 +41,17 @@ class MeshFormats : public QObject
             QVERIFY(format->looksLike != nullptr);
             QVERIFY((format->guard != nullptr && format->reader != nullptr) != (format->surfaces != nullptr));
             QVERIFY(names.insert(std::string(format->name)).second);
-            QVERIFY(!format->extensions.empty());
             for (const std::string_view extension : format->extensions) {
                 QVERIFY(extension.starts_with('.') && extensions.insert(std::string(extension)).second);
                 QVERIFY(meshio::hasMeshExtension("organs/Liver" + std::string(extension)));
+                if (!format->isLabelMap) {
+                    const std::string packed = std::string(extension) + ".gz";
+                    QVERIFY(extensions.insert(packed).second && meshio::hasMeshExtension("Liver" + packed));
+                }
             }
         }
         QVERIFY(meshio::hasMeshExtension("LIVER.STL"));
+        QVERIFY(!meshio::hasMeshExtension("liver.gz") && !meshio::hasMeshExtension("liver.mha.gz"));
         QVERIFY(!meshio::hasMeshExtension("liver.txt") && !meshio::hasMeshExtension("stl"));
         const std::vector<std::string> offered = meshio::meshExtensions();
         QCOMPARE(std::set<std::string>(offered.begin(), offered.end()), extensions);
@@ -74,7 +78,8 @@ class MeshFormats : public QObject
         const std::string built = passage(document("tests/fuzz/CMakeLists.txt"), "palpate_fuzz(meshio", ")") + ' ';
         const std::string run = passage(document(".ci/run"), "targets=(", ")") + ' ';
         for (const MeshFormat* format : formatTable()) {
-            const std::string target(format->extensions.front().substr(1));
+            // MNI's files share the extension of OBJ.
+            const std::string target(format->extensions.empty() ? "mniobj" : format->extensions.front().substr(1));
             const std::string source = document("tests/fuzz/fuzz_" + target + ".cpp");
             QVERIFY2(source.find("tryMesh(bytes") != std::string::npos, ("tests/fuzz: no fuzz_" + target).c_str());
             const auto names = [](std::string text, const std::string& word) {

@@ -248,6 +248,25 @@ std::string grid(const std::string& cellType = "5")
            vertices(kA, "") + "CELLS 12 48\n" + faces(0, "3 ") + "CELL_TYPES 12\n" + types;
 }
 
+/// Both boxes as a legacy VTK file whose second box is hidden.
+std::string legacyHidden(bool isGrid)
+{
+    std::string types, hidden;
+    for (int i = 0; i < 24; ++i) {
+        types += "5\n";
+        hidden += i < 12 ? "0 " : "32 ";
+    }
+    const std::string cells = faces(0, "3 ") + faces(8, "3 ");
+    const std::string points = "POINTS 16 float\n" + vertices(kA, "") + vertices(kB, "");
+    return isGrid ? "# vtk DataFile Version 4.2\nsurface\nASCII\nDATASET UNSTRUCTURED_GRID\n" + points +
+                        "CELLS 24 96\n" + cells + "CELL_TYPES 24\n" + types +
+                        "CELL_DATA 24\nFIELD FieldData 1\nvtkGhostType 1 24 unsigned_char\n" + hidden + "\n"
+                  : "# vtk DataFile Version 4.2\nsurface\nASCII\nDATASET POLYDATA\n" + points + "LINES 1 3\n2 0 1\n" +
+                        "POLYGONS 24 96\n" + cells + "POINT_DATA 16\nSCALARS a float 1\nLOOKUP_TABLE default\n" +
+                        replaced(std::string(16, 'x'), "x", "1 ") +
+                        "\nCELL_DATA 25\nSCALARS vtkGhostType unsigned_char\nLOOKUP_TABLE default\n0 " + hidden + "\n";
+}
+
 bool hasNote(const std::vector<core::Message>& notes, const std::string& part)
 {
     return std::any_of(notes.begin(), notes.end(),
@@ -389,6 +408,8 @@ void ReportedFiles::opensAsTheBox_data()
             "</DataArray><DataArray type=\"Int64\" Name=\"offsets\"",
             "0 1 </DataArray><DataArray type=\"Int64\" Name=\"offsets\""),
         "vertices and lines left out: 1");
+    row("vtk, hidden cells", ".vtk", legacyHidden(false), "12 hidden cells left out");
+    row("vtk grid, hidden cells", ".vtk", legacyHidden(true), "12 hidden cells left out");
     row("vtk grid", ".vtk", grid());
     row("vtk grid of polygons", ".vtk", grid("7"));
     row("vtk grid, CR", ".vtk", replaced(grid(), "\n", "\r"));
@@ -504,18 +525,7 @@ void ReportedFiles::refusalsNameTheNextStep_data()
         {"type 10", "ParaView: Extract Surface"});
     row("glTF", "a.glb", "glTF\x02 and more", {"glTF", "MeshLab or Blender"});
     row("glTF as text", "a.gltf", "{\n  \"asset\": {\"version\": \"2.0\"}\n}\n", {"glTF", "MeshLab or Blender"});
-    row("OFF", "a.off", "OFF\n8 12 0\n", {"OFF", "MeshLab or Blender"});
-    row("GIFTI", "lh.pial.gii",
-        "<?xml version=\"1.0\"?>\n<!DOCTYPE GIFTI SYSTEM \"x\">\n<GIFTI Version=\"1.0\"></GIFTI>",
-        {"GIFTI", "mris_convert"});
-    row("FreeSurfer", "lh.pial",
-        "\xff\xff\xfe"
-        "created by someone\n\n",
-        {"FreeSurfer", "mris_convert"});
-    row("MNI object", "a.obj", "P 0.3 0.3 0.4 10 1 81920\n 1 2 3\n", {"MNI", "MeshLab"});
-    row("Slicer scene", "a.mrml", "<?xml version=\"1.0\"?>\n<MRML version=\"Slicer5\"></MRML>",
-        {"3D Slicer", "models"});
-    row("gzip", "a.stl.gz", "\x1f\x8b\x08 and more", {"gzip", "unpack it first"});
+    row("Slicer scene", "a.xml", "<?xml version=\"1.0\"?>\n<MRML version=\"Slicer5\"></MRML>", {"3D Slicer", "models"});
     row("AppleDouble", "._a.stl", std::string("\0\x05\x16\x07 and more", 13), {"macOS"});
 }
 
@@ -596,6 +606,14 @@ void ReportedFiles::slicersColoursAreThirds()
     const Colour colour = file.value().structures[0].colour.value_or(Colour{});
     QVERIFY(std::abs(colour[0] - 0.6) < 1e-12 && std::abs(colour[1] - 0.3) < 1e-12 &&
             std::abs(colour[2] - 0.9) < 1e-12);
+    QCOMPARE(file.value().structures[0].name, std::string("part 0"));
+    for (const auto& [line, opacity] : {std::pair("d 0.25", 0.25), std::pair("Tr 0.25", 0.75), std::pair("d 0", 1.0),
+                                        std::pair("d 7", 1.0), std::pair("d", 1.0)}) {
+        folder.write("a.mtl", std::string("newmtl mtl0\n") + line + "\nKd 0.2 0.1 0.3\n");
+        const auto scene = meshio::loadScene(folder.path("a.obj"));
+        QVERIFY2(scene.isOk(), scene.status().message().c_str());
+        QCOMPARE(scene.value().structures[0].description.opacity, opacity);
+    }
 }
 
 void ReportedFiles::namesBecomeUtf8()

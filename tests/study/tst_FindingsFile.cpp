@@ -117,6 +117,21 @@ class FindingsFile : public QObject
     }
 
   private Q_SLOTS:
+    void aLineBecomesAFindingOfItsLength()
+    {
+        QByteArray text = list("\"name\": \"size\", \"coordinateSystem\": \"RAS\", ",
+                               "{\"position\": [0, 0, 10]}, {\"position\": [6, 8, 10]}");
+        text.replace("\"Fiducial\"", "\"Line\"");
+        const auto markups = read(text);
+        QVERIFY2(markups.isOk(), markups.status().message().c_str());
+        QVERIFY(markups.value().losses.empty());
+        QCOMPARE(markups.value().findings.size(), std::size_t{1});
+        const core::Finding& line = markups.value().findings[0];
+        QCOMPARE(line.name, std::string("size"));
+        QVERIFY(line.hasPlace && line.p_W == core::Vec3(-3, -4, 10));
+        QCOMPARE(line.size_mm, std::optional(10.0));
+    }
+
     void theTableIsOneThatSpreadsheetsReadAndDoNotCompute()
     {
         const std::string expected =
@@ -227,8 +242,10 @@ class FindingsFile : public QObject
             text.replace("\"markups\": [", "\"markups\": [{" + QByteArray(fields) + "}, ");
             QTest::newRow(name) << text << "a.mrk.json: markups[0]" + QString(loss);
         };
-        listBefore("line", "\"type\": \"Line\", \"controlPoints\": []",
-                   ".type: found \"Line\", expected a list of points: left out");
+        listBefore("curve", "\"type\": \"Curve\", \"controlPoints\": []",
+                   ".type: found \"Curve\", expected points or a line: left out");
+        listBefore("line without points", "\"type\": \"Line\", \"controlPoints\": []",
+                   ".controlPoints: found a line without two points: left out");
         listBefore("unit", "\"type\": \"Fiducial\", \"coordinateUnits\": \"furlong\"",
                    ".coordinateUnits: found another unit, expected mm or um: the list is left out");
         listBefore("frame", "\"type\": \"Fiducial\", \"coordinateSystem\": \"XYZ\"",

@@ -14,6 +14,28 @@ class SceneLoader : public QObject
 {
     Q_OBJECT
   private Q_SLOTS:
+    /// Files that are opened together have the names of a folder: without the prefix of a segmentation.
+    void commonPrefixIsDropped()
+    {
+        std::vector<std::filesystem::path> files;
+        for (const char* name : {"Segmentation_liver.stl", "Segmentation_spleen.stl"}) {
+            files.push_back(m_ball.parent_path() / name);
+            const meshio::MeshStructure one{name, test::ball(20.0, 3), std::nullopt};
+            QVERIFY(meshio::writeMesh(files.back(), std::span(&one, 1)).isOk());
+        }
+        for (const bool isTwo : {true, false}) {
+            files.resize(isTwo ? 2 : 1);
+            ui::SceneLoader loader;
+            std::shared_ptr<ui::OpenedScene> scene;
+            connect(&loader, &ui::SceneLoader::opened, this, [&](const auto& found) { scene = found; });
+            loader.open(files);
+            PALPATE_TRY_VERIFY(scene != nullptr);
+            const std::string name = scene->rows[0].loaded.description.name;
+            QVERIFY2(name == (isTwo ? "liver" : "Segmentation_liver") || name == "spleen", name.c_str());
+            QCOMPARE(scene->scene.structures.size(), files.size());
+        }
+    }
+
     void init()
     {
         QVERIFY(m_folder.isValid());
@@ -30,7 +52,7 @@ class SceneLoader : public QObject
         ui::SceneLoader loader;
         std::shared_ptr<ui::OpenedScene> scene;
         connect(&loader, &ui::SceneLoader::opened, this, [&](const auto& opened) { scene = opened; });
-        loader.open({m_ball}, 1.0);
+        loader.open({m_ball});
         QVERIFY(loader.isBusy()); // this thread is free
         PALPATE_TRY_VERIFY(scene != nullptr);
         QCOMPARE(scene->rows.size(), std::size_t{1});
@@ -44,7 +66,7 @@ class SceneLoader : public QObject
     {
         ui::SceneLoader loader;
         QSignalSpy failed(&loader, &ui::SceneLoader::failed);
-        loader.open({m_bad}, 1.0);
+        loader.open({m_bad});
         PALPATE_TRY_COMPARE(failed.count(), 1);
         const QString line = failed.first().first().toString();
         QVERIFY2(line.contains(QStringLiteral("bad.stl")) && !line.contains(QLatin1Char('\n')), qPrintable(line));
@@ -54,7 +76,7 @@ class SceneLoader : public QObject
         ui::SceneLoader loader;
         std::shared_ptr<ui::OpenedScene> scene;
         connect(&loader, &ui::SceneLoader::opened, this, [&](const auto& opened) { scene = opened; });
-        loader.open({m_bad, m_ball}, 1.0);
+        loader.open({m_bad, m_ball});
         PALPATE_TRY_VERIFY(scene != nullptr);
         QCOMPARE(scene->rows.size(), std::size_t{1});
         QCOMPARE(scene->problems.size(), 1);
@@ -64,7 +86,7 @@ class SceneLoader : public QObject
         ui::SceneLoader loader;
         QSignalSpy cancelled(&loader, &ui::SceneLoader::cancelled);
         QSignalSpy opened(&loader, &ui::SceneLoader::opened);
-        loader.open(std::vector<std::filesystem::path>(200, m_ball), 1.0);
+        loader.open(std::vector<std::filesystem::path>(200, m_ball));
         loader.cancel();
         PALPATE_TRY_COMPARE(cancelled.count(), 1);
         QCOMPARE(opened.count(), 0);
@@ -74,8 +96,8 @@ class SceneLoader : public QObject
         ui::SceneLoader loader;
         QSignalSpy opened(&loader, &ui::SceneLoader::opened);
         QSignalSpy failed(&loader, &ui::SceneLoader::failed);
-        loader.open({m_bad}, 1.0);
-        loader.open({m_ball}, 1.0);
+        loader.open({m_bad});
+        loader.open({m_ball});
         PALPATE_TRY_COMPARE(opened.count(), 1);
         QCOMPARE(failed.count(), 0);
     }

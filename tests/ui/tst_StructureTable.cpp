@@ -2,6 +2,8 @@
 #include "Rows.h"
 #include "TestRunner.h"
 
+#include <palpate/ui/StructureTree.h>
+
 using namespace palpate;
 using ui::StructureModel;
 
@@ -15,6 +17,38 @@ class StructureTable : public QObject
 {
     Q_OBJECT
   private Q_SLOTS:
+    /// Many structures of several kinds are listed in groups until the user chooses otherwise; a few are not.
+    void manyStructuresAreGroupedByAnatomy()
+    {
+        const auto rowsOf = [](const std::vector<std::string>& names) {
+            std::vector<ui::StructureRow> rows;
+            for (const std::string& name : names) {
+                rows.push_back(test::row(name, test::ball(5.0, 1)));
+            }
+            return rows;
+        };
+        std::vector<std::string> many{"label 7",     "aorta",      "liver", "gluteus_maximus_left",
+                                      "liver_tumor", "spinal_cord"};
+        for (int i = 1; i <= 30; ++i) {
+            many.push_back("rib_left_" + std::to_string(i));
+        }
+        StructureModel model;
+        ui::StructureTree tree(model);
+        model.setRows(rowsOf(many));
+        QVERIFY(tree.grouping() == ui::StructureTree::Grouping::Anatomy);
+        QStringList titles;
+        for (int group = 0; group < tree.rowCount(); ++group) {
+            titles << tree.index(group, StructureModel::Name).data().toString();
+        }
+        QCOMPARE(titles, (QStringList{"Lumps (1)", "Organs (1)", "Vessels (1)", "Brain and nerves (1)", "Bones (30)",
+                                      "Muscles (1)", "Other (1)"}));
+        QCOMPARE(tree.rowOf(tree.index(0, StructureModel::Name, tree.index(1, StructureModel::Name))), 2); // the liver
+        model.setRows(rowsOf({"liver", "aorta", "rib_left_1"}));
+        QVERIFY(tree.grouping() == ui::StructureTree::Grouping::None);
+        tree.setGrouping(ui::StructureTree::Grouping::Layer);
+        model.setRows(rowsOf(many));
+        QVERIFY(tree.grouping() == ui::StructureTree::Grouping::Layer);
+    }
     void namesReadAsAPersonWritesThem()
     {
         QCOMPARE(ui::readableName("VH_F_liver_capsule"), QStringLiteral("liver capsule"));

@@ -6,10 +6,14 @@
 #include <palpate/meshio/MeshFile.h>
 #include <palpate/meshio/SceneFile.h>
 #include <palpate/ui/SceneLoader.h>
+#include <palpate/ui/StructurePanel.h>
 
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QTemporaryDir>
 
 #include <algorithm>
+#include <fstream>
 #include <span>
 
 using namespace palpate;
@@ -32,10 +36,37 @@ class SurfaceEdits : public QObject
         std::shared_ptr<ui::OpenedScene> scene;
         const auto opened =
             connect(&m_loader, &ui::SceneLoader::opened, this, [&](const auto& found) { scene = found; });
-        m_loader.open({file}, 1.0);
+        m_loader.open({file});
         PALPATE_TRY_VERIFY(scene != nullptr);
         disconnect(opened);
         m_model.setRows(std::move(scene->rows));
+    }
+
+    /// A label map with a ball of radius 8 in voxels of 1 x 1 x 3 mm, as MetaImage.
+    static std::string ballMap()
+    {
+        std::string bytes = "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 20 20 8\n"
+                            "ElementSpacing = 1 1 3\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+        for (int z = 0; z < 8; ++z) {
+            for (int y = 0; y < 20; ++y) {
+                for (int x = 0; x < 20; ++x) {
+                    const core::Vec3 p(x - 9.5, y - 9.5, 3.0 * (z - 3.5));
+                    bytes += p.norm() < 8.0 ? '\1' : '\0';
+                }
+            }
+        }
+        return bytes;
+    }
+
+    template<class Widget>
+    static Widget* named(QWidget& panel, const QString& name)
+    {
+        for (Widget* widget : panel.findChildren<Widget*>()) {
+            if (widget->accessibleName() == name) {
+                return widget;
+            }
+        }
+        return nullptr;
     }
 
   private Q_SLOTS:
@@ -72,6 +103,48 @@ class SurfaceEdits : public QObject
         QCOMPARE(row().loaded.surface.get(), surface.get());
         QVERIFY(!row().loaded.smoothing.has_value());
         QCOMPARE(m_model.steppedRows(), std::vector<int>{0});
+    }
+
+    /// The factor of a label map's structure in the panel: shown, changed, undone, and saved.
+    void changesTheSmoothingFactor()
+    {
+        const std::filesystem::path map = m_folder.filePath(QStringLiteral("ball.mha")).toStdString();
+        std::ofstream(map, std::ios::binary) << ballMap();
+        openFile(map);
+        ui::StructurePanel panel(m_model);
+        panel.select(0);
+        auto* const factor = named<QDoubleSpinBox>(panel, QStringLiteral("Smoothing factor"));
+        auto* const surface = named<QComboBox>(panel, QStringLiteral("Surface"));
+        QVERIFY(factor != nullptr && surface != nullptr);
+        QCOMPARE(factor->value(), meshio::kLabelSmoothing);
+        QCOMPARE(surface->currentText(), QStringLiteral("Smoothed"));
+        QVERIFY(m_model.defects(0).join(QLatin1Char(' ')).contains(QStringLiteral("smoothed by 0.5")));
+        const double before_mm3 = row().loaded.smoothing->volumeAfter_mm3;
+        QSignalSpy replaced(&m_model, &StructureModel::surfaceReplaced);
+        factor->setValue(0.9);
+        PALPATE_TRY_COMPARE(replaced.count(), 1);
+        QCOMPARE(m_model.structure(0).smoothing, 0.9);
+        QCOMPARE(row().loaded.smoothing->strength, 0.9);
+        QVERIFY(row().loaded.smoothing->volumeAfter_mm3 != before_mm3);
+        QVERIFY(m_model.defects(0).join(QLatin1Char(' ')).contains(QStringLiteral("smoothed by 0.9")));
+        m_model.undoStack().undo();
+        PALPATE_TRY_COMPARE(replaced.count(), 2);
+        QCOMPARE(factor->value(), meshio::kLabelSmoothing);
+        QCOMPARE(row().loaded.smoothing->volumeAfter_mm3, before_mm3);
+        m_model.undoStack().redo();
+        PALPATE_TRY_COMPARE(replaced.count(), 3);
+        const auto scene = map.parent_path() / "ball.palpate.json";
+        meshio::SceneFile edited;
+        edited.structures = {m_model.structure(0)};
+        QVERIFY(meshio::writeScene(scene, edited).isOk());
+        const auto saved = meshio::readScene(scene);
+        QVERIFY(saved.isOk());
+        QCOMPARE(saved.value().structures.front().smoothing, 0.9);
+        surface->setCurrentIndex(0);
+        Q_EMIT surface->activated(0); // as in the file: no factor
+        PALPATE_TRY_COMPARE(replaced.count(), 4);
+        QVERIFY(!factor->isVisibleTo(&panel));
+        QVERIFY(!row().loaded.smoothing.has_value());
     }
 
     void turnsAroundAndUndoes()

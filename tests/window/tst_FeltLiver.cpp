@@ -86,7 +86,9 @@ class FeltLiver : public QObject
         files.push_back(capsule);
         files.push_back(m_lump);
         QSignalSpy ready(&m_desk->window(), &MainWindow::ready);
-        m_desk->window().open(files, 1000.0);
+        meshio::ReadOptions inMetres;
+        inMetres.unit_mm = 1000.0;
+        m_desk->window().open(files, inMetres);
         PALPATE_TRY_COMPARE(ready.count(), 1);
     }
 

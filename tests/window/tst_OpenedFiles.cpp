@@ -178,6 +178,24 @@ class OpenedFiles : public QObject
         QDir(copies()).removeRecursively();
     }
 
+    /// Points of 3D Slicer open with the anatomy or onto it, and say what is missing without it.
+    void pointsBecomeFindings()
+    {
+        const auto points = write("F.mrk.json", R"({"@schema": "x/markups-schema-v1.0.3.json#", "markups": [{"type":
+            "Fiducial", "controlPoints": [{"label": "A", "position": [1, 2, 3]}]}]})");
+        QSignalSpy failed(&m_desk->window(), &MainWindow::openFailed);
+        m_desk->window().open({points});
+        QCOMPARE(failed.count(), 1);
+        QVERIFY(failed[0][0].toString().contains(QLatin1String("F.mrk.json has points of 3D Slicer")));
+        QVERIFY(m_desk->open({folder() / "liver.stl", points}));
+        const QAbstractItemModel& findings = *m_desk->window().findChild<QAbstractItemView*>("findingsTable")->model();
+        QCOMPARE(findings.rowCount(), 1);
+        QCOMPARE(failed.count(), 1);
+        m_desk->window().open({points});
+        QCOMPARE(findings.rowCount(), 2);
+        m_desk->command("undo").trigger();
+        QCOMPARE(findings.rowCount(), 1);
+    }
     void axesThatNobodySaidAreQuestioned()
     {
         QVERIFY(!coordinates().button().isVisible());

@@ -6,6 +6,7 @@
 #include "shared/Console.h"
 #include "shared/Devices.h"
 #include "shared/Program.h"
+#include "shared/SurfaceOptions.h"
 #include "window/Window.h"
 
 #include <palpate/meshio/MeshFormats.h>
@@ -25,6 +26,7 @@ struct WindowCommandLine
     WindowOptions options;
     std::string unit = "mm";
     std::string frame;
+    app::SurfaceOptions surfaces;
     std::string screenshot;
     std::string size;
 };
@@ -35,6 +37,7 @@ void addWindowOptions(CLI::App& app, WindowCommandLine& line)
                    "Meshes (" + meshio::meshFormatNames("or") + ") or a scene to open, and a recording to play");
     app.add_option("--unit", line.unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
     app.add_option("--frame", line.frame, app::kFrameHelp);
+    line.surfaces.addTo(app);
     app.add_option("--device", line.options.device, "The hand's device: mouse, simulated, playback or a plugin's");
     app.add_option("--plugin-path", line.options.pluginFolders, "Folder to look for device plugins in first")
         ->allow_extra_args(false);
@@ -50,12 +53,13 @@ int openWindow(int argc, char** argv, WindowCommandLine& line)
     if (!unit.isOk()) {
         return app::report(unit.status());
     }
-    line.options.unit_mm = unit.value();
+    line.options.read.unit_mm = unit.value();
     const auto frame = app::frameOption(line.frame);
     if (!frame.isOk()) {
         return app::report(frame.status());
     }
-    line.options.frame = frame.value();
+    line.options.read.frame = frame.value();
+    line.surfaces.applyTo(line.options.read);
     for (const auto& file : line.options.files) {
         std::error_code error;
         if (!std::filesystem::exists(file, error)) {

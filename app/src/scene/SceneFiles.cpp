@@ -35,6 +35,12 @@ bool isRecording(const std::filesystem::path& file)
     return session::isRecordingFile(file);
 }
 
+/// True for points of 3D Slicer.
+bool isMarkups(const std::filesystem::path& file)
+{
+    return toText(file.filename()).endsWith(QLatin1String(".mrk.json"), Qt::CaseInsensitive);
+}
+
 QString lastFolder()
 {
     return QSettings().value(QLatin1String(kFolderKey)).toString();
@@ -80,6 +86,7 @@ void SceneFiles::connectLoader()
     connect(&m_loader, &ui::SceneLoader::cancelled, this, [this] {
         m_progress.end();
         m_waitingRecording.reset();
+        m_waitingMarkups.clear();
         m_core.notices.say(tr("Opening was cancelled."));
     });
 }
@@ -104,19 +111,30 @@ void SceneFiles::showState(const WindowState& state)
     m_core.actions.setEnabled({"add", "close"}, state.hasScene);
 }
 
-void SceneFiles::open(const std::vector<std::filesystem::path>& files, double unit_mm, core::FileFrame frame)
+void SceneFiles::open(const std::vector<std::filesystem::path>& files, const meshio::ReadOptions& options)
 {
     std::vector<std::filesystem::path> meshes;
+    std::vector<std::filesystem::path> markups;
     std::optional<std::filesystem::path> recording;
     for (const std::filesystem::path& file : files) {
         if (isRecording(file)) {
             recording = file;
+        } else if (isMarkups(file)) {
+            markups.push_back(file);
         } else {
             meshes.push_back(file);
         }
     }
     if (meshes.empty() && recording && m_core.model.rowCount() == 0) {
         meshes.push_back(*recording); // a recording alone: also opens its scene, see study::sceneOfRecording
+    }
+    if (meshes.empty() && !markups.empty() && m_core.model.rowCount() == 0) {
+        const QString line =
+            tr("%1 has points of 3D Slicer, which become findings. Open the anatomy first, or both at once.")
+                .arg(toText(markups.front().filename()));
+        m_core.notices.showError(line);
+        Q_EMIT openFailed(line);
+        return;
     }
     if (!meshes.empty() && !m_document.confirmDiscard()) {
         return;
@@ -126,41 +144,48 @@ void SceneFiles::open(const std::vector<std::filesystem::path>& files, double un
         if (recording) {
             Q_EMIT recordingWanted(*recording);
         }
+        for (const std::filesystem::path& file : markups) {
+            Q_EMIT markupsWanted(file);
+        }
         return;
     }
     m_waitingRecording = recording;
-    m_unit_mm = unit_mm;
+    m_waitingMarkups = std::move(markups);
     m_opening = meshes;
-    m_openingFrame = frame;
-    m_loader.open(meshes, unit_mm, frame);
+    m_options = options;
+    m_loader.open(meshes, options);
 }
 
 void SceneFiles::add(const std::vector<std::filesystem::path>& files)
 {
+    if (m_core.model.rowCount() == 0) {
+        open(files);
+        return;
+    }
     std::vector<std::filesystem::path> meshes;
     for (const std::filesystem::path& file : files) {
         if (isRecording(file)) {
             Q_EMIT recordingWanted(file);
+        } else if (isMarkups(file)) {
+            Q_EMIT markupsWanted(file);
         } else {
             meshes.push_back(file);
         }
-    }
-    if (m_core.model.rowCount() == 0) {
-        open(files);
-        return;
     }
     std::vector<ui::OpenSurface> there;
     for (const study::OpenStructure& row : m_core.model.rows()) {
         there.push_back(row.isRemoved ? ui::OpenSurface() : ui::OpenSurface{row.loaded.surface, row.touch});
     }
     if (!meshes.empty()) {
-        m_loader.add(std::move(meshes), m_unit_mm, std::move(there));
+        m_loader.add(std::move(meshes), m_options.unit_mm, std::move(there));
     }
 }
 
 void SceneFiles::drop(const std::vector<std::filesystem::path>& files)
 {
-    if (m_core.model.rowCount() == 0 || std::all_of(files.begin(), files.end(), isRecording)) {
+    if (m_core.model.rowCount() == 0 || std::all_of(files.begin(), files.end(), [](const auto& file) {
+            return isRecording(file) || isMarkups(file);
+        })) {
         open(files);
         return;
     }
@@ -173,19 +198,23 @@ void SceneFiles::drop(const std::vector<std::filesystem::path>& files)
 void SceneFiles::reopen(meshio::SceneFile scene)
 {
     m_waitingRecording.reset();
+    m_waitingMarkups.clear();
     m_loader.reopen(std::move(scene), m_document.files());
 }
 
 void SceneFiles::forget()
 {
     m_loader.cancel();
-    m_unit_mm = 1.0;
+    m_options = {};
 }
 
-void SceneFiles::openWaitingRecording()
+void SceneFiles::openWaiting()
 {
     if (const auto recording = std::exchange(m_waitingRecording, std::nullopt)) {
         Q_EMIT recordingWanted(*recording);
+    }
+    for (const std::filesystem::path& file : std::exchange(m_waitingMarkups, {})) {
+        Q_EMIT markupsWanted(file);
     }
 }
 
@@ -203,13 +232,14 @@ void SceneFiles::openPhantom()
 void SceneFiles::takeFailure(const QString& line)
 {
     m_progress.end();
+    m_waitingMarkups.clear();
     if (m_waitingRecording && m_opening == std::vector{*m_waitingRecording}) {
         m_core.notices.warn({line}); // the recording itself offers to find its meshes
     } else {
         m_core.notices.showError(line);
     }
     if (m_waitingRecording && m_core.model.rowCount() == 0) {
-        openWaitingRecording(); // playback works without the scene of the recording
+        openWaiting(); // playback works without the scene of the recording
     } else {
         m_waitingRecording.reset();
         Q_EMIT openFailed(line);
@@ -221,20 +251,21 @@ void SceneFiles::offerReadingAsMetres(double size_mm)
 {
     // No organ is smaller; some libraries write metres to formats that cannot store a unit.
     constexpr double kSmallest_mm = 3.0;
-    if (m_unit_mm != 1.0 || size_mm >= kSmallest_mm ||
+    if (m_options.unit_mm != 1.0 || size_mm >= kSmallest_mm ||
         std::any_of(m_opening.begin(), m_opening.end(),
                     [](const std::filesystem::path& file) { return meshio::isSceneFile(file) || isRecording(file); })) {
         return;
     }
+    meshio::ReadOptions inMetres = m_options;
+    inMetres.unit_mm = 1000.0;
     m_core.notices.bar().offer(tr("This anatomy is only %1 mm across. Its coordinates are probably in metres.")
                                    .arg(QLocale().toString(size_mm, 'g', 2)),
-                               tr("Read as metres"),
-                               [this, files = m_opening, frame = m_openingFrame] { open(files, 1000.0, frame); });
+                               tr("Read as metres"), [this, files = m_opening, inMetres] { open(files, inMetres); });
 }
 
 void SceneFiles::choose()
 {
-    QString endings = QStringLiteral("*.json *.palpate *.vtm *.pvd");
+    QString endings = QStringLiteral("*.json *.palpate *.vtm *.pvd *.mrml");
     for (const std::string& extension : meshio::meshExtensions()) {
         endings += QStringLiteral(" *") + QString::fromStdString(extension);
     }

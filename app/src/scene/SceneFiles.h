@@ -29,10 +29,9 @@ class SceneFiles : public WindowPart
     void showState(const WindowState& state) override;
 
     [[nodiscard]] ui::SceneLoader& loader() noexcept { return m_loader; }
-    /// Opens meshes and scenes as one scene, and the last recording among the files for playback in that scene.
-    /// @param frame  axes of mesh files, overriding their tags; Untagged: as tagged
-    void open(const std::vector<std::filesystem::path>& files, double unit_mm = 1.0,
-              core::FileFrame frame = core::FileFrame::Untagged);
+    /// Opens meshes and scenes as one scene, and the last recording among the files for playback in that scene. Points
+    /// of 3D Slicer (`.mrk.json`) are imported as findings, without other files into the open scene.
+    void open(const std::vector<std::filesystem::path>& files, const meshio::ReadOptions& options = {});
     /// Adds files to the open scene; a recording among them is opened for playback.
     void add(const std::vector<std::filesystem::path>& files);
     /// Opens files that were dropped on the window, or asks whether to add them to the open scene.
@@ -43,14 +42,16 @@ class SceneFiles : public WindowPart
     void forget();
     /// True while a recording waits for its scene.
     [[nodiscard]] bool hasWaitingRecording() const noexcept { return m_waitingRecording.has_value(); }
-    /// Opens the recording that waited for its scene, if any.
-    void openWaitingRecording();
+    /// Opens the recording and the points that waited for their scene, if any.
+    void openWaiting();
 
   Q_SIGNALS:
     /// The user wants to close the scene.
     void closeWanted();
     /// A recording is to be opened for playback.
     void recordingWanted(const std::filesystem::path& path);
+    /// Points are to be imported as findings into the open scene.
+    void markupsWanted(const std::filesystem::path& path);
     /// Nothing was opened. @param line  the reason, already shown
     void openFailed(const QString& line);
 
@@ -66,10 +67,10 @@ class SceneFiles : public WindowPart
     DocumentPart& m_document;
     StatusProgress& m_progress;
     ui::SceneLoader m_loader;
-    double m_unit_mm = 1.0;                                     ///< with which the files were read
-    std::vector<std::filesystem::path> m_opening;               ///< meshes of the latest request
-    core::FileFrame m_openingFrame = core::FileFrame::Untagged; ///< axes chosen for these meshes
-    std::optional<std::filesystem::path> m_waitingRecording;    ///< opened once its scene is open
+    std::vector<std::filesystem::path> m_opening;            ///< meshes of the latest request
+    meshio::ReadOptions m_options;                           ///< with which these meshes were read
+    std::optional<std::filesystem::path> m_waitingRecording; ///< opened once its scene is open
+    std::vector<std::filesystem::path> m_waitingMarkups;     ///< same
 };
 
 } // namespace palpate::app

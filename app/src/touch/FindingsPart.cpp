@@ -150,8 +150,13 @@ void FindingsPart::importFindings()
                                                         QSettings().value(QStringLiteral("folder")).toString(),
                                                         tr("3D Slicer markups (*.mrk.json *.json);;All files (*)"));
     if (!chosen.isEmpty()) {
-        m_desk->importFrom(toPath(chosen));
+        importFrom(toPath(chosen));
     }
+}
+
+void FindingsPart::importFrom(const std::filesystem::path& path)
+{
+    m_desk->importFrom(path);
 }
 
 } // namespace palpate::app

@@ -33,6 +33,9 @@ class FindingsPart : public WindowPart
     void addPanel(Docks& docks) override;
     void showState(const WindowState& state) override;
 
+    /// Imports the points of a markups file of 3D Slicer (`.mrk.json`).
+    void importFrom(const std::filesystem::path& path);
+
   Q_SIGNALS:
     /// Emitted when the marked places changed. @param places_W  newest last [mm]
     void placesChanged(const std::vector<core::Vec3>& places_W);

@@ -140,6 +140,7 @@ void MainWindow::makeParts()
     m_help = keep(new HelpPart(core));
     m_changes = new SceneChanges(
         core, {*m_document, *m_files, *m_coordinates, *progress, *structures, *m_touch, *m_recording, *m_device});
+    connect(m_files, &SceneFiles::markupsWanted, findings, &FindingsPart::importFrom);
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
@@ -294,9 +295,9 @@ void MainWindow::showPage(bool isView)
     }
 }
 
-void MainWindow::open(const std::vector<std::filesystem::path>& files, double unit_mm, core::FileFrame frame)
+void MainWindow::open(const std::vector<std::filesystem::path>& files, const meshio::ReadOptions& options)
 {
-    m_files->open(files, unit_mm, frame);
+    m_files->open(files, options);
 }
 
 PalpationController& MainWindow::palpation() noexcept

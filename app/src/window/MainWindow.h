@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <palpate/core/FileFrame.h>
+#include <palpate/meshio/MeshFile.h>
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/Looks.h>
@@ -53,9 +53,7 @@ class MainWindow : public QMainWindow
     ~MainWindow() override;
 
     /// Opens meshes and scenes as one scene, and the last recording among the files for playback in that scene.
-    /// @param frame  axes of mesh files, overriding their tags; Untagged: as tagged
-    void open(const std::vector<std::filesystem::path>& files, double unit_mm = 1.0,
-              palpate::core::FileFrame frame = palpate::core::FileFrame::Untagged);
+    void open(const std::vector<std::filesystem::path>& files, const palpate::meshio::ReadOptions& options = {});
 
     [[nodiscard]] const palpate::ui::ActionList& commands() const noexcept { return m_actions; }
     [[nodiscard]] const palpate::ui::StructureModel& model() const noexcept { return m_model; }

@@ -87,7 +87,7 @@ void SceneChanges::replace(ui::OpenedScene& scene)
     arrange(scene);
     showProblems(scene);
     m_surfaces->offerRepairs();
-    m_parts.files.openWaitingRecording();
+    m_parts.files.openWaiting();
     if (!scene.isReopened) {
         m_parts.recording.takeFingertip();
     }

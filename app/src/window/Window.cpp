@@ -268,7 +268,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     }
     window.show();
     if (!options.files.empty()) {
-        window.open(options.files, options.unit_mm, options.frame);
+        window.open(options.files, options.read);
     } else if (options.screenshot) {
         QTimer::singleShot(kSettle_ms, &window, [&window] { Q_EMIT window.ready(); });
     }

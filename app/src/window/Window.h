@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <palpate/core/FileFrame.h>
+#include <palpate/meshio/MeshFile.h>
 
 #include <filesystem>
 #include <optional>
@@ -13,9 +13,7 @@ struct WindowOptions
 {
     /// Mesh and scene files to open as one scene, and at most one recording (`*.palpate`) to play in that scene.
     std::vector<std::filesystem::path> files;
-    double unit_mm = 1.0; ///< millimetres per unit of mesh files; scene files state their unit
-    /// Axes of mesh files; Untagged: as the files state.
-    palpate::core::FileFrame frame = palpate::core::FileFrame::Untagged;
+    palpate::meshio::ReadOptions read; ///< unit and axes of mesh files, and the surfaces made of all files
     /// Runs without user: opens the files, touches the scene with a scripted hand (or plays the recording), writes a
     /// PNG of the whole window during contact, prints a one-line summary to stdout and exits.
     std::optional<std::filesystem::path> screenshot;

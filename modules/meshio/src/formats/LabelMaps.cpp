@@ -4,6 +4,7 @@
 #include "labels/LabelNames.h"
 #include "labels/LabelSurfaces.h"
 #include "labels/LabelVolume.h"
+#include "text/FileStem.h"
 #include "text/TextScan.h"
 #include "voxels/VoxelReader.h"
 
@@ -71,7 +72,7 @@ std::vector<LabelName> uniqueNames(const NamedLabels& named, const LabelVolume& 
         const auto found = named.names.find({label.layer, label.value});
         LabelName name = found == named.names.end() ? LabelName() : found->second;
         if (name.name.empty()) {
-            name.name = volume.labels.size() == 1 ? volumeStem(file)
+            name.name = volume.labels.size() == 1 ? fileStem(file)
                         : isLayered
                             ? "label " + std::to_string(label.value) + " of layer " + std::to_string(label.layer + 1)
                             : "label " + std::to_string(label.value);
@@ -180,9 +181,10 @@ constexpr std::array<std::string_view, 2> kMetaExtensions{".mha", ".mhd"};
 
 } // namespace
 
-const MeshFormat kNrrd{"NRRD", kNrrdExtensions, true, looksLikeNrrd, nullptr, nullptr, readLabels<nrrdLayout>};
-const MeshFormat kNifti{"NIfTI", kNiftiExtensions, true, looksLikeNifti, nullptr, nullptr, readLabels<niftiLayout>};
-const MeshFormat kMetaImage{"MetaImage", kMetaExtensions,       true, looksLikeMetaImage, nullptr,
-                            nullptr,     readLabels<metaLayout>};
+const MeshFormat kNrrd{"NRRD", kNrrdExtensions, true, looksLikeNrrd, nullptr, nullptr, readLabels<nrrdLayout>, true};
+const MeshFormat kNifti{"NIfTI", kNiftiExtensions,        true, looksLikeNifti, nullptr,
+                        nullptr, readLabels<niftiLayout>, true};
+const MeshFormat kMetaImage{"MetaImage", kMetaExtensions,        true, looksLikeMetaImage, nullptr,
+                            nullptr,     readLabels<metaLayout>, true};
 
 } // namespace palpate::meshio::internal

@@ -8,6 +8,7 @@
 #include "text/Fault.h"
 #include "text/TextScan.h"
 
+#include <vtkDataSetAttributes.h>
 #include <vtkPolyDataReader.h>
 #include <vtkSmartPointer.h>
 
@@ -165,6 +166,41 @@ class LegacyBody
     std::uint64_t m_line = 1;
 };
 
+/// Finds VTK's array of hidden cells, behind the geometry: in a FIELD, or as SCALARS. All other arrays are dropped.
+/// @return for each cell, in VTK's order: vertices, lines, polygons, strips; empty without a valid array
+std::vector<bool> hiddenCells(std::string_view bytes, bool isBinary)
+{
+    constexpr NumberType kByte{"unsigned_char", 1, false, false};
+    constexpr unsigned kNotDrawn =
+        vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
+    const std::size_t data = bytes.rfind("CELL_DATA");
+    const std::string_view ofCells = bytes.substr(std::min(data, bytes.size()));
+    const std::size_t name = ofCells.substr(0, ofCells.find("POINT_DATA")).find(vtkDataSetAttributes::GhostArrayName());
+    if (name == std::string_view::npos) {
+        return {};
+    }
+    LegacyBody head(ofCells), body(ofCells.substr(name));
+    body.isBinary = isBinary;
+    (void)head.word();
+    const std::optional<std::int64_t> cells = wordToInteger(head.word());
+    (void)body.word();
+    const std::string_view line = trimmed(body.line());
+    if (sameWord(line, kByte.name) || sameWord(line, "unsigned_char 1")) {
+        (void)body.line(); // LOOKUP_TABLE
+    } else if (!cells || line != "1 " + std::to_string(*cells) + " unsigned_char") {
+        return {};
+    }
+    std::vector<bool> hidden;
+    for (std::int64_t i = 0; i < cells.value_or(0); ++i) {
+        const std::optional<std::int64_t> kind = body.integer(kByte);
+        if (!kind) {
+            return {};
+        }
+        hidden.push_back((static_cast<unsigned>(*kind) & kNotDrawn) != 0);
+    }
+    return hidden;
+}
+
 /// Checks points and cells and rewrites them as a minimal binary file of version 3. VTK's reader checks nothing: cell
 /// lists can lead outside the buffer, an unknown version is read as an older layout, memory is allocated by declared
 /// counts, and malformed array information causes an endless loop. Fields, attributes and information keys are dropped.
@@ -235,6 +271,9 @@ class LegacyScan
     bool m_isGrid = false;             ///< an unstructured grid
     std::vector<std::int32_t> m_cells; ///< of the grid: for each the number of corners, then the corners
     std::uint64_t m_cellCount = 0;
+    std::uint64_t m_thinCells = 0;   ///< vertices and lines, which VTK counts before the polygons
+    std::vector<bool> m_hidden;      ///< of all cells, or empty
+    std::uint64_t m_hiddenCells = 0; ///< of a grid, left out
     BadVertices m_bad;
     PreScan m_scan;
 };
@@ -461,6 +500,7 @@ Status LegacyScan::readCells(std::string_view keyword)
     const std::uint64_t numbers = second.value() + (m_hasOffsets ? cells : 0);
     m_isKept = sameWord(keyword, "POLYGONS") || sameWord(keyword, "TRIANGLE_STRIPS");
     m_cellCount = cells;
+    m_thinCells += m_isKept ? 0 : cells;
     if (m_isKept) {
         m_scan.cells += cells;
         m_plain.append("\n").append(keyword).append(" ");
@@ -495,6 +535,11 @@ Status LegacyScan::readCellTypes()
                          {PALPATE_TEXT("as many whole numbers as are declared")});
         }
         const auto corners = static_cast<std::size_t>(m_cells[at]);
+        if (i < m_hidden.size() && m_hidden[i]) {
+            ++m_hiddenCells;
+            at += corners + 1;
+            continue;
+        }
         if (const core::Message why = surface.add(*type, std::span(m_cells).subspan(at + 1, corners)); !why.isEmpty()) {
             return wrong(StatusCode::Unsupported, why, GridSurface::expected());
         }
@@ -633,6 +678,7 @@ Status LegacyScan::readSection(std::string_view keyword)
 Result<PreScan> LegacyScan::run()
 {
     Status status = readHeader();
+    m_hidden = hiddenCells(m_body.rest(), m_body.isBinary);
     while (status.isOk()) {
         const std::string_view word = m_body.word();
         if (withoutPadding(word).empty() || sameWord(word, "POINT_DATA") || sameWord(word, "CELL_DATA")) {
@@ -642,6 +688,10 @@ Result<PreScan> LegacyScan::run()
     }
     if (m_body.rest().find("COLOR_SCALARS") != std::string_view::npos) {
         m_scan.notes.push_back({PALPATE_TEXT("colours not read: those of %1"), "COLOR_SCALARS"});
+    }
+    noteHiddenCells(m_hiddenCells, m_scan);
+    if (!m_isGrid && m_thinCells < m_hidden.size()) {
+        m_scan.hiddenCells.assign(m_hidden.begin() + static_cast<std::ptrdiff_t>(m_thinCells), m_hidden.end());
     }
     if (status.isOk() && m_scan.cells == 0) {
         status = noFaces(m_scan.points, m_body.place(), m_context);

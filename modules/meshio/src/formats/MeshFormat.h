@@ -31,9 +31,10 @@ struct MeshFormat
     core::Result<PreScan> (*guard)(FileImage& image, const ScanContext& context);
     /// @return VTK's reader, configured for the file at `path` by the results of `scan`
     vtkSmartPointer<vtkAlgorithm> (*reader)(const std::string& path, const PreScan& scan);
-    /// For label maps, instead of the previous two: checks the bytes and makes the surfaces, in the axes and units of
-    /// the file. @param scan  receives format, frame, voxels and notes
+    /// Instead of the previous two, for formats that meshio reads itself: checks the bytes and makes the surfaces, in
+    /// the axes and units of the file. @param scan  receives format, frame, voxels and notes
     core::Result<TriangleSoup> (*surfaces)(const FileImage& image, const ScanContext& context, PreScan& scan) = nullptr;
+    bool isLabelMap = false; ///< a volume
 };
 
 extern const MeshFormat kStl;
@@ -41,6 +42,10 @@ extern const MeshFormat kVtp;
 extern const MeshFormat kVtu;
 extern const MeshFormat kPly;
 extern const MeshFormat kLegacyVtk;
+extern const MeshFormat kOff;
+extern const MeshFormat kFreeSurferSurface;
+extern const MeshFormat kGifti;
+extern const MeshFormat kMniObject;
 extern const MeshFormat kNrrd;
 extern const MeshFormat kNifti;
 extern const MeshFormat kMetaImage;

@@ -19,6 +19,8 @@ using core::Result;
 using core::Status;
 using core::StatusCode;
 
+constexpr std::string_view kPacked = ".gz";
+
 std::string lowered(std::string_view text)
 {
     std::string out(text);
@@ -29,7 +31,10 @@ std::string lowered(std::string_view text)
 
 bool hasExtension(const MeshFormat& format, const std::filesystem::path& path)
 {
-    const std::string name = lowered(path.filename().string());
+    std::string name = lowered(path.filename().string());
+    if (!format.isLabelMap && name.ends_with(kPacked)) {
+        name.resize(name.size() - kPacked.size());
+    }
     return std::ranges::any_of(format.extensions, [&name](std::string_view extension) {
         return name.size() > extension.size() && name.ends_with(extension);
     });
@@ -78,10 +83,11 @@ std::string listOfFormats()
 
 std::span<const MeshFormat* const> formatTable()
 {
-    // VTU before VTP, which takes any XML to name the error. OBJ last: the format has no signature, only words that may
-    // begin a line.
-    static constexpr std::array<const MeshFormat*, 9> kTable{&kStl,  &kVtu,   &kVtp,       &kPly, &kLegacyVtk,
-                                                             &kNrrd, &kNifti, &kMetaImage, &kObj};
+    // GIFTI and VTU before VTP, which takes any XML to name the error. OBJ last: the format has no signature, only
+    // words that may begin a line.
+    static constexpr std::array<const MeshFormat*, 13> kTable{
+        &kStl,  &kVtu,   &kGifti,     &kVtp,       &kPly, &kLegacyVtk, &kOff, &kFreeSurferSurface,
+        &kNrrd, &kNifti, &kMetaImage, &kMniObject, &kObj};
     return kTable;
 }
 
@@ -151,6 +157,12 @@ std::vector<std::string> meshExtensions()
     for (const internal::MeshFormat* format : internal::formatTable()) {
         all.insert(all.end(), format->extensions.begin(), format->extensions.end());
     }
+    for (const internal::MeshFormat* format : internal::formatTable()) {
+        for (const std::string_view extension :
+             format->isLabelMap ? std::span<const std::string_view>() : format->extensions) {
+            all.push_back(std::string(extension) + std::string(internal::kPacked));
+        }
+    }
     return all;
 }
 
@@ -164,7 +176,7 @@ bool hasMeshExtension(const std::filesystem::path& path)
 bool hasLabelMapExtension(const std::filesystem::path& path)
 {
     return std::ranges::any_of(internal::formatTable(), [&](const internal::MeshFormat* format) {
-        return format->surfaces != nullptr && internal::hasExtension(*format, path);
+        return format->isLabelMap && internal::hasExtension(*format, path);
     });
 }
 

@@ -316,13 +316,13 @@ std::string partName(const std::string& group)
     return isNumbered ? "part " + group.substr(kPrefix.size()) : group;
 }
 
-/// Takes the colour of each part whose faces all have the same material.
+/// Takes colour and opacity of each part whose faces all have the same material.
 void ObjScan::takeColours(const FaceGroups& parts)
 {
     if (m_materials.names.names().empty()) {
         return;
     }
-    const MaterialColours colours = readMaterials(m_context.path.parent_path(), m_library);
+    const Materials materials = readMaterials(m_context.path.parent_path(), m_library);
     constexpr std::uint32_t kNone = 0xffffffff, kSeveral = 0xfffffffe;
     std::vector<std::uint32_t> materialOf(parts.names.names().size(), kNone);
     for (std::size_t face = 0; face < parts.ofFace.size(); ++face) {
@@ -331,13 +331,18 @@ void ObjScan::takeColours(const FaceGroups& parts)
     }
     std::set<std::uint32_t> lost(m_materials.ofFace.begin(), m_materials.ofFace.end());
     m_scan.partColours.resize(materialOf.size());
+    m_scan.partOpacities.resize(materialOf.size(), 1.0);
     for (std::size_t part = 0; part < materialOf.size(); ++part) {
         if (materialOf[part] >= kSeveral) {
             continue;
         }
-        const auto found = colours.find(m_materials.names.names()[materialOf[part]]);
-        if (found != colours.end()) {
-            std::array<double, 3> colour = found->second;
+        const auto found = materials.find(m_materials.names.names()[materialOf[part]]);
+        if (found == materials.end()) {
+            continue;
+        }
+        m_scan.partOpacities[part] = found->second.opacity;
+        if (found->second.colour) {
+            std::array<double, 3> colour = *found->second.colour;
             // 3D Slicer's exporter spreads a colour over the ambient, diffuse and specular terms, a third each.
             for (double& component : colour) {
                 component = m_isOfSlicer ? std::min(1.0, 3.0 * component) : component;

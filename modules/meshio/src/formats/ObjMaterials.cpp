@@ -11,10 +11,10 @@
 
 namespace palpate::meshio::internal {
 
-MaterialColours parseMaterials(std::string_view text)
+Materials parseMaterials(std::string_view text)
 {
     constexpr std::size_t kLongestMaterialName = 256;
-    MaterialColours colours;
+    Materials materials;
     std::optional<std::string> material; // empty before the first "newmtl"
     LineReader lines(withoutPadding(text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text));
     while (lines.next()) {
@@ -22,6 +22,13 @@ MaterialColours parseMaterials(std::string_view text)
         const std::string_view word = takeWord(rest);
         if (sameWord(word, "newmtl")) {
             material = trimmed(rest.substr(0, kLongestMaterialName));
+            (void)materials[*material];
+        } else if ((word == "d" || word == "Tr") && material) {
+            const std::optional<double> value = wordToNumber(takeWord(rest));
+            const double opacity = word == "d" ? value.value_or(1.0) : 1.0 - value.value_or(0.0);
+            if (opacity > 0.0 && opacity <= 1.0) {
+                materials[*material].opacity = opacity;
+            }
         } else if (word == "Kd" && material) {
             std::array<double, 3> colour = {};
             bool isColour = true;
@@ -31,14 +38,14 @@ MaterialColours parseMaterials(std::string_view text)
                 component = value.value_or(0.0);
             }
             if (isColour) {
-                colours.insert_or_assign(*material, colour);
+                materials[*material].colour = colour;
             }
         }
     }
-    return colours;
+    return materials;
 }
 
-MaterialColours readMaterials(const std::filesystem::path& folder, std::string_view name)
+Materials readMaterials(const std::filesystem::path& folder, std::string_view name)
 {
     constexpr std::size_t kMostBytes = std::size_t{4} << 20U;
     // Exporters on Windows write backslashes, and often the folder on the computer of the author.

@@ -34,10 +34,8 @@ using namespace std::string_view_literals;
 constexpr auto kBinary = std::to_array<OtherFormat>({
     {"\x00\x05\x16\x07"sv, PALPATE_TEXT("an AppleDouble file, in which macOS keeps the attributes of another file"),
      PALPATE_TEXT("the file of the same name without \"._\"")},
-    {"\xff\xff\xfe"sv, PALPATE_TEXT("a FreeSurfer surface"), kToFreeSurfer},
-    {"\xff\xff\xff"sv, PALPATE_TEXT("a FreeSurfer surface"), kToFreeSurfer},
-    {"\x1f\x8b"sv, PALPATE_TEXT("a file compressed by gzip"),
-     PALPATE_TEXT("the mesh itself: unpack it first (gunzip)")},
+    {"\xff\xff\xff"sv, PALPATE_TEXT("a FreeSurfer surface of quadrangles, or its values"), kToFreeSurfer},
+    {"\xff\xff\xfd"sv, PALPATE_TEXT("a FreeSurfer surface of quadrangles, or its values"), kToFreeSurfer},
     {"glTF"sv, PALPATE_TEXT("a glTF file"), kConvert},
     {"Kaydara FBX"sv, PALPATE_TEXT("an FBX file"), kConvert},
     {"BLENDER"sv, PALPATE_TEXT("a Blender file"), PALPATE_TEXT("a mesh exported from Blender as STL, PLY or OBJ")},
@@ -51,15 +49,15 @@ constexpr auto kText = std::to_array<OtherFormat>({
 
 /// XML documents by the name of the root element.
 constexpr auto kXml = std::to_array<OtherFormat>({
-    {"GIFTI", PALPATE_TEXT("a GIFTI surface"), kToFreeSurfer},
     {"MRML", PALPATE_TEXT("a 3D Slicer scene (MRML)"),
-     PALPATE_TEXT("the files of its models, which are beside the scene: open them or their folder")},
+     PALPATE_TEXT("the files of its models, or the scene with a name that ends in .mrml")},
     {"amf", PALPATE_TEXT("an AMF file"), kConvert},
     {"COLLADA", PALPATE_TEXT("a COLLADA file"), kConvert},
     {"X3D", PALPATE_TEXT("an X3D file"), kConvert},
 });
 
-/// @return the root element of an XML document; empty for other content
+} // namespace
+
 std::string_view rootElement(std::string_view text)
 {
     while (text.starts_with('<')) {
@@ -79,27 +77,7 @@ std::string_view rootElement(std::string_view text)
     return {};
 }
 
-/// OFF: "OFF", "COFF", "NOFF" or "STOFF" alone on the first line, or before the counts.
-bool isOff(std::string_view text)
-{
-    const std::string_view word = takeWord(text);
-    return word.size() >= 3 && word.size() <= 6 && word.ends_with("OFF") &&
-           word.find_first_not_of("COFNST4n") == std::string_view::npos;
-}
-
-/// MNI's surfaces also end in .obj: "P", five surface properties and the number of points.
-bool isMniObject(std::string_view text)
-{
-    if (takeWord(text) != "P") {
-        return false;
-    }
-    for (int i = 0; i < 5; ++i) {
-        if (!wordToNumber(takeWord(text))) {
-            return false;
-        }
-    }
-    return wordToInteger(takeWord(text)).has_value();
-}
+namespace {
 
 /// glTF as text and other JSON documents.
 bool isGltfText(std::string_view text)
@@ -124,12 +102,6 @@ std::optional<OtherFormat> found(std::string_view bytes)
         if (root == format.begin) {
             return format;
         }
-    }
-    if (isOff(text)) {
-        return OtherFormat{{}, PALPATE_TEXT("an OFF file"), kConvert};
-    }
-    if (isMniObject(text)) {
-        return OtherFormat{{}, PALPATE_TEXT("a surface in MNI's object format"), kConvert};
     }
     if (isGltfText(text)) {
         return OtherFormat{{}, PALPATE_TEXT("a glTF file"), kConvert};

@@ -21,6 +21,9 @@ class FileImage
     /// Copies `bytes`. @param file  name for error messages
     [[nodiscard]] static core::Result<FileImage> copy(std::string_view bytes, std::string_view file);
 
+    /// Makes an image of zeros. @param file  name for error messages
+    [[nodiscard]] static core::Result<FileImage> allocate(std::size_t size, std::string_view file);
+
     FileImage(FileImage&& other) noexcept;
     FileImage& operator=(FileImage&& other) noexcept;
     FileImage(const FileImage&) = delete;
@@ -34,7 +37,6 @@ class FileImage
 
   private:
     FileImage() = default;
-    [[nodiscard]] static core::Result<FileImage> allocate(std::size_t size, std::string_view file);
 
     int m_descriptor = -1;
     char* m_data = nullptr;

@@ -73,6 +73,15 @@ void noteThinFaces(std::uint64_t count, PreScan& scan)
     }
 }
 
+void noteCrossing(std::uint64_t count, PreScan& scan)
+{
+    if (count == 1) {
+        scan.note({PALPATE_TEXT("one polygon has no simple outline")});
+    } else if (count > 1) {
+        scan.note({PALPATE_TEXT("%1 polygons have no simple outline"), Count(count)});
+    }
+}
+
 void noteHiddenCells(std::uint64_t count, PreScan& scan)
 {
     if (count == 1) {

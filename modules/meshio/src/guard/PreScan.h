@@ -38,6 +38,8 @@ struct PreScan
     std::vector<std::uint32_t> partOfCell;
     /// Colours of the parts (0 to 1), or of the whole file if it has no parts; may be empty.
     std::vector<std::optional<std::array<double, 3>>> partColours;
+    std::vector<double> partOpacities; ///< as partColours, 0 to 1
+    std::vector<bool> hiddenCells;     ///< of the polygons and strips, if the guard has dropped VTK's array; or empty
     /// Scalar point and polygon arrays expected from the reader (VTP).
     std::vector<std::string> pointArrays, cellArrays;
     std::vector<core::Message> notes; ///< ignored or assumed content, one sentence per entry
@@ -74,6 +76,8 @@ void noteScaleTag(std::string_view text, PreScan& scan);
 void noteBadVertices(std::uint64_t count, PreScan& scan);
 /// Notes polygons with fewer than three corners, which are left out.
 void noteThinFaces(std::uint64_t count, PreScan& scan);
+/// Notes polygons whose outline crosses itself.
+void noteCrossing(std::uint64_t count, PreScan& scan);
 /// Notes cells that VTK's ghost array hides, which are left out.
 void noteHiddenCells(std::uint64_t count, PreScan& scan);
 /// Notes bytes behind the last element, which are left out.

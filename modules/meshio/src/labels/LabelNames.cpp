@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "labels/LabelNames.h"
 
+#include "text/FileStem.h"
+
 #include "text/TextScan.h"
 
 #include <palpate/core/Numbers.h>
@@ -76,18 +78,6 @@ bool isLabelDescription(const fs::path& path)
 
 } // namespace
 
-std::string volumeStem(const std::string& file)
-{
-    std::string stem = fs::path(file).stem().string();
-    for (const std::string_view ending : {".nii", ".seg"}) {
-        if (stem.size() > ending.size() &&
-            sameWord(std::string_view(stem).substr(stem.size() - ending.size()), ending)) {
-            stem.resize(stem.size() - ending.size());
-        }
-    }
-    return stem;
-}
-
 LabelNames slicerNames(const VolumeLayout& layout)
 {
     LabelNames names;
@@ -161,7 +151,7 @@ std::optional<fs::path> labelDescriptionBeside(const fs::path& volume)
     constexpr std::array<std::string_view, 2> kEndings{".txt", ".label"};
     const fs::path folder = volume.parent_path().empty() ? fs::path(".") : volume.parent_path();
     for (const std::string_view ending : kEndings) {
-        fs::path named = folder / (volumeStem(volume.filename().string()) + std::string(ending));
+        fs::path named = folder / (fileStem(volume) + std::string(ending));
         if (isLabelDescription(named)) {
             return named;
         }

@@ -51,7 +51,4 @@ struct LabelTable
 /// contains "aseg", "aparc", "wmparc" or "synthseg", or if the labels contain both cerebral white matters and cortices.
 [[nodiscard]] std::optional<LabelTable> standardTable(const std::vector<Label>& labels, std::string_view file);
 
-/// @return the name without `.nii.gz`, `.seg.nrrd` or another extension
-[[nodiscard]] std::string volumeStem(const std::string& file);
-
 } // namespace palpate::meshio::internal

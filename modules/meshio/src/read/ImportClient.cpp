@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/MeshFormats.h"
 
+#include "formats/Gzip.h"
 #include "read/ImportServer.h"
 #include "read/MeshWire.h"
 #include "text/Fault.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -286,6 +288,19 @@ Result<T> unlessCancelled(Result<T> outcome, const std::filesystem::path& path, 
     return outcome;
 }
 
+/// @return the size from which the limits for reading a mesh follow: that of its content, if packed [bytes]
+std::uint64_t contentBytes(const OpenFile& file)
+{
+    std::array<char, 4> begin = {}, last = {};
+    const int descriptor = file.descriptor.value();
+    const auto ends = static_cast<off_t>(file.size) - static_cast<off_t>(last.size());
+    const bool isRead = ends > 0 && ::pread(descriptor, begin.data(), begin.size(), 0) == ssize_t{4} &&
+                        ::pread(descriptor, last.data(), last.size(), ends) == ssize_t{4};
+    return isRead && isGzip({begin.data(), begin.size()})
+               ? std::max<std::uint64_t>(file.size, statedGzipSize(file.size, {last.data(), last.size()}))
+               : file.size;
+}
+
 } // namespace
 
 Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& path, const ReadOptions& options)
@@ -297,8 +312,8 @@ Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& 
     task.readsScale = options.readsScale;
     // A file may have others beside it; the server's working directory is the one in which the program was started.
     const std::filesystem::path whole = std::filesystem::absolute(path);
-    const Result<Descriptor> result =
-        outcomeOf(task, file, hasLabelMapExtension(path) ? volumeBytes(path) : file.size, whole, options.progress);
+    const Result<Descriptor> result = outcomeOf(
+        task, file, hasLabelMapExtension(path) ? volumeBytes(path) : contentBytes(file), whole, options.progress);
     // The reader releases its memory in the meantime.
     return result.isOk() ? unlessCancelled(readOutcome(result.value().value(), path), path, options.progress)
                          : result.status();

@@ -48,6 +48,7 @@ WireHead headOf(const Result<MeshFile>& outcome)
         head.put(structure.name);
         head.put(std::uint8_t{structure.colour.has_value()});
         head.put(structure.colour.value_or(std::array<double, 3>{}));
+        head.put(structure.opacity);
         head.put(std::uint64_t{structure.mesh.vertices.size()});
         head.put(std::uint64_t{structure.mesh.triangles.size()});
         head.put(std::uint64_t{structure.mesh.arrays.size()});
@@ -181,6 +182,10 @@ Result<MeshFile> readOutcome(int descriptor, const std::filesystem::path& path)
                 return invalid({PALPATE_TEXT("a colour is out of range")});
             }
             structure.colour = colour;
+        }
+        structure.opacity = head.take<double>();
+        if (!(structure.opacity >= 0.0 && structure.opacity <= 1.0)) {
+            return invalid({PALPATE_TEXT("an opacity is out of range")});
         }
         MeshCounts& c = counts.emplace_back();
         c.vertices = head.take<std::uint64_t>();

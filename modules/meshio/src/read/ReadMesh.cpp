@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/ReadMesh.h"
 
+#include "formats/Gzip.h"
 #include "guard/PreScan.h"
 #include "read/ImportServer.h"
 #include "read/TriangleSoup.h"
 #include "read/VtkRead.h"
 #include "text/Encoding.h"
 #include "text/Fault.h"
+#include "text/FileStem.h"
 #include "text/NumericLocale.h"
 
 #include <cmath>
@@ -85,6 +87,13 @@ std::optional<geometry::Staircase> voxelsOf(const PreScan& scan, const ScanConte
 
 Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, const ReadOptions& options)
 {
+    if (isGzip(image.bytes()) && !hasLabelMapExtension(path) && !kStl.looksLike(image.bytes())) {
+        Result<FileImage> unpacked = unpackGzip(image.bytes(), utf8Of(path.filename().string()));
+        if (!unpacked.isOk()) {
+            return unpacked.status();
+        }
+        image = std::move(unpacked).value();
+    }
     ScanContext context;
     context.file = utf8Of(path.filename().string());
     context.unit_mm = options.unit_mm;
@@ -113,7 +122,7 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
         return soup.status();
     }
     Result<std::vector<MeshStructure>> structures =
-        splitStructures(soup.value(), scan, context, utf8Of(path.stem().string()));
+        splitStructures(soup.value(), scan, context, utf8Of(fileStem(path)));
     if (!structures.isOk()) {
         return structures.status();
     }

@@ -186,6 +186,7 @@ class GhostCells
     GhostCells(vtkPolyData& data, PreScan& scan)
         : m_ofCell(arrayOf(*data.GetCellData(), data.GetNumberOfCells()))
         , m_ofPoint(arrayOf(*data.GetPointData(), data.GetNumberOfPoints()))
+        , m_stated(scan.hiddenCells)
     {
         for (std::vector<std::string>* names : {&scan.cellArrays, &scan.pointArrays}) {
             std::erase(*names, vtkDataSetAttributes::GhostArrayName());
@@ -197,7 +198,9 @@ class GhostCells
     {
         constexpr unsigned kNotDrawn =
             vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL;
-        const bool isHidden = (m_ofCell != nullptr && (m_ofCell->GetValue(cell) & kNotDrawn) != 0) ||
+        const auto number = static_cast<std::size_t>(cell);
+        const bool isHidden = (number < m_stated.size() && m_stated[number]) ||
+                              (m_ofCell != nullptr && (m_ofCell->GetValue(cell) & kNotDrawn) != 0) ||
                               (m_ofPoint != nullptr && std::any_of(corners, corners + count, [this](vtkIdType point) {
                                    return (m_ofPoint->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) != 0;
                                }));
@@ -215,6 +218,7 @@ class GhostCells
 
     vtkUnsignedCharArray* m_ofCell;
     vtkUnsignedCharArray* m_ofPoint;
+    const std::vector<bool>& m_stated; ///< by the guard
     std::uint64_t m_hidden = 0;
 };
 
@@ -250,6 +254,7 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
     soup.mesh.vertices = scan.exactPoints.empty() ? takePoints(*data.GetPoints()) : std::move(scan.exactPoints);
     soup.partNames = scan.partNames;
     soup.partColours = scan.partColours;
+    soup.partOpacities = scan.partOpacities;
     std::vector<Triangle>& triangles = soup.mesh.triangles;
     triangles.reserve(scan.cells);
 
@@ -309,11 +314,7 @@ Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanCon
             }
         }
     }
-    if (cutter.crossing() > 0) {
-        scan.notes.push_back(cutter.crossing() == 1 ? core::Message(PALPATE_TEXT("one polygon has no simple outline"))
-                                                    : core::Message(PALPATE_TEXT("%1 polygons have no simple outline"),
-                                                                    Count(cutter.crossing())));
-    }
+    noteCrossing(cutter.crossing(), scan);
     noteThinFaces(thinFaces, scan);
     ghosts.note(scan);
     if (triangles.empty()) {

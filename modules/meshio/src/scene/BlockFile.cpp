@@ -23,6 +23,7 @@ using core::StatusCode;
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = std::size_t{4} << 20U;
+constexpr std::size_t kMostOfScene = std::size_t{64} << 20U; ///< scenes of 3D Slicer hold tables too
 constexpr std::size_t kMostBlocks = 4096;
 
 class BlockReader
@@ -34,7 +35,7 @@ class BlockReader
         , m_file(utf8Of(path.filename().string()))
     {
     }
-    Result<std::vector<Block>> run();
+    Result<Blocks> run();
 
   private:
     Status wrong(StatusCode code, const core::Message& found, const core::Message& expected) const
@@ -76,11 +77,11 @@ Status BlockReader::startElement()
     if (const std::string step = attribute("timestep"); !step.empty()) {
         m_steps.insert(step);
     }
-    m_blocks.push_back({m_path.parent_path() / name, m_names.back()});
+    m_blocks.push_back({.file = m_path.parent_path() / name, .name = m_names.back()});
     return {};
 }
 
-Result<std::vector<Block>> BlockReader::run()
+Result<Blocks> BlockReader::run()
 {
     constexpr std::size_t kDeepest = 64;
     while (!m_xml.atEnd()) {
@@ -114,7 +115,16 @@ Result<std::vector<Block>> BlockReader::run()
         return fault(StatusCode::Empty, m_file, {}, {PALPATE_TEXT("it names no files")},
                      {PALPATE_TEXT("at least one element %1"), "\"DataSet\""});
     }
-    return std::move(m_blocks);
+    return Blocks{std::move(m_blocks), {}};
+}
+
+} // namespace
+
+namespace {
+
+bool isMrml(const fs::path& path)
+{
+    return sameWord(path.extension().string(), ".mrml");
 }
 
 } // namespace
@@ -122,22 +132,26 @@ Result<std::vector<Block>> BlockReader::run()
 bool isBlockFile(const fs::path& path)
 {
     const std::string extension = path.extension().string();
-    return sameWord(extension, ".vtm") || sameWord(extension, ".pvd");
+    return sameWord(extension, ".vtm") || sameWord(extension, ".pvd") || isMrml(path);
 }
 
-Result<std::vector<Block>> readBlocks(const fs::path& path)
+Result<Blocks> readBlocks(const fs::path& path)
 {
     const Result<OpenFile> file = openFile(path);
     if (!file.isOk()) {
         return file.status();
     }
-    if (file.value().size > kMostBytes) {
+    const std::size_t most = isMrml(path) ? kMostOfScene : kMostBytes;
+    if (file.value().size > most) {
         return fault(StatusCode::OutOfRange, utf8Of(path.filename().string()), {},
                      {PALPATE_TEXT("%1 bytes"), Count(file.value().size)},
-                     {PALPATE_TEXT("at most %1 bytes"), Count(kMostBytes)});
+                     {PALPATE_TEXT("at most %1 bytes"), Count(most)});
     }
     const Result<FileImage> image = FileImage::load(file.value(), utf8Of(path.filename().string()));
-    return image.isOk() ? BlockReader(image.value(), path).run() : image.status();
+    if (!image.isOk()) {
+        return image.status();
+    }
+    return isMrml(path) ? readMrml(image.value().bytes(), path) : BlockReader(image.value(), path).run();
 }
 
 } // namespace palpate::meshio::internal

@@ -8,6 +8,7 @@
 #include "scene/BlockFile.h"
 #include "text/Encoding.h"
 #include "text/Fault.h"
+#include "text/FileStem.h"
 
 #include <palpate/core/Parallel.h>
 
@@ -40,7 +41,7 @@ struct Source
     double unit_mm = 1.0;
     FileFrame frame = FileFrame::Untagged; ///< chosen
     std::optional<Result<MeshFile>> file;
-    std::string name{}; ///< in a multi-block file; empty: by the file
+    std::optional<Block> block{}; ///< in a file that names this one
 };
 
 /// A structure while the scene is being loaded.
@@ -106,7 +107,7 @@ std::size_t Loader::sourceOf(const std::filesystem::path& path, double unit_mm, 
 {
     const auto [found, isNew] = m_sourceOf.emplace(std::tuple(path, unit_mm, frame), m_sources.size());
     if (isNew) {
-        m_sources.push_back({path, unit_mm, frame, std::nullopt, {}});
+        m_sources.push_back({path, unit_mm, frame, std::nullopt});
     }
     return found->second;
 }
@@ -158,7 +159,7 @@ Status Loader::addFolder(const std::filesystem::path& path)
     m_isFolder = true;
     for (const std::filesystem::path& file : files) {
         (void)sourceOf(file, m_options.unit_mm, m_options.frame);
-        stems.push_back(utf8Of(file.stem().string()));
+        stems.push_back(utf8Of(fileStem(file)));
     }
     m_prefix = commonPrefix(stems);
     return {};
@@ -167,12 +168,17 @@ Status Loader::addFolder(const std::filesystem::path& path)
 /// Adds the files that a multi-block file names.
 Status Loader::addBlocks(const std::filesystem::path& path)
 {
-    const Result<std::vector<Block>> blocks = readBlocks(path);
+    Result<Blocks> blocks = readBlocks(path);
     if (!blocks.isOk()) {
         return blocks.status();
     }
-    for (const Block& block : blocks.value()) {
-        m_sources[sourceOf(block.file, m_options.unit_mm, m_options.frame)].name = utf8Of(block.name);
+    for (const core::Message& loss : blocks.value().losses) {
+        lose(loss);
+    }
+    for (Block& block : blocks.value().blocks) {
+        block.name = utf8Of(block.name);
+        const FileFrame frame = m_options.frame == FileFrame::Untagged ? block.frame : m_options.frame;
+        m_sources[sourceOf(block.file, m_options.unit_mm * block.unit_mm, frame)].block = std::move(block);
     }
     return {};
 }
@@ -180,9 +186,9 @@ Status Loader::addBlocks(const std::filesystem::path& path)
 /// @return the name of a structure, whose file may have a name in a multi-block file or a prefix in front of its own
 std::string Loader::displayName(const Source& source, const std::string& name, std::size_t structures) const
 {
-    const bool isOfFile = structures == 1 && name == utf8Of(source.path.stem().string());
-    if (isOfFile && !source.name.empty()) {
-        return source.name;
+    const bool isOfFile = structures == 1 && name == utf8Of(fileStem(source.path));
+    if (isOfFile && source.block && !source.block->name.empty()) {
+        return source.block->name;
     }
     return isOfFile && name.starts_with(m_prefix) ? name.substr(m_prefix.size()) : name;
 }
@@ -235,6 +241,13 @@ void Loader::expandFiles()
             d.frame = source.frame;
             d.name = displayName(source, structure.name, file.structures.size());
             d.colour = structure.colour.value_or(anatomyColour(d.name, m_pending.size() - 1));
+            d.opacity = structure.opacity;
+            if (source.block) {
+                d.colour = source.block->colour.value_or(d.colour);
+                d.opacity *= source.block->opacity;
+                d.visible = source.block->isVisible;
+                d.X_WM = source.block->X_WM;
+            }
             if (file.voxels) {
                 d.surface = SurfaceKind::Smoothed;
                 d.smoothing = kLabelSmoothing;

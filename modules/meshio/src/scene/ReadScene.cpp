@@ -6,6 +6,7 @@
 #include "guard/FileImage.h"
 #include "scene/SceneLaw.h"
 #include "text/Fault.h"
+#include "text/FileStem.h"
 #include "text/JsonFields.h"
 #include "text/RepeatedField.h"
 #include "text/TextScan.h"
@@ -207,7 +208,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
             fields.fail("frame", quotedText(frame), {PALPATE_TEXT("LPS, RAS or Y-up")});
         }
     }
-    s.name = s.part.empty() ? s.mesh.stem().string() : s.part;
+    s.name = s.part.empty() ? internal::fileStem(s.mesh) : s.part;
     fields.read("name", s.name);
     if (const auto colour = fields.numbers("colour", 3, 0.0, 1.0)) {
         s.colour = {(*colour)[0], (*colour)[1], (*colour)[2]};

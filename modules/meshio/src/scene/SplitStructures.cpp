@@ -159,6 +159,9 @@ Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, Pre
         if (part < soup.partColours.size()) {
             structure.colour = soup.partColours[part];
         }
+        if (part < soup.partOpacities.size()) {
+            structure.opacity = soup.partOpacities[part];
+        }
         geometry::TriangleMesh& mesh = structure.mesh;
         mesh.triangles.reserve(begin[part + 1] - begin[part]);
         for (const geometry::MeshArray& array : soup.mesh.arrays) {

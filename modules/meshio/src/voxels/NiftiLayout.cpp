@@ -25,7 +25,7 @@ using core::Vec3;
 constexpr std::size_t kNifti1 = 348, kNifti2 = 540;            ///< bytes of the header: NIfTI-1, NIfTI-2
 constexpr std::size_t kMostNiftiHeader = std::size_t{1} << 20; ///< header and extensions [bytes]
 
-bool isGzip(std::string_view bytes)
+bool isPackedNifti(std::string_view bytes)
 {
     return bytes.starts_with("\x1f\x8b");
 }
@@ -34,7 +34,7 @@ bool isGzip(std::string_view bytes)
 std::string beginningOf(std::string_view bytes, std::size_t size)
 {
     std::string out(size, '\0');
-    ByteStream stream([&] { return std::exchange(bytes, {}); }, isGzip(bytes));
+    ByteStream stream([&] { return std::exchange(bytes, {}); }, isPackedNifti(bytes));
     out.resize(stream.read(out));
     return out;
 }
@@ -238,7 +238,7 @@ Result<VolumeLayout> niftiLayout(std::string_view bytes, const std::string& file
     VolumeLayout layout;
     layout.format = "NIfTI";
     layout.isBigEndian = head.isBigEndian();
-    layout.isPacked = layout.isWholePacked = isGzip(bytes);
+    layout.isPacked = layout.isWholePacked = isPackedNifti(bytes);
     const auto code = head.at<std::int16_t>(head.isSecond() ? 12 : 70);
     const std::optional<VoxelType> type = niftiType(code);
     if (!type) {

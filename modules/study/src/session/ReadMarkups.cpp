@@ -137,9 +137,9 @@ class MarkupsReader
     void addList(const QJsonObject& list, const std::string& place)
     {
         const QString type = list["type"].toString();
-        if (type != QLatin1String("Fiducial")) {
+        if (type != QLatin1String("Fiducial") && type != QLatin1String("Line")) {
             m_losses.add(
-                {PALPATE_TEXT("found %1, expected a list of points: left out"), core::inQuotes(type.toStdString())},
+                {PALPATE_TEXT("found %1, expected points or a line: left out"), core::inQuotes(type.toStdString())},
                 place + ".type");
             return;
         }
@@ -161,6 +161,10 @@ class MarkupsReader
         m_unit_mm = *unit_mm;
         m_type = core::findingType(list["name"].toString().toLower().toStdString());
         const QJsonArray points = list["controlPoints"].toArray();
+        if (type == QLatin1String("Line")) {
+            addLine(list["name"], points, place);
+            return;
+        }
         for (qsizetype i = 0; i < points.size(); ++i) {
             addPoint(points[i].toObject(), place + ".controlPoints[" + std::to_string(i) + "]");
         }
@@ -187,6 +191,24 @@ class MarkupsReader
             finding.note = bounded(point["description"], place + ".description");
         }
         m_findings.push_back(std::move(finding));
+    }
+
+    /// Adds a line as a finding in its middle, with its length as the size.
+    void addLine(const QJsonValue& name, const QJsonArray& points, const std::string& place)
+    {
+        Finding first, second;
+        if (points.size() != 2) {
+            m_losses.add({PALPATE_TEXT("found a line without two points: left out")}, place + ".controlPoints");
+        } else if (m_findings.size() >= kMaxMarkups) {
+            m_losses.add({PALPATE_TEXT("found more than %1 points: left out"), core::Count(kMaxMarkups)}, place);
+        } else if (readPlace(points[0].toObject(), place + ".controlPoints[0]", first) &&
+                   readPlace(points[1].toObject(), place + ".controlPoints[1]", second)) {
+            Finding& line = m_findings.emplace_back();
+            line.name = bounded(name, place + ".name");
+            line.hasPlace = true;
+            line.p_W = 0.5 * (first.p_W + second.p_W);
+            line.size_mm = (second.p_W - first.p_W).norm();
+        }
     }
 
     bool readPlace(const QJsonObject& point, const std::string& place, Finding& finding)

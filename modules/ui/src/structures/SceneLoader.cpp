@@ -3,6 +3,7 @@
 
 #include "palpate/ui/Translated.h"
 
+#include <palpate/meshio/MeshFolder.h>
 #include <palpate/meshio/SurfaceMaps.h>
 #include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingReader.h>
@@ -113,6 +114,7 @@ class SceneLoader::Opening
         for (std::size_t i = 0; i < m_files.size() && !m_job->isCancelled; ++i) {
             read(i);
         }
+        dropCommonPrefix();
         emitSceneSize();
         prepare();
         m_opened->seconds = static_cast<double>(timer.elapsed()) * 1e-3;
@@ -217,6 +219,22 @@ class SceneLoader::Opening
         }
     }
 
+    /// Drops what programs write before the names of all files of a segmentation, as for a folder.
+    void dropCommonPrefix()
+    {
+        std::vector<std::string> names;
+        for (const StructureRow& row : m_opened->rows) {
+            names.push_back(row.loaded.description.name);
+        }
+        if (m_files.size() < 2 || !m_opened->areMeshes() || m_files.size() != names.size()) {
+            return; // structures with names of their own
+        }
+        const std::size_t prefix = meshio::commonPrefix(names).size();
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            m_opened->rows[i].loaded.description.name = m_opened->scene.structures[i].name = names[i].substr(prefix);
+        }
+    }
+
     void emitSceneSize()
     {
         core::Box box;
@@ -299,13 +317,10 @@ class SceneLoader::Opening
     QStringList m_problems;
 };
 
-void SceneLoader::open(std::vector<std::filesystem::path> files, double unit_mm, core::FileFrame frame)
+void SceneLoader::open(std::vector<std::filesystem::path> files, const meshio::ReadOptions& options)
 {
     ++m_scene;
     begin();
-    meshio::ReadOptions options;
-    options.unit_mm = unit_mm;
-    options.frame = frame;
     m_worker = std::thread(Opening(*this, std::move(files), options, {}));
 }
 

@@ -48,18 +48,19 @@ class NameDelegate final : public QStyledItemDelegate
     }
 };
 
-/// Adds mutually exclusive entries to a menu.
+/// Adds mutually exclusive entries to a menu. @param now  returns the value to check when the menu opens
 template<class Value>
-void addChoices(QMenu& menu, const QString& title, Value now, const std::vector<std::pair<QString, Value>>& choices,
-                std::function<void(Value)> choose)
+void addChoices(QMenu& menu, const QString& title, std::function<Value()> now,
+                const std::vector<std::pair<QString, Value>>& choices, std::function<void(Value)> choose)
 {
     menu.addSection(title);
     auto* group = new QActionGroup(&menu);
     for (const auto& [text, value] : choices) {
         QAction* action = menu.addAction(text);
         action->setCheckable(true);
-        action->setChecked(value == now);
         group->addAction(action);
+        QObject::connect(&menu, &QMenu::aboutToShow, action,
+                         [action, now, value = value] { action->setChecked(value == now()); });
         QObject::connect(action, &QAction::triggered, &menu, [choose, value = value] { choose(value); });
     }
 }
@@ -203,17 +204,20 @@ QWidget* StructureList::makeHead()
     arrange->setAccessibleName(tr("Order and groups of the list"));
     arrange->setToolTip(tr("Order and groups of the list"));
     auto* menu = new QMenu(arrange);
-    addChoices<StructureTree::Order>(*menu, tr("Order"), m_tree.order(),
-                                     {{tr("As opened"), StructureTree::Order::Scene},
-                                      {tr("By name"), StructureTree::Order::Name},
-                                      {tr("By tissue, softest first"), StructureTree::Order::Tissue},
-                                      {tr("By layer, outermost first"), StructureTree::Order::Layer}},
-                                     [this](StructureTree::Order order) { m_tree.setOrder(order); });
-    addChoices<StructureTree::Grouping>(*menu, tr("Groups"), m_tree.grouping(),
-                                        {{tr("None"), StructureTree::Grouping::None},
-                                         {tr("By file or folder"), StructureTree::Grouping::Source},
-                                         {tr("By layer"), StructureTree::Grouping::Layer}},
-                                        [this](StructureTree::Grouping grouping) { m_tree.setGrouping(grouping); });
+    addChoices<StructureTree::Order>(
+        *menu, tr("Order"), [this] { return m_tree.order(); },
+        {{tr("As opened"), StructureTree::Order::Scene},
+         {tr("By name"), StructureTree::Order::Name},
+         {tr("By tissue, softest first"), StructureTree::Order::Tissue},
+         {tr("By layer, outermost first"), StructureTree::Order::Layer}},
+        [this](StructureTree::Order order) { m_tree.setOrder(order); });
+    addChoices<StructureTree::Grouping>(
+        *menu, tr("Groups"), [this] { return m_tree.grouping(); },
+        {{tr("None"), StructureTree::Grouping::None},
+         {tr("By file or folder"), StructureTree::Grouping::Source},
+         {tr("By layer"), StructureTree::Grouping::Layer},
+         {tr("By anatomy"), StructureTree::Grouping::Anatomy}},
+        [this](StructureTree::Grouping grouping) { m_tree.setGrouping(grouping); });
     arrange->setMenu(menu);
     auto* layout = new QHBoxLayout(head);
     layout->setContentsMargins(6, 6, 6, 4);

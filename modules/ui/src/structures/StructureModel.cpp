@@ -440,6 +440,9 @@ QStringList StructureModel::surfaceTexts(const meshio::LoadedStructure& one)
         if (done->isWithdrawn) {
             return {tr("The surface is not smoothed: it is too small")};
         }
+        if (done->labelVoxel_mm) {
+            return {translated(done->sentence())};
+        }
         const QString moved = locale.toString(done->most_mm, 'g', 2);
         if (!(done->volumeBefore_mm3 > 0.0)) {
             return {tr("The surface is smoothed: moved by at most %1 mm").arg(moved)};

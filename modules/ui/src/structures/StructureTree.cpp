@@ -4,20 +4,67 @@
 #include "palpate/ui/Theme.h"
 
 #include <palpate/haptics/ForceTable.h>
+#include <palpate/meshio/AnatomyKind.h>
 
 #include <QFont>
 #include <QHash>
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 
 namespace palpate::ui {
+
+namespace {
+
+/// Groups of the list, in its order.
+enum class AnatomyGroup
+{
+    Lumps,
+    Organs,
+    Vessels,
+    Nerves,
+    Bones,
+    Joints,
+    Muscles,
+    Skin,
+    Other
+};
+
+AnatomyGroup anatomyGroup(const std::string& name)
+{
+    using meshio::AnatomyKind;
+    switch (const AnatomyKind kind = meshio::anatomyKind(name); kind) {
+    case AnatomyKind::Vessel:
+        return AnatomyGroup::Vessels;
+    case AnatomyKind::Nerve:
+    case AnatomyKind::Brain:
+        return AnatomyGroup::Nerves;
+    case AnatomyKind::Bone:
+        return AnatomyGroup::Bones;
+    case AnatomyKind::Tendon:
+    case AnatomyKind::Cartilage:
+        return AnatomyGroup::Joints;
+    case AnatomyKind::Muscle:
+        return AnatomyGroup::Muscles;
+    case AnatomyKind::Skin:
+    case AnatomyKind::Fat:
+        return AnatomyGroup::Skin;
+    case AnatomyKind::Other:
+        return AnatomyGroup::Other;
+    default:
+        return meshio::isLump(kind) ? AnatomyGroup::Lumps : AnatomyGroup::Organs;
+    }
+}
+
+} // namespace
 
 StructureTree::StructureTree(StructureModel& model, QObject* parent)
     : QAbstractItemModel(parent)
     , m_model(model)
 {
-    connect(&model, &QAbstractItemModel::modelReset, this, &StructureTree::rearrange);
+    connect(&model, &QAbstractItemModel::modelReset, this, &StructureTree::takeScene);
     connect(&model, &QAbstractItemModel::rowsInserted, this, &StructureTree::refresh);
     connect(&model, &QAbstractItemModel::dataChanged, this, &StructureTree::refresh);
     rearrange();
@@ -31,12 +78,32 @@ void StructureTree::setOrder(Order order)
 
 void StructureTree::setGrouping(Grouping grouping)
 {
+    m_isChosen = true;
     if (grouping != m_grouping) {
         beginResetModel(); // grouping changes the tree depth of the same structures
         m_grouping = grouping;
         m_groups = arranged();
         endResetModel();
     }
+}
+
+StructureTree::Grouping StructureTree::fittingGrouping() const
+{
+    constexpr int kMany = 30; // more than fit into the list
+    std::set<AnatomyGroup> groups;
+    int known = 0;
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        const AnatomyGroup group = anatomyGroup(m_model.structure(row).name);
+        known += group == AnatomyGroup::Other ? 0 : 1;
+        groups.insert(group);
+    }
+    return known >= kMany && groups.size() > 2 ? Grouping::Anatomy : Grouping::None;
+}
+
+void StructureTree::takeScene()
+{
+    m_grouping = m_isChosen ? m_grouping : fittingGrouping();
+    rearrange();
 }
 
 void StructureTree::setFilter(const QString& text)
@@ -70,6 +137,28 @@ QString StructureTree::groupOf(int row) const
         const std::uint32_t layer = m_model.structure(row).layer;
         return layer == 0 ? tr("Outermost") : tr("%1 below surface").arg(layer);
     }
+    if (m_grouping == Grouping::Anatomy) {
+        switch (anatomyGroup(m_model.structure(row).name)) {
+        case AnatomyGroup::Lumps:
+            return tr("Lumps");
+        case AnatomyGroup::Organs:
+            return tr("Organs");
+        case AnatomyGroup::Vessels:
+            return tr("Vessels");
+        case AnatomyGroup::Nerves:
+            return tr("Brain and nerves");
+        case AnatomyGroup::Bones:
+            return tr("Bones");
+        case AnatomyGroup::Joints:
+            return tr("Cartilage and tendons");
+        case AnatomyGroup::Muscles:
+            return tr("Muscles");
+        case AnatomyGroup::Skin:
+            return tr("Skin and fat");
+        case AnatomyGroup::Other:
+            return tr("Other");
+        }
+    }
     const meshio::SceneStructure& one = m_model.structure(row);
     const std::filesystem::path from = one.part.empty() ? one.mesh.parent_path() : one.mesh;
     const QString name = QString::fromStdU16String(from.filename().u16string());
@@ -99,6 +188,15 @@ std::vector<StructureTree::Group> StructureTree::arranged() const
     } else if (m_order == Order::Layer) {
         std::stable_sort(rows.begin(), rows.end(),
                          [this](int a, int b) { return m_model.structure(a).layer < m_model.structure(b).layer; });
+    }
+    if (m_grouping == Grouping::Anatomy) {
+        std::vector<AnatomyGroup> groupOfRow;
+        for (int row = 0; row < m_model.rowCount(); ++row) {
+            groupOfRow.push_back(anatomyGroup(m_model.structure(row).name));
+        }
+        std::stable_sort(rows.begin(), rows.end(), [&](int a, int b) {
+            return groupOfRow[static_cast<std::size_t>(a)] < groupOfRow[static_cast<std::size_t>(b)];
+        });
     }
     std::vector<Group> groups;
     if (!isGrouped()) {

@@ -331,9 +331,19 @@ void StructurePanel::addSurface(QFormLayout& form, int place, QWidget* box)
                              "file is not changed."));
     m_surfaceRow = new BoxRow(tr("Surface"), m_surface, box);
     form.insertRow(place, m_surfaceRow);
+    m_smoothing = new QDoubleSpinBox(box);
+    m_smoothing->setRange(0.0, 1.0);
+    m_smoothing->setDecimals(2);
+    m_smoothing->setSingleStep(0.1);
+    m_smoothing->setKeyboardTracking(false);
+    m_smoothing->setAccessibleName(tr("Smoothing factor"));
+    m_smoothing->setToolTip(tr("Smoothing factor, from 0 (nearly none) to 1. A larger factor removes steps of thick "
+                               "slices, and changes the shape more"));
+    form.insertRow(place + 1, tr("Smoothing"), m_smoothing);
     m_surfaceCost = new QLabel(box);
     m_surfaceCost->setWordWrap(true);
-    form.insertRow(place + 1, m_surfaceCost);
+    form.insertRow(place + 2, m_surfaceCost);
+    connect(m_smoothing, &QDoubleSpinBox::valueChanged, this, &StructurePanel::setSmoothing);
     connect(m_surface, &QComboBox::activated, this, [this](int chosen) {
         const auto kind = static_cast<meshio::SurfaceKind>(m_surface->itemData(chosen).toInt());
         change(selectedRows(), [kind](meshio::SceneStructure& structure) { structure.surface = kind; });
@@ -354,12 +364,27 @@ void StructurePanel::showSurface(const std::vector<int>& rows)
         bytes += touch != nullptr ? touch->byteSize() : 0;
     }
     if (!rows.empty()) {
-        m_surface->setCurrentIndex(m_surface->findData(static_cast<int>(m_model.structure(rows.front()).surface)));
+        const meshio::SceneStructure& one = m_model.structure(currentRow());
+        m_surface->setCurrentIndex(m_surface->findData(static_cast<int>(one.surface)));
+        m_smoothing->setValue(one.smoothing);
+        m_smoothing->setEnabled(m_surface->isEnabled());
+        m_form->setRowVisible(m_smoothing, meshio::isSmoothed(one.surface));
     }
     m_surfaceCost->setText(tr("%1 triangles, %2 MiB for touch")
                                .arg(QLocale().toString(static_cast<qulonglong>(triangles)),
                                     QLocale().toString(static_cast<double>(bytes) / (1 << 20), 'f', 1)));
     m_form->setRowVisible(m_surfaceCost, isCurved);
+}
+
+/// Sets the factor of the selected structures that are smoothed.
+void StructurePanel::setSmoothing(double factor)
+{
+    if (m_isShowing) {
+        return;
+    }
+    std::vector<int> rows = selectedRows();
+    std::erase_if(rows, [this](int row) { return !meshio::isSmoothed(m_model.structure(row).surface); });
+    change(rows, [factor](meshio::SceneStructure& structure) { structure.smoothing = factor; });
 }
 
 QWidget* StructurePanel::makeTissueBox()

@@ -27,6 +27,7 @@ struct MeshStructure
     std::string name; ///< from the file, else the file's stem
     geometry::TriangleMesh mesh;
     std::optional<std::array<double, 3>> colour; ///< red, green, blue in 0 … 1, if present in the file
+    double opacity = 1.0;                        ///< 0 … 1, from the materials of an OBJ
 };
 
 /// Content of a mesh file, in LPS and mm. Every index is in range and every coordinate finite and within 1e7 mm; each

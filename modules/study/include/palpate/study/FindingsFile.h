@@ -44,8 +44,8 @@ struct Markups
 /// Maximum number of points read from a file; the rest is skipped.
 inline constexpr std::size_t kMaxMarkups = 10000;
 
-/// Reads the point lists of a markups file. Converts RAS to LPS and µm to mm. A list with the name of a finding type
-/// assigns that type.
+/// Reads the point lists and lines of a markups file. Converts RAS to LPS and µm to mm. A list with the name of a
+/// finding type assigns that type. A line becomes a finding in its middle, with its length as the size.
 /// @return Unreadable or BadFormat if the file is not a markups file or larger than 64 MiB
 [[nodiscard]] PALPATE_EXPORT core::Result<Markups> readMarkups(const std::filesystem::path& path);
 

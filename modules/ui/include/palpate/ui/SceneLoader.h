@@ -60,9 +60,8 @@ class PALPATE_EXPORT SceneLoader : public QObject
     void setReader(Reader reader) { m_reader = std::move(reader); }
 
     /// Opens mesh and scene files as one scene. Cancels a running job.
-    /// @param frame  axis convention of mesh files, overriding their tags; Untagged: use the tags
-    void open(std::vector<std::filesystem::path> files, double unit_mm,
-              core::FileFrame frame = core::FileFrame::Untagged);
+    /// @param options  as of meshio::loadScene; `progress` is replaced
+    void open(std::vector<std::filesystem::path> files, const meshio::ReadOptions& options = {});
     /// Opens files and adds them to the open scene. @param open  existing structures by row
     void add(std::vector<std::filesystem::path> files, double unit_mm, std::vector<OpenSurface> open);
     /// Reads the meshes of an open scene again. @param files  files from which the scene was opened

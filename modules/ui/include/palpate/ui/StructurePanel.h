@@ -102,6 +102,7 @@ class PALPATE_EXPORT StructurePanel : public QWidget
     void addLayer(QFormLayout& form, int place, QWidget* box);
     void addSurface(QFormLayout& form, int place, QWidget* box);
     void showSurface(const std::vector<int>& rows);
+    void setSmoothing(double factor);
     void addTerms(QFormLayout& form, QWidget* box);
     void addPresets(QFormLayout& form, QWidget* box);
     void addLaw(QFormLayout& form, QWidget* box);
@@ -131,9 +132,10 @@ class PALPATE_EXPORT StructurePanel : public QWidget
     std::array<QDoubleSpinBox*, core::kTissueTerms.size()> m_terms{};
     QComboBox* m_surface = nullptr; ///< the data of each item is a meshio::SurfaceKind
     QWidget* m_surfaceRow = nullptr;
-    QLabel* m_surfaceCost = nullptr; ///< triangles and memory of curved surfaces
-    QComboBox* m_layer = nullptr;    ///< item data: layer; invalid: transmitted through the surrounding organ
-    QLabel* m_bound = nullptr;       ///< effective values when limited by the device
+    QDoubleSpinBox* m_smoothing = nullptr; ///< SceneStructure::smoothing
+    QLabel* m_surfaceCost = nullptr;       ///< triangles and memory of curved surfaces
+    QComboBox* m_layer = nullptr;          ///< item data: layer; invalid: transmitted through the surrounding organ
+    QLabel* m_bound = nullptr;             ///< effective values when limited by the device
     QLabel* m_refusal = nullptr;
     haptics::Tissue m_greatest = core::unbounded(); ///< unbounded until a device is known
     QString m_limitReason;

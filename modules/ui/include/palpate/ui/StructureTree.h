@@ -29,7 +29,8 @@ class PALPATE_EXPORT StructureTree : public QAbstractItemModel
     {
         None,
         Source, ///< by a file with several structures, else by folder
-        Layer
+        Layer,
+        Anatomy ///< lumps, organs, vessels, bones, muscles: by the name (meshio::anatomyKind)
     };
 
     /// @param model  must outlive this object
@@ -37,6 +38,7 @@ class PALPATE_EXPORT StructureTree : public QAbstractItemModel
 
     void setOrder(Order order);
     [[nodiscard]] Order order() const noexcept { return m_order; }
+    /// Without a call, a scene with many structures of several kinds is grouped by anatomy, any other is not grouped.
     void setGrouping(Grouping grouping);
     [[nodiscard]] Grouping grouping() const noexcept { return m_grouping; }
     /// Lists only structures whose names contain every word of `text` in any order. An empty text lists all.
@@ -69,6 +71,8 @@ class PALPATE_EXPORT StructureTree : public QAbstractItemModel
     };
     [[nodiscard]] std::vector<Group> arranged() const;
     [[nodiscard]] QString groupOf(int row) const;
+    [[nodiscard]] Grouping fittingGrouping() const;
+    void takeScene();
     [[nodiscard]] bool isListed(int row) const;
     [[nodiscard]] bool isGrouped() const noexcept { return m_grouping != Grouping::None; }
     [[nodiscard]] QVariant groupData(const Group& group, int column, int role) const;
@@ -78,6 +82,7 @@ class PALPATE_EXPORT StructureTree : public QAbstractItemModel
     StructureModel& m_model;
     Order m_order = Order::Scene;
     Grouping m_grouping = Grouping::None;
+    bool m_isChosen = false;     ///< by `setGrouping`
     QStringList m_words;         ///< words of the filter
     std::vector<Group> m_groups; ///< a single untitled group without grouping
 };

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace palpate::meshio::internal {
+
+/// @return the name of a file without `.gz` and the extension, and without `.seg` of 3D Slicer and `.surf` of GIFTI:
+/// "case" for "case.nii.gz" and "case.seg.nrrd"
+[[nodiscard]] std::string fileStem(const std::filesystem::path& path);
+
+} // namespace palpate::meshio::internal
