@@ -16,6 +16,8 @@
 // forth within the friction cone), law, map (of the stiffness), felt (buried lumps), both (buried lumps and a stiffness
 // map), all (friction, law, maps of stiffness and damping), held (friction and buried lumps) or whole (all of the
 // above).
+// moving/W/T: the slide with a point in moving tissue, at the same rest positions. W is rest, pose (turning and
+// shifting), breath (a ramp), frames (four lattices of 10 mm with a strain of 30 %) or free (the breath, 5 mm above).
 // worst/N/R: a ball of R mm where the work bound ends a tick. N is fan (the apex of 10,000 facets), pile (a million
 // triangles within 1e-9 mm) or crowd (300 intersecting spheres of 2,000 triangles).
 //
@@ -25,6 +27,7 @@
 //
 // PALPATE_BENCH_TICKS=N in the environment sets N ticks for each row. count_instructions.sh in this folder counts the
 // instructions of N ticks, which do not depend on the load of the machine.
+#include "Motions.h"
 #include "Shapes.h"
 
 #include <palpate/core/Clock.h>
@@ -109,10 +112,10 @@ class Ticks
 {
   public:
     Ticks() { beginRow(); }
-    void step(benchmark::State& state, haptics::Palpator& palpator, const Vec3& hip)
+    void step(benchmark::State& state, haptics::Palpator& palpator, const Vec3& hip, double time_s = 0.0)
     {
         const std::int64_t start = core::monotonicNow_ns();
-        const haptics::TickResult tick = palpator.step(hip, 1e-3);
+        const haptics::TickResult tick = palpator.step(hip, 1e-3, nullptr, time_s);
         const std::int64_t end = core::monotonicNow_ns();
         m_ns.push_back(end - start);
         state.SetIterationTime(static_cast<double>(end - start) * 1e-9);
@@ -245,6 +248,56 @@ void addTissue(const std::string& what, double fingertip_mm)
         ->Unit(benchmark::kNanosecond);
 }
 
+std::shared_ptr<const geometry::SurfaceMotion> motionOf(const std::string& what)
+{
+    const core::Box box(Vec3::Constant(-60), Vec3::Constant(60));
+    if (what == "frames") {
+        return test::randomMotion(box, 10.0, 4, 1);
+    }
+    if (what == "pose") {
+        core::Transform pose = core::Transform::Identity();
+        pose.rotate(Eigen::AngleAxisd(0.5, Vec3::UnitX()));
+        pose.translation() = Vec3(0, 10, 20);
+        return geometry::SurfaceMotion::poses({{0.0, core::Transform::Identity()}, {300.0, pose}}).value();
+    }
+    geometry::Breath breath;
+    breath.amplitude_mm = Vec3(0, 3, 15);
+    breath.still_W = Vec3(0, 0, -50);
+    breath.full_W = Vec3(0, 0, 50);
+    return what == "rest" ? nullptr : geometry::SurfaceMotion::breath(breath, box).value();
+}
+
+void addMoving(const std::string& what)
+{
+    constexpr int kN = 32;
+    const auto run = [=](benchmark::State& state) {
+        const auto motion = motionOf(what);
+        haptics::HapticStructure on{"sphere", test::indexed(test::bumpySphere(kN, kRadius_mm, 0.0)), {0.5, 0.0}, 0};
+        on.motion = motion;
+        const haptics::HapticScene scene({std::move(on)});
+        haptics::Palpator palpator;
+        palpator.borrowScene(&scene);
+        const double deep = kRadius_mm + (what == "free" ? 5.0 : -5.0);
+        int i = -100;
+        const auto hipAt = [&](const Vec3& X) {
+            return motion == nullptr ? X : motion->toWorld(motion->at(1e-3 * i), X);
+        };
+        for (; i < 0; ++i) { // approach
+            (void)palpator.step(hipAt(direction(0.0) * (deep - 0.1 * i)), 1e-3, nullptr, 1e-3 * i);
+        }
+        Ticks ticks;
+        for (auto _ : state) {
+            ++i;
+            ticks.step(state, palpator, hipAt(direction(0.1 / kRadius_mm * i) * deep), 1e-3 * i);
+        }
+        ticks.report(state);
+    };
+    benchmark::RegisterBenchmark(("moving/" + what + "/" + std::to_string(20 * kN * kN)).c_str(), run)
+        ->Iterations(ticksOf(100'000))
+        ->UseManualTime()
+        ->Unit(benchmark::kNanosecond);
+}
+
 geometry::TriangleMesh fanOf(std::uint32_t n)
 {
     geometry::TriangleMesh fan;
@@ -338,6 +391,9 @@ int main(int argc, char** argv)
         for (const char* what : {"plain", "friction", "stuck", "law", "map", "felt", "both", "all", "held", "whole"}) {
             addTissue(what, radius);
         }
+    }
+    for (const char* what : {"rest", "pose", "breath", "frames", "free"}) {
+        addMoving(what);
     }
     for (const char* name : {"fan", "pile", "crowd"}) {
         for (const double radius : {1.0, 4.0, 20.0}) {

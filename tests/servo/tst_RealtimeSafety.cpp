@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Motions.h"
 #include "RealtimeGuard.h"
 #include "Shapes.h"
 #include "TestRunner.h"
@@ -313,6 +314,41 @@ class RealtimeSafety : public QObject
         QCOMPARE(counted, std::uint64_t{0});
         QCOMPARE(contacts > 100, isTouching);
         QCOMPARE(faults > 5, isHostile);
+    }
+
+    void movingTissueNeitherAllocatesNorLocks()
+    {
+        using palpate::geometry::SurfaceMotion;
+        const palpate::core::Box box(Vec3::Constant(-40), Vec3::Constant(40));
+        std::vector<palpate::haptics::HapticStructure> structures = palpate::test::sphereScene(30.0, 0.5)->structures();
+        addTissue(structures[0]);
+        structures[0].motion = SurfaceMotion::pulse(0.8, 0.2, palpate::test::randomMotion(box, 10.0, 4, 1)).value();
+        structures.push_back(palpate::test::sphereScene(25.0, 0.5)->structures()[0]);
+        structures[1].motion = palpate::test::oscillation(Vec3(0, 0, 5), 2.0);
+        const palpate::haptics::HapticScene scene(structures);
+        structures[0].motion = structures[0].motion->withClock(0.5, 0.5, 0.0);
+        const palpate::haptics::HapticScene held(structures);
+        const std::vector<Vec3> motion = palpate::test::palpatingMotion(3000);
+        palpate::servo::ServoCore core(palpate::test::limitsOf("omega"), 1000.0);
+        core.borrowScene(&scene, 1);
+        std::uint64_t counted = 0;
+        int contacts = 0;
+        {
+            const RealtimeGuard guard;
+            for (int i = 0; i < 3000; ++i) {
+                if (i % 1000 == 500) {
+                    core.borrowScene(i == 1500 ? &scene : &held, static_cast<std::uint32_t>(i));
+                }
+                DeviceState state;
+                state.isPresent = true;
+                state.time_ns = 1'000'000LL * i;
+                state.p_D = motion[static_cast<std::size_t>(i)];
+                contacts += core.tick(state, 1'000'000LL * i).felt.structure >= 0 ? 1 : 0;
+            }
+            counted = guard.all();
+        }
+        QCOMPARE(counted, std::uint64_t{0});
+        QVERIFY(contacts > 500);
     }
 
     void builtInDevicesNeitherAllocateNorLock()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Motions.h"
 #include "TestRunner.h"
 #include "TouchScenes.h"
 
@@ -6,6 +7,7 @@
 #include <palpate/device/SimulatedHand.h>
 #include <palpate/servo/ServoCore.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -55,6 +57,33 @@ class ServoCore : public QObject
             QCOMPARE(record.scene, 0U);
             QCOMPARE(record.flags, static_cast<std::uint16_t>(i == 0 ? palpate::servo::kReset : 0));
         }
+    }
+
+    void handMovedByTissueOwesNoEnergy()
+    {
+        // A wall that moves by ±10 mm pushes a hand that yields like a spring and takes back what it gave.
+        std::vector<palpate::haptics::HapticStructure> structures = palpate::test::sphereScene(30.0, 0.5)->structures();
+        // Down first: the force is eased in before the wall arrives.
+        structures[0].motion = palpate::test::oscillation(Vec3(0, 0, -10), 0.5);
+        const palpate::haptics::HapticScene scene(structures);
+        palpate::servo::PassivityLimits passivity;
+        passivity.isOn = true;
+        Core core(limitsOf("omega"), 1000.0, passivity);
+        core.borrowScene(&scene, 1);
+        constexpr double kHand = 0.3, kRest_mm = 33.0; // N/mm
+        double z = kRest_mm, least_mJ = 0.0, most_mJ = 0.0, moved = 0.0;
+        for (int i = 0; i < 6000; ++i) {
+            const TickRecord tick = core.tick(hand(Vec3(0, 0, z), timeOf(i)), timeOf(i));
+            QVERIFY((tick.felt.f_W - 0.5 * (tick.felt.p_WG - tick.p_WH)).norm() < 1e-9);
+            least_mJ = std::min(least_mJ, tick.energy_mJ);
+            most_mJ = std::max(most_mJ, tick.energy_mJ);
+            moved = std::max(moved, z - kRest_mm);
+            z += 0.02 * (tick.fSent_W.z() - kHand * (z - kRest_mm)) / kHand; // settles within 50 ticks
+        }
+        QCOMPARE(core.fault().kind, FaultKind::None);
+        QVERIFY2(moved > 2.0 && most_mJ > 1.0, qPrintable(QString("%1 mm, %2 mJ").arg(moved).arg(most_mJ)));
+        const double given_mJ = 0.5 * kHand * moved * moved;
+        QVERIFY2(least_mJ > -1e-3 * given_mJ, qPrintable(QString("%1 of %2 mJ").arg(least_mJ).arg(given_mJ)));
     }
 
     void handThatIsAwaySolvesNothingAndComesBackAnew()

@@ -28,9 +28,10 @@ void printRecording(const std::filesystem::path& file, const session::RecordingR
         const auto& structures = reader.scenes().front().structures;
         for (std::size_t i = 0; i < std::min(kShown, structures.size()); ++i) {
             const session::StructureRecord& structure = structures[i];
-            print("    %s: %g N/mm, %g N s/mm, layer %u%s, geometry %.12s\n", structure.name.c_str(),
+            print("    %s: %g N/mm, %g N s/mm, layer %u%s%s, geometry %.12s\n", structure.name.c_str(),
                   structure.tissue.stiffness_N_per_mm, structure.tissue.damping_Ns_per_mm, structure.layer,
-                  structure.palpable ? "" : ", not palpable", structure.source.sha256.c_str());
+                  structure.palpable ? "" : ", not palpable", structure.motion == nullptr ? "" : ", moving",
+                  structure.source.sha256.c_str());
         }
         if (structures.size() > kShown) {
             print("    and %zu more\n", structures.size() - kShown);

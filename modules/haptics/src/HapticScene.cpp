@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace palpate::haptics {
 
@@ -23,6 +24,35 @@ void bendMaps(HapticStructure& structure)
     };
     bend(structure.maps.stiffness);
     std::for_each(structure.maps.felt.begin(), structure.maps.felt.end(), bend);
+}
+
+bool canTouch(const HapticStructure& structure)
+{
+    return structure.surface != nullptr && structure.surface->triangleCount() > 0;
+}
+
+/// Structures by layer number and motion; motions in the order of the structures, rest first.
+std::map<std::pair<std::uint32_t, std::size_t>, std::vector<std::uint32_t>>
+layersOf(const std::vector<HapticStructure>& structures)
+{
+    std::map<std::pair<std::uint32_t, std::size_t>, std::vector<std::uint32_t>> layers;
+    std::vector<const geometry::SurfaceMotion*> motions{nullptr};
+    for (std::uint32_t i = 0; i < structures.size(); ++i) {
+        if (!canTouch(structures[i])) {
+            continue;
+        }
+        const geometry::SurfaceMotion* const motion = structures[i].motion.get();
+        const auto isSame = [motion](const geometry::SurfaceMotion* other) {
+            return motion == other || (motion != nullptr && other != nullptr && *motion == *other);
+        };
+        const auto found = std::find_if(motions.begin(), motions.end(), isSame);
+        const auto number = static_cast<std::size_t>(found - motions.begin());
+        if (found == motions.end()) {
+            motions.push_back(motion);
+        }
+        layers[{structures[i].layer, number}].push_back(i);
+    }
+    return layers;
 }
 
 core::Status noStructure(std::size_t number, std::size_t count)
@@ -50,19 +80,18 @@ HapticScene::HapticScene(std::vector<HapticStructure> structures, double fingert
             bendMaps(structure);
         }
     }
-    std::map<std::uint32_t, std::vector<std::uint32_t>> byNumber;
     for (std::uint32_t i = 0; i < m_structures.size(); ++i) {
-        if (m_structures[i].surface != nullptr && m_structures[i].surface->triangleCount() > 0) {
-            byNumber[m_structures[i].layer].push_back(i);
-            m_isDamped = m_isDamped || m_structures[i].isDamped();
-        }
+        m_isDamped = m_isDamped || (canTouch(m_structures[i]) && m_structures[i].isDamped());
     }
-    for (const auto& [number, members] : byNumber) {
+    for (const auto& [key, members] : layersOf(m_structures)) {
+        const geometry::SurfaceMotion* const motion = m_structures[members.front()].motion.get();
         if (m_layers.size() < kMaxLayers) {
-            m_layers.emplace_back().number = number;
+            m_layers.emplace_back().number = key.first;
+            m_layers.back().motion = motion;
         }
+        m_isMoving = m_isMoving || motion != nullptr;
         HapticLayer& layer = m_layers.back();
-        layer.lastNumber = number;
+        layer.lastNumber = key.first;
         layer.structures.insert(layer.structures.end(), members.begin(), members.end());
     }
     core::Box all;
@@ -129,6 +158,15 @@ core::Result<std::shared_ptr<const HapticScene>> HapticScene::make(std::vector<H
         if (core::Status status = checked(one, i); !status.isOk()) {
             return status;
         }
+    }
+    const bool isMoving = std::any_of(structures.begin(), structures.end(),
+                                      [](const HapticStructure& one) { return one.motion != nullptr; });
+    if (const std::size_t layers = layersOf(structures).size(); isMoving && layers > kMaxLayers) {
+        return core::Status(
+            core::StatusCode::Unsupported,
+            PALPATE_TEXT("found %1 layers with different motions, expected at most %2: let structures of "
+                         "a layer move alike"),
+            layers, kMaxLayers);
     }
     return std::make_shared<const HapticScene>(std::move(structures), fingertip_mm);
 }

@@ -8,6 +8,7 @@
 #include "solver/GodObject.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -125,6 +126,29 @@ void putOutermostFirst(TickResult& result) noexcept
     }
 }
 
+/// The hand as a moving layer meets it: in the rest shape.
+struct HandAtRest
+{
+    geometry::SurfaceMotion::Moment moment;
+    geometry::SurfaceMotion::Rest rest;
+    Vec3 vTissue_W; ///< velocity of the tissue at the HIP [mm/s]; set if the layer has a damper or a contact
+    Vec3 v_R;       ///< velocity of the hand relative to the tissue [mm/s]; set in a scene with dampers
+};
+
+/// Takes a vector of a plane or force from the rest shape to the world and keeps its length 1.
+Vec3 turned(const HandAtRest& hand, const Vec3& n_R) noexcept
+{
+    const Vec3 n = hand.rest.force(n_R);
+    const double length = n.norm();
+    return length > 0.0 ? Vec3(n / length) : n_R;
+}
+
+/// Energy that a contact stores without the factor of a pulse [mJ].
+double storedEnergy(const Contact& contact, const HapticScene& scene) noexcept
+{
+    return contact.stiffnessScale * scene.structures()[contact.structure].lawAt(contact.depth_mm).energy_mJ;
+}
+
 } // namespace
 
 struct Palpator::Impl
@@ -138,9 +162,24 @@ struct Palpator::Impl
     bool hasLeft = false;                  ///< at least one entry is in use
     Vec3 p_WH = Vec3::Zero();              ///< HIP of the previous tick [mm]
     bool started = false;
+    bool isMoving = false;  ///< HapticScene::isMoving
+    bool isBall = false;    ///< the scene's probe is a ball
+    std::size_t layers = 0; ///< of the scene
+    std::array<Vec3, kLayers> p_RH{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; ///< see PalpatorState
+    double tissuePower_mW = 0.0;
     std::shared_ptr<const HapticScene> owned; ///< see setScene
 
     void leaveContacts(const HapticScene* after) noexcept;
+    [[nodiscard]] std::optional<std::size_t> previousLayer(std::size_t layer, const HapticScene* before,
+                                                           const std::array<Numbers, kLayers>& known) const noexcept;
+    template<class HipOf>
+    void feelLayer(TickResult& result, std::size_t i, const Vec3& p_H, double dt_s, SharedWork& work,
+                   HipOf hipOf) noexcept;
+    [[nodiscard]] bool takeToRest(const Vec3& p, double dt_s, const Vec3* v_WH, double time_s,
+                                  std::array<HandAtRest, kLayers>& hands) const noexcept;
+    void takeToWorld(TickResult& result, std::size_t i, std::size_t firstContact, const Vec3& p,
+                     const HandAtRest& hand) noexcept;
+    void stepMoving(TickResult& result, const Vec3& p, double dt_s, const Vec3* v_WH, double time_s) noexcept;
     [[nodiscard]] bool giveBack() noexcept;
     void noteLeft() noexcept
     {
@@ -232,6 +271,31 @@ bool Palpator::setScene(const HapticScene* scene, Continuity continuity) noexcep
     return isRestored;
 }
 
+/// Finds the layer of the scene before with the same number. Layers of one number differ by their motion.
+/// @param before  null: the positions of the god-objects are kept whatever moves
+std::optional<std::size_t> Palpator::Impl::previousLayer(std::size_t layer, const HapticScene* before,
+                                                         const std::array<Numbers, kLayers>& known) const noexcept
+{
+    const auto shapeOf = [](const HapticLayer& of) { return of.motion == nullptr ? 0 : of.motion->shape(); };
+    const HapticLayer& now = scene->layer(layer);
+    std::size_t rivals = 0; // layers of this scene with the same number
+    for (std::size_t i = 0; i < scene->layerCount(); ++i) {
+        rivals += scene->layer(i).number == now.number ? 1 : 0;
+    }
+    std::optional<std::size_t> found;
+    for (std::size_t j = 0; j < kLayers; ++j) {
+        const bool isSameNumber = known[j].first <= now.number && now.number <= known[j].last;
+        const bool isKnown = before != nullptr && j < before->layerCount();
+        if (!isSameNumber || (rivals > 1 && !(isKnown && shapeOf(before->layer(j)) == shapeOf(now)))) {
+            continue;
+        }
+        if (!found || (isKnown && shapeOf(before->layer(j)) == shapeOf(now))) {
+            found = j;
+        }
+    }
+    return found;
+}
+
 bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noexcept
 {
     Impl& me = *m_impl;
@@ -241,21 +305,32 @@ bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noex
     if (old != nullptr) {
         me.leaveContacts(scene);
     }
+    const HapticScene* const previous = me.scene;
     me.scene = scene;
+    me.isMoving = scene != nullptr && scene->isMoving();
+    me.isBall = scene != nullptr && scene->fingertip_mm() > 0.0;
+    me.layers = scene == nullptr ? 0 : scene->layerCount();
+    me.tissuePower_mW = 0.0;
     const PalpatorState before = state();
+    me.p_RH.fill(Vec3::Zero());
     const std::array<Numbers, kLayers> numbers = std::exchange(me.numbers, {});
     for (std::size_t i = 0; i < kLayers; ++i) {
         GodObjectState kept;
         if (scene != nullptr && i < scene->layerCount()) {
             const HapticLayer& layer = scene->layer(i);
             me.numbers[i] = {layer.number, layer.lastNumber};
-            for (std::size_t j = 0; j < kLayers; ++j) {
-                if (numbers[j].first <= layer.number && layer.number <= numbers[j].last) {
-                    kept = before.layers[j];
-                }
+            Vec3 hip = before.p_WH;
+            if (const auto j = me.previousLayer(i, previous, numbers)) {
+                kept = before.layers[*j];
+                const bool hasMoved =
+                    previous != nullptr && *j < previous->layerCount() && previous->layer(*j).motion != nullptr;
+                hip = hasMoved ? before.p_RH[*j] : hip;
             }
             if (old != nullptr && kept.placed != 0) {
-                kept.p_WG = internal::carryOverPosition(*old, *scene, layer, kept, before.p_WH);
+                kept.p_WG = internal::carryOverPosition(*old, *scene, layer, kept, hip);
+            }
+            if (layer.motion != nullptr) {
+                me.p_RH[i] = hip;
             }
         }
         me.gods[i].restore(kept);
@@ -284,10 +359,52 @@ void Palpator::reset() noexcept
     m_impl->started = false;
 }
 
-TickResult Palpator::step(const Vec3& p_WH, double dt_s, const Vec3* v_WH) noexcept
+/// Moves the god-object of a layer and adds its contacts.
+/// @param p_H  HIP, in moving tissue in the rest shape of the layer [mm]; the same frame as the contacts
+/// @param hipOf  returns the motion of the HIP in that frame
+template<class HipOf>
+PALPATE_ALWAYS_INLINE void Palpator::Impl::feelLayer(TickResult& result, std::size_t i, const Vec3& p_H, double dt_s,
+                                                     SharedWork& work, HipOf hipOf) noexcept
+{
+    const HapticLayer& layer = scene->layer(i);
+    GodObject& god = gods[i];
+    const GodObjectStep step =
+        god.step(p_H, dt_s, layer, {limits.iterations, work.next()}, isBall ? &(*balls)[i] : nullptr);
+    work.spend(step.work);
+    result.iterations += step.iterations;
+    result.status = std::max(result.status, step.status);
+    if (god.state().constraints == 0) {
+        // Free, or stopped at the iteration limit on the way: no active constraint, so no force.
+        if (i == 0 && result.contactCount == 0) {
+            result.p_WG = god.state().p_WG;
+        }
+        return;
+    }
+    const law::Motion hip = hipOf();
+    const Vec3 push = god.state().p_WG - p_H;
+    const auto number = static_cast<std::uint32_t>(i);
+    if (god.state().constraints > 1 && law::hasSeveralStructures(god.active()) &&
+        reportShared(result, number, god, *scene, push, hip)) {
+        return;
+    }
+    Contact& contact = result.contacts[result.contactCount];
+    contact.layer = number;
+    if (layer.isPlain) {
+        contact.f_W = law::LinearLaw::force(touchOf(contact, god, *scene, push, hip));
+    } else {
+        fillAny(contact, god, *scene, push, hip);
+    }
+    report(result, contact, god);
+}
+
+TickResult Palpator::step(const Vec3& p_WH, double dt_s, const Vec3* v_WH, double time_s) noexcept
 {
     Impl& me = *m_impl;
     TickResult result;
+    if (me.isMoving) [[unlikely]] {
+        me.stepMoving(result, p_WH, dt_s, v_WH, time_s);
+        return result;
+    }
     if (!me.canFeel(p_WH)) {
         result.p_WG = me.gods[0].state().p_WG;
         result.status = TickStatus::InvalidInput;
@@ -296,43 +413,15 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s, const Vec3* v_WH) noexc
     for (std::size_t i = 0; me.hasLeft && i < kLayers; ++i) {
         me.left[i].age_s += dt_s;
     }
-    const std::size_t layers = me.scene == nullptr ? 0 : me.scene->layerCount();
-    if (layers == 0) {
+    if (me.layers == 0) {
         result.p_WG = p_WH;
     }
     // Innermost layer first: its share of the work budget does not depend on outer layers.
-    const bool isBall = me.scene != nullptr && me.scene->fingertip_mm() > 0.0;
-    SharedWork work(isBall ? me.limits.ballWork : me.limits.work);
-    for (std::size_t i = layers; i-- > 0;) {
-        const HapticLayer& layer = me.scene->layer(i);
-        GodObject& god = me.gods[i];
-        const GodObjectStep step =
-            god.step(p_WH, dt_s, layer, {me.limits.iterations, work.next()}, isBall ? &(*me.balls)[i] : nullptr);
-        work.spend(step.work);
-        result.iterations += step.iterations;
-        result.status = std::max(result.status, step.status);
-        if (god.state().constraints == 0) {
-            // Free, or stopped at the iteration limit on the way: no active constraint, so no force.
-            if (i == 0 && result.contactCount == 0) {
-                result.p_WG = god.state().p_WG;
-            }
-            continue;
-        }
-        const law::Motion hip{me.p_WH, p_WH, me.started ? dt_s : 0.0, v_WH};
-        const Vec3 push_W = god.state().p_WG - p_WH;
-        const auto number = static_cast<std::uint32_t>(i);
-        if (god.state().constraints > 1 && law::hasSeveralStructures(god.active()) &&
-            reportShared(result, number, god, *me.scene, push_W, hip)) {
-            continue;
-        }
-        Contact& contact = result.contacts[result.contactCount];
-        contact.layer = number;
-        if (layer.isPlain) {
-            contact.f_W = law::LinearLaw::force(touchOf(contact, god, *me.scene, push_W, hip));
-        } else {
-            fillAny(contact, god, *me.scene, push_W, hip);
-        }
-        report(result, contact, god);
+    SharedWork work(me.isBall ? me.limits.ballWork : me.limits.work);
+    for (std::size_t i = me.layers; i-- > 0;) {
+        me.feelLayer(result, i, p_WH, dt_s, work, [&] {
+            return law::Motion{me.p_WH, p_WH, me.started ? dt_s : 0.0, v_WH};
+        });
     }
     if (result.contactCount > 1) {
         putOutermostFirst(result);
@@ -342,6 +431,102 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s, const Vec3* v_WH) noexc
     return result;
 }
 
+/// Takes the hand to the rest shape of each layer.
+/// @return false if a layer cannot be felt there
+bool Palpator::Impl::takeToRest(const Vec3& p, double dt_s, const Vec3* v_WH, double time_s,
+                                std::array<HandAtRest, kLayers>& hands) const noexcept
+{
+    for (std::size_t i = 0; i < layers; ++i) {
+        const geometry::SurfaceMotion* const motion = scene->layer(i).motion;
+        if (motion == nullptr) {
+            continue;
+        }
+        HandAtRest& hand = hands[i];
+        hand.moment = motion->at(time_s);
+        hand.rest = motion->toRest(hand.moment, p, started ? p_RH[i] : p);
+        if (!scene->reaches(hand.rest.X)) {
+            return false;
+        }
+        if (scene->isDamped()) {
+            hand.vTissue_W = motion->velocity(hand.moment, hand.rest.X);
+            const Vec3 v = v_WH != nullptr ? *v_WH : started ? Vec3((p - p_WH) / dt_s) : hand.vTissue_W;
+            hand.v_R = hand.rest.invF * (v - hand.vTissue_W);
+        }
+    }
+    return true;
+}
+
+/// Takes the contacts of a moving layer from its rest shape to the world, and adds the power of its tissue.
+/// @param firstContact  the first contact of the layer
+void Palpator::Impl::takeToWorld(TickResult& result, std::size_t i, std::size_t firstContact, const Vec3& p,
+                                 const HandAtRest& hand) noexcept
+{
+    const geometry::SurfaceMotion& motion = *scene->layer(i).motion;
+    const Vec3& p_RG = gods[i].state().p_WG;
+    if (firstContact == result.contactCount) {
+        if (i == 0 && firstContact == 0) { // free: at the HIP, bit for bit
+            result.p_WG = p_RG == hand.rest.X ? p : motion.toWorld(hand.moment, p_RG);
+        }
+        return;
+    }
+    const Vec3 v = scene->isDamped() ? hand.vTissue_W : motion.velocity(hand.moment, hand.rest.X);
+    const Vec3 p_WG = motion.toWorld(hand.moment, p_RG);
+    const bool isAlone = result.contactCount == firstContact + 1;
+    for (std::size_t c = firstContact; c < result.contactCount; ++c) {
+        Contact& contact = result.contacts[c];
+        tissuePower_mW += hand.moment.factorSlope * storedEnergy(contact, *scene);
+        contact.p_WG = p_WG;
+        contact.n_W = turned(hand, contact.n_W);
+        contact.f_W = hand.moment.factor * hand.rest.force(contact.f_W);
+        contact.depth_mm = isAlone ? (p_WG - p).norm() : std::max(0.0, (p_WG - p).dot(contact.n_W));
+        tissuePower_mW += contact.f_W.dot(v);
+    }
+    result.p_WG = p_WG;
+    result.n_W = turned(hand, result.n_W);
+    for (std::size_t k = 0; k < result.constraints; ++k) {
+        result.active[k].n_W = turned(hand, result.active[k].n_W);
+    }
+}
+
+/// A step in a scene with motion: each layer is felt in its rest shape, where nothing moves but the hand.
+[[gnu::noinline]] void Palpator::Impl::stepMoving(TickResult& result, const Vec3& p, double dt_s, const Vec3* v_WH,
+                                                  double time_s) noexcept
+{
+    std::array<HandAtRest, kLayers> hands;
+    tissuePower_mW = 0.0;
+    if (!canFeel(p) || !takeToRest(p, dt_s, v_WH, time_s, hands)) {
+        result.p_WG = p_WH;
+        result.status = TickStatus::InvalidInput;
+        return;
+    }
+    for (std::size_t i = 0; hasLeft && i < kLayers; ++i) {
+        left[i].age_s += dt_s;
+    }
+    SharedWork work(isBall ? limits.ballWork : limits.work);
+    for (std::size_t i = layers; i-- > 0;) {
+        const HandAtRest& hand = hands[i];
+        if (scene->layer(i).motion == nullptr) {
+            feelLayer(result, i, p, dt_s, work, [&] { return law::Motion{p_WH, p, started ? dt_s : 0.0, v_WH}; });
+            continue;
+        }
+        const std::size_t first = result.contactCount;
+        feelLayer(result, i, hand.rest.X, dt_s, work, [&] {
+            return law::Motion{hand.rest.X, hand.rest.X, dt_s, scene->isDamped() ? &hand.v_R : nullptr};
+        });
+        takeToWorld(result, i, first, p, hand);
+        result.status = hand.rest.isExact() ? result.status : std::max(result.status, TickStatus::IterationLimit);
+        p_RH[i] = hand.rest.X;
+    }
+    putOutermostFirst(result);
+    p_WH = p;
+    started = true;
+}
+
+double Palpator::tissuePower_mW() const noexcept PALPATE_NONBLOCKING
+{
+    return m_impl->tissuePower_mW;
+}
+
 PalpatorState Palpator::state() const noexcept
 {
     PalpatorState state;
@@ -349,6 +534,7 @@ PalpatorState Palpator::state() const noexcept
         state.layers[i] = m_impl->gods[i].state();
     }
     state.left = m_impl->left;
+    state.p_RH = m_impl->p_RH;
     state.p_WH = m_impl->p_WH;
     state.started = m_impl->started ? 1 : 0;
     return state;
@@ -361,6 +547,7 @@ void Palpator::restore(const PalpatorState& state) noexcept
     }
     m_impl->left = state.left;
     m_impl->noteLeft();
+    m_impl->p_RH = state.p_RH;
     m_impl->p_WH = state.p_WH;
     m_impl->started = state.started != 0;
 }

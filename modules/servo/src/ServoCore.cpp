@@ -5,6 +5,9 @@
 
 #include <palpate/core/Clock.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace palpate::servo {
 
 namespace {
@@ -26,7 +29,9 @@ void feelTick(haptics::Palpator& palpator, double dt_s, TickRecord& tick) noexce
         if ((tick.flags & kReset) != 0) {
             palpator.reset();
         }
-        tick.felt = palpator.step(tick.p_WH, dt_s, &tick.v_WH);
+        // Time counts ticks, so that a replay moves the tissue alike.
+        const double time_s = static_cast<double>(tick.tick) * dt_s;
+        tick.felt = palpator.step(tick.p_WH, dt_s, &tick.v_WH, time_s);
     }
     tick.solve_ns = core::shortDuration_ns(core::monotonicNow_ns() - begin_ns);
     if (tick.felt.contactCount == 0) {
@@ -100,6 +105,7 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
     const bool isFelt = input.isPresent && !mapped.isClutched;
     if (!isFelt || mapped.isMoved || mapped.isReleased) {
         m_passivity.reset();
+        m_tissuePower_mW = 0.0;
     }
     if (isFelt) {
         const MotionTrack& motion = m_passivity.follow(input.p_D);
@@ -120,6 +126,9 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
         if (m_isSceneChanged) { // energy stored in the springs, in device lengths
             m_passivity.noteStored(0.5 * felt.f_W.dot(felt.p_WG - mapped.p_W) / m_map.scale());
         }
+        if (m_palpator.scene() != nullptr && m_palpator.scene()->isMoving()) {
+            m_passivity.noteWork(tissueWork_mJ(request.f_D));
+        }
         const Vec3 damping_D = m_passivity.damping(m_gate.eased(request.f_D), request.isInContact);
         record.fDamping_W = m_map.toScene(damping_D);
         record.energy_mJ = m_passivity.state().energy_mJ;
@@ -135,6 +144,16 @@ TickRecord ServoCore::tick(const device::DeviceState& state, std::int64_t now_ns
     m_isSceneChanged = false;
     latch(record.tick, now_ns);
     return record;
+}
+
+/// Returns the energy that moving tissue put into the contacts since the last tick, in device lengths and for the share
+/// of the force that the gate lets through [mJ].
+double ServoCore::tissueWork_mJ(const Vec3& f_D) noexcept
+{
+    const double asked_N = f_D.norm();
+    const double share = asked_N > 0.0 ? std::min(1.0, m_gate.eased(f_D).norm() / asked_N) : 1.0;
+    const double now_mW = share * m_palpator.tissuePower_mW() / m_map.scale();
+    return 0.5 * (std::exchange(m_tissuePower_mW, now_mW) + now_mW) * m_dt_s;
 }
 
 /// @return true when a hand returns to within Palpator::kNear_mm of its last position, too soon to have moved around

@@ -39,7 +39,8 @@ SceneRecord describeScene(std::uint32_t generation, const haptics::HapticScene& 
         out.layer = structure.layer;
         out.palpable = structure.surface != nullptr;
         out.tissueMaps = structure.maps;
-        out.maps = internal::mapsText(structure.maps);
+        out.motion = structure.motion;
+        out.maps = internal::mapsText({structure.maps, structure.motion});
         if (structure.law != nullptr) {
             const std::vector<std::byte> table = structure.law->bytes();
             out.lawTable.assign(reinterpret_cast<const char*>(table.data()), table.size());

@@ -21,9 +21,10 @@ Survey survey(const RecordingTables& tables, const MetaTable& meta)
     note(tables.readEvents(events));
     for (const SceneRecord& scene : scenes) {
         for (const StructureRecord& structure : scene.structures) {
-            if (mapsText(structure.tissueMaps) != structure.maps) {
-                result.faults.push_back({PALPATE_TEXT("structure \"%1\": a map of its tissue is not there, or damaged"),
-                                         oneLine(structure.name)});
+            if (mapsText({structure.tissueMaps, structure.motion}) != structure.maps) {
+                result.faults.push_back(
+                    {PALPATE_TEXT("structure \"%1\": a map of its tissue or its motion is not there, or damaged"),
+                     oneLine(structure.name)});
             }
         }
     }

@@ -55,6 +55,13 @@ std::vector<RecordingEvent> sceneChanges(std::int64_t tick, const SceneRecord& b
             }
             events.push_back(event(tick, "tissue", json));
         }
+        const bool isSameMotion =
+            was.motion == is.motion || (was.motion != nullptr && is.motion != nullptr && *was.motion == *is.motion);
+        if (!isSameMotion) {
+            QJsonObject json = which;
+            json["moves"] = is.motion != nullptr;
+            events.push_back(event(tick, "motion", json));
+        }
         if (was.layer != is.layer) {
             QJsonObject json = which;
             json["layer"] = change(was.layer, is.layer);

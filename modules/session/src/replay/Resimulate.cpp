@@ -283,8 +283,8 @@ namespace {
 core::Message faultOfMaps(const StructureRecord& structure, const geometry::SurfaceIndex& surface)
 {
     const haptics::TissueMaps& maps = structure.tissueMaps;
-    if (internal::mapsText(maps) != structure.maps) {
-        return core::Message(PALPATE_TEXT("a map of its tissue is not in the recording, or damaged"));
+    if (internal::mapsText({maps, structure.motion}) != structure.maps) {
+        return core::Message(PALPATE_TEXT("a map of its tissue or its motion is not in the recording, or damaged"));
     }
     for (const haptics::TissueMap* map : maps.all()) {
         if (!map->isEmpty() && map->corners->size() != surface.triangleCount()) {
@@ -326,6 +326,7 @@ core::Result<std::shared_ptr<const haptics::HapticScene>> rebuildScene(const Sce
         }
         out.surface = found->second;
         out.maps = structure.tissueMaps;
+        out.motion = structure.motion;
         if (const core::Message wrong = faultOfMaps(structure, *out.surface); !wrong.isEmpty()) {
             return Status(StatusCode::Mismatch, PALPATE_TEXT("structure \"%1\" of the recording: %2"), structure.name,
                           wrong);

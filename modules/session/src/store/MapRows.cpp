@@ -11,10 +11,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace palpate::session::internal {
@@ -32,11 +35,18 @@ constexpr std::array kMaps{NamedMap{"stiffness", true}, NamedMap{"damping", fals
                            NamedMap{"felt_8_mm", true}};
 static_assert(kMaps.size() == std::tuple_size_v<decltype(haptics::TissueMaps().all())>);
 
+constexpr const char* kMotion = "motion";
+
 using Corners = std::vector<std::array<float, 3>>;
 
 std::string_view bytesOf(const haptics::TissueMap& map)
 {
     return {reinterpret_cast<const char*>(map.corners->data()), map.corners->size() * sizeof(Corners::value_type)};
+}
+
+std::string_view text(const std::vector<std::byte>& bytes)
+{
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 std::string hashOf(std::string_view bytes)
@@ -57,8 +67,9 @@ bool isValid(const Corners& corners, double factor, bool isAboveZero)
 
 } // namespace
 
-std::string mapsText(const haptics::TissueMaps& maps)
+std::string mapsText(const StoredMaps& stored)
 {
+    const haptics::TissueMaps& maps = stored.maps;
     QJsonArray out;
     for (std::size_t i = 0; i < kMaps.size(); ++i) {
         const haptics::TissueMap& map = *maps.all()[i];
@@ -68,30 +79,42 @@ std::string mapsText(const haptics::TissueMaps& maps)
                                    {"sha256", QString::fromStdString(hashOf(bytesOf(map)))}});
         }
     }
+    if (stored.motion != nullptr) {
+        out.append(QJsonObject{{"quantity", kMotion},
+                               {"sha256", QString::fromStdString(hashOf(text(stored.motion->bytes())))}});
+    }
     return out.isEmpty() ? std::string() : QJsonDocument(out).toJson(QJsonDocument::Compact).toStdString();
 }
 
-void forEachMap(const haptics::TissueMaps& maps,
+void forEachMap(const StoredMaps& stored,
                 const std::function<void(const std::string& sha256, std::string_view bytes)>& take)
 {
-    for (const haptics::TissueMap* map : maps.all()) {
+    for (const haptics::TissueMap* map : stored.maps.all()) {
         if (!map->isEmpty()) {
             take(hashOf(bytesOf(*map)), bytesOf(*map));
         }
     }
+    if (stored.motion != nullptr) {
+        const std::vector<std::byte> bytes = stored.motion->bytes();
+        take(hashOf(text(bytes)), text(bytes));
+    }
 }
 
-haptics::TissueMaps mapsOf(const std::string& text,
-                           const std::function<std::optional<std::string>(const std::string&)>& find)
+StoredMaps mapsOf(const std::string& text, const std::function<std::optional<std::string>(const std::string&)>& find)
 {
-    haptics::TissueMaps maps;
-    const std::array all = maps.all();
+    StoredMaps stored;
+    const std::array all = stored.maps.all();
     for (const QJsonValue& entry : QJsonDocument::fromJson(QByteArray::fromStdString(text)).array()) {
         const QString quantity = entry["quantity"].toString();
         const auto* const named = std::find_if(
             kMaps.begin(), kMaps.end(), [&](const NamedMap& n) { return quantity == QLatin1String(n.quantity); });
         const std::string hash = entry["sha256"].toString().toStdString();
         const std::optional<std::string> bytes = find(hash);
+        if (quantity == QLatin1String(kMotion) && bytes && hashOf(*bytes) == hash) {
+            auto motion = geometry::SurfaceMotion::fromBytes(std::as_bytes(std::span(*bytes)));
+            stored.motion = motion.isOk() ? std::move(motion).value() : nullptr;
+            continue;
+        }
         if (named == kMaps.end() || !bytes || hashOf(*bytes) != hash ||
             bytes->size() % sizeof(Corners::value_type) != 0) {
             continue;
@@ -105,7 +128,7 @@ haptics::TissueMaps mapsOf(const std::string& text,
             *all[static_cast<std::size_t>(named - kMaps.begin())] = {std::move(corners), factor};
         }
     }
-    return maps;
+    return stored;
 }
 
 } // namespace palpate::session::internal

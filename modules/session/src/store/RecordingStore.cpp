@@ -131,16 +131,19 @@ Status RecordingStore::storeScenes(const RecordingBatch& batch, std::string& has
     return {};
 }
 
-Status RecordingStore::storeMaps(const haptics::TissueMaps& maps)
+Status RecordingStore::storeMaps(const StructureRecord& structure)
 {
-    if (maps.isEmpty()) {
+    if (structure.tissueMaps.isEmpty() && structure.motion == nullptr) {
         return {};
     }
     Status status = m_database.execute(kCreateMaps);
+    if (status.isOk() && structure.motion != nullptr) { // an older Palpate must not replay it without the motion
+        status = m_database.execute("PRAGMA user_version=" + std::to_string(kMovingVersion));
+    }
     if (!m_insertMap.isPrepared()) {
         m_insertMap = m_database.prepare("INSERT OR IGNORE INTO maps(sha256, corners) VALUES(?, ?)");
     }
-    forEachMap(maps, [&](const std::string& hash, std::string_view bytes) {
+    forEachMap({structure.tissueMaps, structure.motion}, [&](const std::string& hash, std::string_view bytes) {
         m_insertMap.bind(0, std::string_view(hash));
         m_insertMap.bindBlob(1, bytes);
         if (m_insertMap.step() != Statement::Step::Done) {
@@ -217,7 +220,7 @@ Status RecordingStore::storeScene(const SceneRecord& scene)
         if (m_insertMesh.step() != Statement::Step::Done || m_insertStructure.step() != Statement::Step::Done) {
             return failed();
         }
-        if (Status status = storeMaps(structure.tissueMaps); !status.isOk()) {
+        if (Status status = storeMaps(structure); !status.isOk()) {
             return status;
         }
         if (source.embed != nullptr) {

@@ -49,7 +49,7 @@ class RecordingStore
     explicit RecordingStore(Database database);
     core::Status storeScenes(const RecordingBatch& batch, std::string& hash);
     core::Status storeScene(const SceneRecord& scene);
-    core::Status storeMaps(const haptics::TissueMaps& maps);
+    core::Status storeMaps(const StructureRecord& structure);
     core::Status storeEmbedded(const StructureSource& source);
     core::Status storeEvents(const RecordingBatch& batch, std::string& hash);
     core::Status storeTicks(const RecordingBatch& batch, std::string& hash);

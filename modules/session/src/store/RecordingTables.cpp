@@ -75,15 +75,15 @@ Status RecordingTables::readVersion()
                 PALPATE_TEXT("found another program's SQLite database, expected a Palpate recording")};
     }
     m_version = static_cast<int>(m_database.integer("PRAGMA user_version"));
-    if (m_version > kRecordingVersion || m_version < 1) {
+    if (m_version > kMovingVersion || m_version < 1) {
         return m_version < 1
                    ? Status(StatusCode::BadFormat,
                             PALPATE_TEXT("found a recording of version %1, expected 1 to %2: damaged"), m_version,
-                            kRecordingVersion)
+                            kMovingVersion)
                    : Status(StatusCode::Mismatch,
                             PALPATE_TEXT("found a recording of version %1, expected at most %2: a newer Palpate made "
                                          "it"),
-                            m_version, kRecordingVersion);
+                            m_version, kMovingVersion);
     }
     return {};
 }
@@ -151,7 +151,7 @@ class ReadMaps
         : m_find(std::move(find))
     {
     }
-    const haptics::TissueMaps& operator()(const std::string& text)
+    const StoredMaps& operator()(const std::string& text)
     {
         auto found = m_byText.find(text);
         if (found == m_byText.end()) {
@@ -162,7 +162,7 @@ class ReadMaps
 
   private:
     std::function<std::optional<std::string>(const std::string&)> m_find;
-    std::map<std::string, haptics::TissueMaps> m_byText;
+    std::map<std::string, StoredMaps> m_byText;
 };
 
 } // namespace
@@ -230,7 +230,9 @@ Status RecordingTables::readScenes(std::vector<SceneRecord>& out) const
         structure.lawTable = rows.bytes(11);
         structure.maps = rows.bytes(12);
         if (!structure.maps.empty()) {
-            structure.tissueMaps = maps(structure.maps);
+            const StoredMaps& stored = maps(structure.maps);
+            structure.tissueMaps = stored.maps;
+            structure.motion = stored.motion;
         }
         int column = 13;
         for (const core::TissueTerm& term : tissueTerms(m_version)) {

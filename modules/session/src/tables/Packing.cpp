@@ -10,6 +10,7 @@
 
 #include <QCryptographicHash>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <span>
@@ -95,6 +96,16 @@ std::string embeddedHash(const geometry::RepairedMesh& surface)
     return hash.result().toStdString();
 }
 
+namespace {
+
+/// Returns true if the state is one of moving tissue. Others are stored as before moving tissue was added.
+bool isMoving(const haptics::PalpatorState& state)
+{
+    return std::any_of(state.p_RH.begin(), state.p_RH.end(), [](const core::Vec3& p) { return !p.isZero(0.0); });
+}
+
+} // namespace
+
 std::string packState(const haptics::PalpatorState& state, int version)
 {
     std::string out;
@@ -127,13 +138,19 @@ std::string packState(const haptics::PalpatorState& state, int version)
             put(out, left.isOnSheet);
         }
     }
+    if (isMoving(state)) {
+        for (const core::Vec3& p_RH : state.p_RH) {
+            put(out, p_RH);
+        }
+    }
     return out;
 }
 
 std::optional<haptics::PalpatorState> unpackState(std::string_view bytes)
 {
     haptics::PalpatorState state;
-    const bool hasLeft = bytes.size() == packState(state).size();
+    const bool hasRest = bytes.size() == packState(state).size() + sizeof state.p_RH;
+    const bool hasLeft = hasRest || bytes.size() == packState(state).size();
     const bool hasFriction = hasLeft || bytes.size() == packState(state, 3).size();
     if (!hasFriction && bytes.size() != packState(state, 2).size()) {
         return std::nullopt;
@@ -176,6 +193,14 @@ std::optional<haptics::PalpatorState> unpackState(std::string_view bytes)
         take(bytes, left.isOnSheet);
         if (left.isKept > 1 || left.isOnSheet > 1 || !left.p_WG.allFinite() || !left.p_WH.allFinite() ||
             !std::isfinite(left.age_s)) {
+            return std::nullopt;
+        }
+    }
+    for (core::Vec3& p_RH : state.p_RH) {
+        if (hasRest) {
+            take(bytes, p_RH);
+        }
+        if (!p_RH.allFinite()) {
             return std::nullopt;
         }
     }

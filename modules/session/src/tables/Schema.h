@@ -14,10 +14,10 @@
 
 namespace palpate::session::internal {
 
-/// Returns the tissue parameters stored by recordings of a version. @param version  1 to kRecordingVersion
+/// Returns the tissue parameters stored by recordings of a version. @param version  1 to kMovingVersion
 inline std::span<const core::TissueTerm> tissueTerms(int version)
 {
-    constexpr std::array<std::size_t, kRecordingVersion + 1> kTerms{0, 2, 2, 5, 5}; // number of terms by version
+    constexpr std::array<std::size_t, kMovingVersion + 1> kTerms{0, 2, 2, 5, 5, 5}; // number of terms by version
     static_assert(kTerms.back() == core::kTissueTerms.size(), "another term, another version");
     return std::span(core::kTissueTerms).first(kTerms[static_cast<std::size_t>(version)]);
 }
@@ -44,7 +44,7 @@ inline std::string tissuePlaces(std::size_t first)
 
 inline constexpr int kMapsSince = 3; ///< version that introduced the table of maps
 
-/// Returns the SQL for the tables of resources/docs/recording.md. @param version  1 to kRecordingVersion
+/// Returns the SQL for the tables of resources/docs/recording.md. @param version  1 to kMovingVersion
 inline std::string schema(int version = kRecordingVersion)
 {
     const bool hasChecksOfAll = version >= 2; // version 1 has checksums for ticks only and no embedded surfaces

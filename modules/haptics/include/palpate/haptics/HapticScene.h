@@ -9,6 +9,7 @@
 #include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/geometry/SurfaceIndex.h>
+#include <palpate/geometry/SurfaceMotion.h>
 
 #include <cstdint>
 #include <limits>
@@ -22,13 +23,17 @@ namespace palpate::haptics {
 struct HapticStructure
 {
     std::string name;
-    std::shared_ptr<const geometry::SurfaceIndex> surface; ///< in the world frame [mm]; null: hidden, not palpable
+    /// In the world frame [mm], with a motion the rest shape; null: hidden, not palpable
+    std::shared_ptr<const geometry::SurfaceIndex> surface;
     Tissue tissue;
     std::uint32_t layer = 0; ///< 0 is the outermost; structures of the same layer share one god-object
     TissueMaps maps{};
     /// Tabulated force law; null: linear. If null and the tissue's law is not linear, the scene builds the table. A
     /// recording supplies its own table.
     std::shared_ptr<const ForceTable> law{};
+    /// How the surface moves, see docs/motion.md; null: it rests. Structures of one layer number that move alike share
+    /// a god-object, others get a layer of their own.
+    std::shared_ptr<const geometry::SurfaceMotion> motion{};
 
     /// Returns true if the structure has no friction, no nonlinear law and no maps.
     [[nodiscard]] bool isPlain() const noexcept { return law == nullptr && maps.isEmpty() && !tissue.hasFriction(); }
@@ -68,6 +73,8 @@ struct HapticLayer
     /// The scene's array of structures, indexed by structure; null if no structure of the layer has friction.
     const HapticStructure* frictional = nullptr;
     bool drags = false; ///< friction of at least one structure drags the god-object
+    /// Motion of all structures of the layer; null: they rest. Surfaces and god-object are in the rest shape.
+    const geometry::SurfaceMotion* motion = nullptr;
 
     [[nodiscard]] const geometry::SurfaceIndex& surface(std::uint32_t structure) const noexcept
     {
@@ -104,14 +111,16 @@ class PALPATE_EXPORT HapticScene
 
     /// Builds the layers.
     /// @param structures  Structures without a surface or without triangles are left out of every layer but keep their
-    /// index. Layer numbers need not be contiguous: only their order matters.
+    /// index. Layer numbers need not be contiguous: only their order matters. Beyond kMaxLayers, structures join the
+    /// last layer and its motion.
     /// @param fingertip_mm  radius of the ball-shaped probe, whose centre is the god-object; 0 = a point
     /// @pre 0 <= fingertip_mm <= kMostFingertip_mm
     explicit HapticScene(std::vector<HapticStructure> structures, double fingertip_mm = 0.0);
     /// Checks the structures and builds the layers. Tissues: core::check. The scene costs the same per tick as one from
     /// the constructor, which checks nothing.
     /// @return OutOfRange or NonFinite: a tissue or the radius of the probe; Empty: a structure without a surface or
-    ///         without triangles. Hide structures with `without`
+    ///         without triangles. Hide structures with `without`. Unsupported: motions that need more layers than
+    ///         kMaxLayers
     [[nodiscard]] static core::Result<std::shared_ptr<const HapticScene>> make(std::vector<HapticStructure> structures,
                                                                                double fingertip_mm = 0.0);
     /// Returns a scene with another tissue of one structure. The force law is computed from the tissue. A servo loop
@@ -125,6 +134,9 @@ class PALPATE_EXPORT HapticScene
     HapticScene(HapticScene&&) noexcept = default; // not copyable: the layers point into m_structures
     HapticScene& operator=(HapticScene&&) noexcept = default;
     ~HapticScene() = default;
+
+    /// Returns true if the surface or the stored energy of a palpable structure depends on the time.
+    [[nodiscard]] bool isMoving() const noexcept { return m_isMoving; }
 
     static constexpr double kMostFingertip_mm = 50.0;
     [[nodiscard]] double fingertip_mm() const noexcept { return m_fingertip_mm; }
@@ -153,6 +165,7 @@ class PALPATE_EXPORT HapticScene
     Vec3 m_middle = Vec3::Zero();
     double m_farthest_mm = std::numeric_limits<double>::max();
     bool m_isDamped = false;
+    bool m_isMoving = false;
 };
 
 } // namespace palpate::haptics

@@ -100,10 +100,16 @@ class PALPATE_EXPORT Palpator
     /// @param v_WH  velocity of the hand for dampers [mm/s]; null: backward difference of the HIP, zero in the first
     ///              tick. A difference of exact positions is accurate. A difference of encoder counts is a sequence of
     ///              pulses: pass the estimate of servo::MotionTrack
+    /// @param time_s  time of this tick, for moving structures. Never from a clock, so that a replay gives the same
+    /// bits
     /// @return the result, constructed in the caller's variable; unused array entries are not initialised
     /// @par Real-time Wait-free, no allocation; bounded by GodObjectLimits.
-    [[nodiscard]] TickResult step(const Vec3& p_WH, double dt_s,
-                                  const Vec3* v_WH = nullptr) noexcept PALPATE_NONBLOCKING;
+    [[nodiscard]] TickResult step(const Vec3& p_WH, double dt_s, const Vec3* v_WH = nullptr,
+                                  double time_s = 0.0) noexcept PALPATE_NONBLOCKING;
+
+    /// Returns the power of the moving tissue in the last step [mW]: the energy per second that contacts gain although
+    /// the hand rests. 0 without motion.
+    [[nodiscard]] double tissuePower_mW() const noexcept PALPATE_NONBLOCKING;
 
     [[nodiscard]] std::size_t byteSize() const noexcept; ///< memory of the palpator without the scene, in bytes
 

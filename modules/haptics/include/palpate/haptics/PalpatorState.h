@@ -11,7 +11,7 @@ namespace palpate::haptics {
 /// Persistent state of a god-object between ticks: position and active contacts.
 struct GodObjectState
 {
-    Vec3 p_WG = Vec3::Zero(); ///< position [mm], world frame
+    Vec3 p_WG = Vec3::Zero(); ///< position [mm], world frame; in moving tissue its rest shape
     std::array<std::uint32_t, 3> structure{};
     std::array<std::uint32_t, 3> triangle{};
     std::array<std::int8_t, 3> side{}; ///< +1: on the front of the triangle, -1: on the back
@@ -40,6 +40,8 @@ struct PalpatorState
 {
     std::array<GodObjectState, HapticScene::kMaxLayers> layers{};
     std::array<LostContact, HapticScene::kMaxLayers> left{};
+    /// HIP of the previous tick in the rest shape of each layer [mm]; zero in a scene at rest.
+    std::array<Vec3, HapticScene::kMaxLayers> p_RH = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
     Vec3 p_WH = Vec3::Zero();  ///< HIP of the previous tick [mm]
     std::uint32_t started = 0; ///< 0 before the first tick
 };

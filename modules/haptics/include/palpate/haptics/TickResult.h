@@ -27,6 +27,7 @@ enum class TickStatus : std::uint8_t
     /// is valid for the current position of the god-object, and the next tick continues from this position. Rare for
     /// points. With a ball much larger than the facets (8 and 20 mm on voxels of 1 mm) 0.6 % of the ticks end this way,
     /// and the force on a resting hand then changes for some ticks.
+    /// Also if the rest position in moving tissue is not exact (SurfaceMotion::Rest::isExact).
     IterationLimit,
     InvalidInput, ///< the HIP is not finite or too far away (HapticScene::reaches); no state changed
 };

@@ -31,7 +31,8 @@ struct PALPATE_EXPORT PassivityLimits
 /// Observed energies and the damping of the current tick.
 struct PassivityState
 {
-    double energy_mJ = 0.0;         ///< net energy from the hand since contact began; < 0: the hand received more
+    double energy_mJ = 0.0;         ///< net energy from hand and moving tissue since contact began; < 0: the hand
+                                    ///< received more
     double excess_mJ = 0.0;         ///< energy from sampling and delay that is not yet damped away, >= 0
     double damping_Ns_per_mm = 0.0; ///< added in this tick
 };
@@ -75,6 +76,9 @@ class PALPATE_EXPORT PassivityController
     void noteSent(const Vec3& fSent_W) noexcept PALPATE_NONBLOCKING;
     /// Adds the energy stored in the springs of a newly set scene, which no hand has put in [mJ].
     void noteStored(double energy_mJ) noexcept PALPATE_NONBLOCKING;
+    /// Adds energy that moving tissue has put into the contacts since the last tick, < 0: taken out. The hand may get
+    /// it back without damping. Call before `damping` [mJ].
+    void noteWork(double work_mJ) noexcept PALPATE_NONBLOCKING { m_state.energy_mJ += work_mJ; }
     /// Discards all observations, for a new or absent hand.
     void reset() noexcept PALPATE_NONBLOCKING;
 

@@ -86,6 +86,7 @@ class PALPATE_EXPORT ServoCore
   private:
     void latch(std::int64_t tick, std::int64_t now_ns) noexcept;
     [[nodiscard]] bool isBack(const Vec3& p_WH) const noexcept;
+    [[nodiscard]] double tissueWork_mJ(const Vec3& f_D) noexcept;
 
     haptics::Palpator m_palpator;
     SafetyGate m_gate;
@@ -99,6 +100,7 @@ class PALPATE_EXPORT ServoCore
     std::int64_t m_tick = 0;
     std::uint32_t m_generation = 0;
     bool m_isSceneChanged = false;
+    double m_tissuePower_mW = 0.0; // of the last tick
     Fault m_fault;
 };
 

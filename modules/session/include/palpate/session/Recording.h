@@ -20,6 +20,8 @@ namespace palpate::session {
 
 /// Version of the schema in docs/recording.md, stored as the database's `user_version`.
 inline constexpr int kRecordingVersion = 4;
+/// Version of a recording with moving tissue: as 4, with motions among the maps, which older programs would ignore.
+inline constexpr int kMovingVersion = 5;
 /// "Palp", the database's `application_id`.
 inline constexpr std::int32_t kRecordingApplicationId = 0x50616c70;
 
@@ -55,8 +57,10 @@ struct StructureRecord
     std::uint32_t layer = 0;
     bool palpable = true;           ///< false: the structure had no haptic surface
     std::string lawTable;           ///< binary table of a nonlinear force law; empty: linear
-    std::string maps;               ///< surface maps as JSON with the hashes of their data; empty: no maps
+    std::string maps;               ///< surface maps and motion as JSON with the hashes of their data; empty: neither
     haptics::TissueMaps tissueMaps; ///< map data; also empty if the recording has lost the data
+    /// Motion of the surface; null: it rests, or the recording has lost the motion, which `maps` still names.
+    std::shared_ptr<const geometry::SurfaceMotion> motion{};
 };
 
 /// Haptic scene of a recording. Ticks refer to the structures by index.
@@ -73,8 +77,8 @@ struct SceneRecord
                                                        std::span<const StructureSource> sources);
 
 /// Event at a tick. Event kinds by origin:
-/// - writer: "scene" (first tick of a generation), "tissue", "hidden", "shown", "layer" and "structures" (changes with
-///   that scene), "clutch" (hand released or returned)
+/// - writer: "scene" (first tick of a generation), "tissue", "hidden", "shown", "layer", "motion" and "structures"
+///   (changes with that scene), "clutch" (hand released or returned)
 /// - recorder: "dropped", "disk", "timing" (servo timing), "ended" (reason of an early end)
 /// - window: "note", "finding", "finding-edited", "finding-undone", "device-lost", "fault"
 /// - recovery: "recovered"

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/geometry/SurfaceMotion.h"
+
+#include "motion/PeriodicCubic.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate::geometry {
+
+namespace {
+
+constexpr int kMaxSteps = 32;
+/// The steps end at this distance [mm], well below kInverse_mm. One more Newton step would square it.
+constexpr double kEnough_mm = 1e-10;
+
+using Four = Eigen::Array<double, 4, 1>;
+
+/// Position along one axis: cell, and weights of its three control points.
+struct Along
+{
+    std::size_t cell = 0;
+    std::array<double, 3> weight{}, slope{};
+
+    /// @param s  position in cells; outside of 0 … cells the nearest place, without slope
+    Along(double s, std::uint32_t cells, double perCell) noexcept
+    {
+        const double most = cells;
+        const bool isInside = s > 0.0 && s < most;
+        const double at = isInside ? s : s >= most ? most : 0.0; // 0 for NaN
+        cell = std::min(static_cast<std::size_t>(at), std::size_t{cells} - 1);
+        const double t = at - static_cast<double>(cell), r = 1.0 - t;
+        weight = {0.5 * r * r, 0.5 + t * r, 0.5 * t * t};
+        if (isInside) {
+            slope = {-r * perCell, (r - t) * perCell, t * perCell};
+        }
+    }
+};
+
+} // namespace
+
+/// The displacement near one place at one moment. For a single frame it is read in place, several frames are summed for
+/// one cell at a time.
+class SurfaceMotion::Patch
+{
+  public:
+    Patch(const SurfaceMotion& motion, const Moment& moment, const std::array<double, 4>& weight) noexcept
+        : m_motion(motion)
+        , m_moment(moment)
+        , m_weight(weight)
+    {
+    }
+
+    [[nodiscard]] PALPATE_ALWAYS_INLINE Value at(const Vec3& X) noexcept
+    {
+        const MotionLattice& lattice = m_motion.m_lattice;
+        const double perCell = 1.0 / lattice.spacing_mm;
+        const Vec3 s = perCell * (X - lattice.origin_mm);
+        const Along x(s.x(), lattice.cells[0], perCell), y(s.y(), lattice.cells[1], perCell),
+            z(s.z(), lattice.cells[2], perCell);
+        const std::size_t first = lattice.control(x.cell, y.cell, z.cell);
+        const std::array<double, 4>* controls = m_motion.m_controls.data() + m_moment.frame[0] + first;
+        std::size_t row = lattice.cells[0] + 2, slab = row * (lattice.cells[1] + 2);
+        double scale = m_weight[0];
+        if (m_moment.frames > 1) {
+            gather(first, row, slab);
+            controls = m_sum.data();
+            row = 3;
+            slab = 9;
+            scale = 1.0;
+        }
+        Four u = Four::Zero(), alongX = Four::Zero(), alongY = Four::Zero(), alongZ = Four::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+            Four inSlab = Four::Zero(), slabX = Four::Zero(), slabY = Four::Zero();
+            for (std::size_t j = 0; j < 3; ++j) {
+                const std::array<double, 4>* at = controls + j * row + k * slab;
+                const Four a = Eigen::Map<const Four>(at[0].data()), b = Eigen::Map<const Four>(at[1].data()),
+                           c = Eigen::Map<const Four>(at[2].data());
+                const Four value = x.weight[0] * a + x.weight[1] * b + x.weight[2] * c;
+                inSlab += y.weight[j] * value;
+                slabX += y.weight[j] * (x.slope[0] * a + x.slope[1] * b + x.slope[2] * c);
+                slabY += y.slope[j] * value;
+            }
+            u += z.weight[k] * inSlab;
+            alongX += z.weight[k] * slabX;
+            alongY += z.weight[k] * slabY;
+            alongZ += z.slope[k] * inSlab;
+        }
+        Value value;
+        value.u = scale * u.head<3>().matrix();
+        value.gradient.col(0) = scale * alongX.head<3>().matrix();
+        value.gradient.col(1) = scale * alongY.head<3>().matrix();
+        value.gradient.col(2) = scale * alongZ.head<3>().matrix();
+        return value;
+    }
+
+  private:
+    /// Sums the frames at the 27 control points of a cell.
+    void gather(std::size_t first, std::size_t row, std::size_t slab) noexcept
+    {
+        if (m_hasSum && first == m_first) {
+            return;
+        }
+        m_hasSum = true;
+        m_first = first;
+        for (std::size_t i = 0; i < m_sum.size(); ++i) {
+            const std::size_t at = first + i % 3 + i / 3 % 3 * row + i / 9 * slab;
+            Four sum = Four::Zero();
+            for (std::size_t f = 0; f < m_moment.frames; ++f) {
+                sum += m_weight[f] * Eigen::Map<const Four>(m_motion.m_controls[m_moment.frame[f] + at].data());
+            }
+            Eigen::Map<Four>(m_sum[i].data()) = sum;
+        }
+    }
+
+    const SurfaceMotion& m_motion;
+    const Moment& m_moment;
+    const std::array<double, 4>& m_weight;
+    std::array<std::array<double, 4>, 27> m_sum;
+    std::size_t m_first = 0;
+    bool m_hasSum = false;
+};
+
+/// Cubic Hermite interpolation of the poses; the quaternion is normalised.
+void SurfaceMotion::applyPose(double t, Moment& moment) const noexcept
+{
+    const double first_s = m_keys.front().time_s, last_s = m_keys.back().time_s;
+    if (m_isPeriodic) {
+        const double turns = (t - first_s) / (last_s - first_s);
+        t = first_s + (turns - std::floor(turns)) * (last_s - first_s);
+    }
+    const bool rests = !m_isPeriodic && !(t > first_s && t < last_s);
+    t = std::clamp(t, first_s, last_s);
+    const auto next = std::upper_bound(m_keys.begin() + 1, m_keys.end() - 1, t,
+                                       [](double time_s, const Key& key) { return time_s < key.time_s; });
+    const Key &a = *(next - 1), &b = *next;
+    const double h = b.time_s - a.time_s, s = (t - a.time_s) / h, r = 1.0 - s;
+    const double a0 = r * r * (1.0 + 2.0 * s), b0 = s * s * (1.0 + 2.0 * r), a1 = h * s * r * r, b1 = -h * s * s * r;
+    const double da0 = -6.0 * s * r / h, da1 = r * (r - 2.0 * s), db1 = s * (s - 2.0 * r);
+    Eigen::Matrix<double, 7, 1> value, slope;
+    for (int i = 0; i < 7; ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        value[i] = a0 * a.value[n] + b0 * b.value[n] + a1 * a.slope[n] + b1 * b.slope[n];
+        slope[i] = rests ? 0.0 : da0 * (a.value[n] - b.value[n]) + da1 * a.slope[n] + db1 * b.slope[n];
+    }
+    const Eigen::Vector4d q = value.head<4>(), dq = slope.head<4>();
+    const double length = q.norm();
+    const Eigen::Vector4d unit = q / length, turning = (dq - unit * unit.dot(dq)) / length;
+    const core::Quaternion now(unit[3], unit[0], unit[1], unit[2]);
+    const core::Quaternion change(turning[3], turning[0], turning[1], turning[2]);
+    moment.turn = now.toRotationMatrix();
+    moment.isTurned = !(unit.head<3>().array() == 0.0).all();
+    moment.spin = 2.0 * (change * now.conjugate()).vec();
+    moment.shift = value.tail<3>();
+    moment.drift = slope.tail<3>();
+}
+
+/// Time factors of the displacement.
+void SurfaceMotion::applyBreath(double t, Moment& moment) const noexcept
+{
+    if (m_curve.empty()) {
+        const internal::PeriodicCubic now(t, m_period_s, m_frames);
+        moment.frames = 4;
+        for (std::size_t i = 0; i < 4; ++i) {
+            moment.frame[i] = now.step[i] * m_lattice.controlCount();
+            moment.weight[i] = m_amplitude * now.weight[i];
+            moment.slope[i] = m_rate * m_amplitude * now.slope[i];
+        }
+        return;
+    }
+    const internal::PeriodicCubic now(t, m_period_s, m_curve.size());
+    moment.weight[0] = m_amplitude * now.value(m_curve);
+    moment.slope[0] = m_rate * m_amplitude * now.change(m_curve);
+    moment.frames = m_frames;
+    const Vec3 shift = moment.turn * (moment.weight[0] * m_shift);
+    moment.shift += shift;
+    moment.drift += moment.spin.cross(shift) + moment.turn * (moment.slope[0] * m_shift);
+}
+
+SurfaceMotion::Moment SurfaceMotion::at(double time_s) const noexcept PALPATE_NONBLOCKING
+{
+    Moment moment;
+    const double t = phase_s(time_s);
+    if (!m_keys.empty()) {
+        applyPose(t, moment);
+        moment.spin *= m_rate;
+        moment.drift *= m_rate;
+    }
+    if (m_period_s > 0.0) {
+        applyBreath(t, moment);
+    }
+    if (m_pulse_s > 0.0) {
+        const internal::PeriodicCubic now(t, m_pulse_s, m_pulse.size());
+        moment.factor = now.value(m_pulse);
+        moment.factorSlope = m_rate * now.change(m_pulse);
+    }
+    return moment;
+}
+
+SurfaceMotion::Rest SurfaceMotion::toRest(const Moment& moment, const Vec3& p_W,
+                                          const Vec3& near) const noexcept PALPATE_NONBLOCKING
+{
+    const Vec3 from = p_W - moment.shift;
+    const Vec3 target = moment.isTurned ? Vec3(moment.turn.transpose() * from) : from;
+    Rest rest;
+    if (moment.frames == 0) {
+        rest.X = target;
+        rest.F = moment.turn;
+        rest.invF = moment.turn.transpose();
+        return rest;
+    }
+    Patch patch(*this, moment, moment.weight);
+    rest.X = near;
+    for (int steps = 0;; ++steps) {
+        const Value value = patch.at(rest.X);
+        const Vec3 missing = target - rest.X - value.u;
+        rest.F = value.gradient;
+        rest.F.diagonal().array() += 1.0;
+        rest.invF = rest.F.inverse();
+        const double squared = missing.squaredNorm();
+        if (!(squared > kEnough_mm * kEnough_mm) || steps == kMaxSteps) {
+            rest.residual_mm = std::sqrt(squared);
+            break;
+        }
+        rest.X += rest.invF * missing;
+    }
+    if (moment.isTurned) {
+        rest.F = moment.turn * rest.F;
+        rest.invF = rest.invF * moment.turn.transpose();
+    }
+    return rest;
+}
+
+Vec3 SurfaceMotion::toWorld(const Moment& moment, const Vec3& X) const noexcept PALPATE_NONBLOCKING
+{
+    const Vec3 moved = moment.frames == 0 ? X : Vec3(X + Patch(*this, moment, moment.weight).at(X).u);
+    return (moment.isTurned ? Vec3(moment.turn * moved) : moved) + moment.shift;
+}
+
+Vec3 SurfaceMotion::velocity(const Moment& moment, const Vec3& X) const noexcept PALPATE_NONBLOCKING
+{
+    if (moment.frames == 0) {
+        return moment.drift + moment.spin.cross(moment.turn * X);
+    }
+    const Vec3 moved = X + Patch(*this, moment, moment.weight).at(X).u;
+    const Vec3 change = Patch(*this, moment, moment.slope).at(X).u;
+    return moment.drift + moment.spin.cross(moment.turn * moved) + moment.turn * change;
+}
+
+std::vector<Vec3> SurfaceMotion::placesAt(double time_s, std::span<const Vec3> rest) const
+{
+    const Moment moment = at(time_s);
+    std::vector<Vec3> places(rest.size());
+    std::transform(rest.begin(), rest.end(), places.begin(), [&](const Vec3& X) { return toWorld(moment, X); });
+    return places;
+}
+
+} // namespace palpate::geometry
