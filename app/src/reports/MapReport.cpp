@@ -62,7 +62,7 @@ const char* placeName(bool isPerTriangle)
 
 std::string_view nameOf(core::MappedQuantity quantity)
 {
-    return core::kQuantityNames[static_cast<std::size_t>(quantity)];
+    return core::traitsOf(quantity).name;
 }
 
 std::string_view nameOf(core::MapUnit unit)

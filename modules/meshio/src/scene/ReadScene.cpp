@@ -21,6 +21,7 @@
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -130,8 +131,11 @@ void readName(JsonFields& fields, const char* name, const std::array<std::string
 core::TissueMapping readMapping(JsonFields& fields, const std::filesystem::path& folder)
 {
     core::TissueMapping map;
-    readName(fields, "quantity", core::kQuantityNames, map.quantity);
-    map.unit = map.quantity == core::MappedQuantity::Damping ? core::MapUnit::NsPerMm : core::MapUnit::Scale;
+    std::array<std::string_view, core::kMappedQuantities.size()> names;
+    std::transform(core::kMappedQuantities.begin(), core::kMappedQuantities.end(), names.begin(),
+                   [](const core::QuantityTraits& quantity) { return quantity.name; });
+    readName(fields, "quantity", names, map.quantity);
+    map.unit = core::traitsOf(map.quantity).unit;
     fields.read("array", map.array);
     std::string file;
     fields.read("file", file);
@@ -156,7 +160,7 @@ core::TissueMapping readMapping(JsonFields& fields, const std::filesystem::path&
     readName(fields, "unit", core::kMapUnitNames, map.unit);
     if (!core::fits(map.quantity, map.unit)) {
         fields.fail("unit", quotedText(core::kMapUnitNames[static_cast<std::size_t>(map.unit)]),
-                    {PALPATE_TEXT("a unit of `%1`"), core::kQuantityNames[static_cast<std::size_t>(map.quantity)]});
+                    {PALPATE_TEXT("a unit of `%1`"), core::traitsOf(map.quantity).name});
     }
     fields.read("contact_radius_mm", map.contactRadius_mm, 1e-3, 1e3);
     if (const auto clamp = fields.numbers("clamp", 2, 0.0, 1e12)) {

@@ -14,7 +14,6 @@ using namespace internal;
 
 namespace {
 
-using core::MappedQuantity;
 using core::TissueMapping;
 using geometry::MeshArray;
 
@@ -41,7 +40,7 @@ float feltValue(const TissueMapping& mapping, float value)
     const double taken = mapping.clamp ? std::clamp(double{value}, (*mapping.clamp)[0], (*mapping.clamp)[1]) : value;
     const auto felt = static_cast<float>(mapping.felt(taken));
     const bool isUsable =
-        std::isfinite(felt) && (mapping.quantity == MappedQuantity::Stiffness ? felt > 0.0F : felt >= 0.0F);
+        std::isfinite(felt) && (core::traitsOf(mapping.quantity).isAboveZero ? felt > 0.0F : felt >= 0.0F);
     return isUsable ? felt : kNotFelt;
 }
 

@@ -49,7 +49,7 @@ QJsonObject mapping(const core::TissueMapping& map, const std::filesystem::path&
 {
     const core::TissueMapping usual;
     QJsonObject out;
-    out["quantity"] = text(std::string(core::kQuantityNames[static_cast<std::size_t>(map.quantity)]));
+    out["quantity"] = text(std::string(core::traitsOf(map.quantity).name));
     out["unit"] = text(std::string(core::kMapUnitNames[static_cast<std::size_t>(map.unit)]));
     if (map.array.empty()) {
         out["file"] = text(std::filesystem::path(map.file).lexically_relative(folder).generic_string());

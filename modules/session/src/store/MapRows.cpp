@@ -3,6 +3,8 @@
 
 #include "tables/Packing.h"
 
+#include <palpate/core/TissueMapping.h>
+
 #include <QByteArray>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -16,6 +18,7 @@
 #include <iterator>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -24,18 +27,34 @@ namespace palpate::session::internal {
 
 namespace {
 
+constexpr std::array<std::string_view, haptics::kFeltPress_mm.size()> kFeltNames{"felt_0_mm", "felt_2_mm", "felt_4_mm",
+                                                                                 "felt_8_mm"};
+
+/// Name and validity of each map, in the order of `TissueMaps::all`: the mapped quantities, then the effect of lumps.
 struct NamedMap
 {
-    const char* quantity;
+    std::string_view quantity;
     bool isAboveZero; ///< zero is not allowed
 };
-/// In the order of `TissueMaps::all`.
-constexpr std::array kMaps{NamedMap{"stiffness", true}, NamedMap{"damping", false},  NamedMap{"friction", false},
-                           NamedMap{"felt_0_mm", true}, NamedMap{"felt_2_mm", true}, NamedMap{"felt_4_mm", true},
-                           NamedMap{"felt_8_mm", true}};
+constexpr auto kMaps = [] {
+    std::array<NamedMap, core::kMappedQuantities.size() + kFeltNames.size()> maps{};
+    auto* at = maps.data();
+    for (const core::QuantityTraits& quantity : core::kMappedQuantities) {
+        *at++ = {quantity.name, quantity.isAboveZero};
+    }
+    for (const std::string_view name : kFeltNames) {
+        *at++ = {name, true};
+    }
+    return maps;
+}();
 static_assert(kMaps.size() == std::tuple_size_v<decltype(haptics::TissueMaps().all())>);
 
 constexpr const char* kMotion = "motion";
+
+QLatin1String latin1(std::string_view text)
+{
+    return QLatin1String(text.data(), static_cast<qsizetype>(text.size()));
+}
 
 using Corners = std::vector<std::array<float, 3>>;
 
@@ -74,7 +93,7 @@ std::string mapsText(const StoredMaps& stored)
     for (std::size_t i = 0; i < kMaps.size(); ++i) {
         const haptics::TissueMap& map = *maps.all()[i];
         if (!map.isEmpty()) {
-            out.append(QJsonObject{{"quantity", kMaps[i].quantity},
+            out.append(QJsonObject{{"quantity", latin1(kMaps[i].quantity)},
                                    {"factor", map.factor},
                                    {"sha256", QString::fromStdString(hashOf(bytesOf(map)))}});
         }
@@ -106,8 +125,8 @@ StoredMaps mapsOf(const std::string& text, const std::function<std::optional<std
     const std::array all = stored.maps.all();
     for (const QJsonValue& entry : QJsonDocument::fromJson(QByteArray::fromStdString(text)).array()) {
         const QString quantity = entry["quantity"].toString();
-        const auto* const named = std::find_if(
-            kMaps.begin(), kMaps.end(), [&](const NamedMap& n) { return quantity == QLatin1String(n.quantity); });
+        const auto* const named =
+            std::find_if(kMaps.begin(), kMaps.end(), [&](const NamedMap& n) { return quantity == latin1(n.quantity); });
         const std::string hash = entry["sha256"].toString().toStdString();
         const std::optional<std::string> bytes = find(hash);
         if (quantity == QLatin1String(kMotion) && bytes && hashOf(*bytes) == hash) {

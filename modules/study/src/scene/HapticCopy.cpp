@@ -42,9 +42,7 @@ haptics::TissueMaps tissueMaps(const meshio::LoadedStructure& structure, const g
         std::vector<float> values = map.values;
         std::replace_if(
             values.begin(), values.end(), [](float v) { return std::isnan(v); }, static_cast<float>(own));
-        haptics::TissueMap& to = isStiffness                                       ? maps.stiffness
-                                 : map.mapping.quantity == MappedQuantity::Damping ? maps.damping
-                                                                                   : maps.friction;
+        haptics::TissueMap& to = maps.of(map.mapping.quantity);
         to = map.isPerTriangle ? haptics::TissueMap::atTriangles(surface, values)
                                : haptics::TissueMap::atVertices(surface, *structure.surface, values);
         to.factor = isStiffness && !isScale ? 1.0 / own : 1.0;

@@ -99,9 +99,8 @@ meshio::SurfaceMap surfaceMap(const haptics::TissueMap& map, core::MappedQuantit
     meshio::SurfaceMap out;
     out.mapping.quantity = quantity;
     // For a stiffness map in N/mm, the factor is the reciprocal of the tissue's own stiffness.
-    out.mapping.unit = quantity == MappedQuantity::Damping                          ? core::MapUnit::NsPerMm
-                       : quantity == MappedQuantity::Stiffness && map.factor != 1.0 ? core::MapUnit::NPerMm
-                                                                                    : core::MapUnit::Scale;
+    out.mapping.unit = quantity == MappedQuantity::Stiffness && map.factor != 1.0 ? core::MapUnit::NPerMm
+                                                                                  : core::traitsOf(quantity).unit;
     for (const core::KnownMap& known : core::kKnownMaps) {
         if (known.quantity == quantity && known.unit == out.mapping.unit) {
             out.mapping.array = known.array;
@@ -288,20 +287,17 @@ class Reopening
         }
         const auto index = indexed(*one.surface);
         const haptics::TissueMaps own = tissueMaps(one, *index);
-        const std::array maps{
-            std::pair(&haptics::TissueMaps::stiffness, core::MappedQuantity::Stiffness),
-            std::pair(&haptics::TissueMaps::damping, core::MappedQuantity::Damping),
-            std::pair(&haptics::TissueMaps::friction, core::MappedQuantity::Friction),
-        };
-        const bool isSame = std::all_of(maps.begin(), maps.end(), [&](const auto& map) {
-            return isSameMap(own.*map.first, record.tissueMaps.*map.first);
+        const auto& members = haptics::TissueMaps::kQuantities;
+        const bool isSame = std::all_of(members.begin(), members.end(), [&](const auto member) {
+            return isSameMap(own.*member, record.tissueMaps.*member);
         });
         if (isSame) {
             return;
         }
         one.maps.clear();
-        for (const auto& [member, quantity] : maps) {
-            const haptics::TissueMap& map = record.tissueMaps.*member;
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            const auto quantity = static_cast<core::MappedQuantity>(i);
+            const haptics::TissueMap& map = record.tissueMaps.of(quantity);
             if (map.isEmpty()) {
                 continue;
             }

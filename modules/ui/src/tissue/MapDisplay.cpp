@@ -23,7 +23,7 @@ const QString kArray = QStringLiteral("array:");
 
 QString keyOf(const meshio::SurfaceMap& map)
 {
-    const std::string_view name = core::kQuantityNames[static_cast<std::size_t>(map.mapping.quantity)];
+    const std::string_view name = core::traitsOf(map.mapping.quantity).name;
     return kFelt + QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
 }
 

@@ -250,7 +250,7 @@ void MapEditor::put(const core::TissueMapping& mapping)
     if (mapping.quantity == core::MappedQuantity::Stiffness) {
         refresh();
     } else {
-        setUnit(mapping.quantity == core::MappedQuantity::Damping ? core::MapUnit::NsPerMm : core::MapUnit::Scale);
+        setUnit(core::traitsOf(mapping.quantity).unit);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace palpate::core {
 
-/// Tissue property controlled by a map.
+/// Tissue property controlled by a map; its properties are in kMappedQuantities.
 enum class MappedQuantity : std::uint8_t
 {
     Stiffness,
@@ -56,8 +57,24 @@ struct TissueMapping
     }
 };
 
-/// Names of quantities and units in files.
-inline constexpr std::array<std::string_view, 3> kQuantityNames{"stiffness", "damping", "friction"};
+/// What distinguishes the mapped quantities, in the order of MappedQuantity. haptics::TissueMaps::of has the map of
+/// each.
+struct QuantityTraits
+{
+    std::string_view name; ///< in scene files, recordings and reports
+    MapUnit unit;          ///< of values without a stated unit
+    bool isAboveZero;      ///< zero is not a valid value
+};
+inline constexpr std::array kMappedQuantities{
+    QuantityTraits{"stiffness", MapUnit::Scale, true},
+    QuantityTraits{"damping", MapUnit::NsPerMm, false},
+    QuantityTraits{"friction", MapUnit::Scale, false},
+};
+[[nodiscard]] constexpr const QuantityTraits& traitsOf(MappedQuantity quantity) noexcept
+{
+    return kMappedQuantities[static_cast<std::size_t>(quantity)];
+}
+/// Names of units in files.
 inline constexpr std::array<std::string_view, 5> kMapUnitNames{"scale", "N_per_mm", "Ns_per_mm", "young_kPa",
                                                                "shear_kPa"};
 /// @return true if the unit is valid for the quantity.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/Export.h>
+#include <palpate/core/TissueMapping.h>
 #include <palpate/geometry/SurfaceIndex.h>
 
 #include <array>
@@ -83,6 +84,16 @@ struct TissueMaps
     /// none is.
     std::array<TissueMap, kFeltPress_mm.size()> felt{};
 
+    /// Member of each quantity, in the order of core::MappedQuantity.
+    static constexpr std::array kQuantities{&TissueMaps::stiffness, &TissueMaps::damping, &TissueMaps::friction};
+    [[nodiscard]] TissueMap& of(core::MappedQuantity quantity) noexcept
+    {
+        return this->*kQuantities[static_cast<std::size_t>(quantity)];
+    }
+    [[nodiscard]] const TissueMap& of(core::MappedQuantity quantity) const noexcept
+    {
+        return this->*kQuantities[static_cast<std::size_t>(quantity)];
+    }
     [[nodiscard]] bool hasFelt() const noexcept { return !felt[0].isEmpty(); }
     /// Returns true if a map other than friction is set.
     [[nodiscard]] bool hasForceMaps() const noexcept { return !stiffness.isEmpty() || !damping.isEmpty() || hasFelt(); }
