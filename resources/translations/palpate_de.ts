@@ -181,10 +181,6 @@
 <context>
     <name>LumpLayout</name>
     <message>
-        <source>%1 seems to be inside %2 but cannot be felt there yet, because the surface of %2 is open or inside out</source>
-        <translation>%1 liegt anscheinend in %2, ist dort aber noch nicht tastbar, weil die Oberfläche von %2 offen oder verkehrt herum ist</translation>
-    </message>
-    <message>
         <source>%1: inside %2, %3 × as stiff (%4), felt through %2</source>
         <translation>%1: in %2, %3-mal so steif (%4), durch %2 hindurch tastbar</translation>
     </message>
@@ -821,10 +817,6 @@
     <message>
         <source>%1: skipped, %2 has the same id and comes first</source>
         <translation>%1: übersprungen, %2 hat dieselbe Kennung und kommt zuerst</translation>
-    </message>
-    <message>
-        <source>found no device plugin called &quot;%1&quot;, expected one of: %2 (&quot;palpate devices&quot; also lists the built-in devices)</source>
-        <translation>kein Geräte-Plugin namens „%1“ gefunden, erwartet eines von: %2 („palpate devices“ nennt auch die eingebauten Geräte)</translation>
     </message>
     <message>
         <source>%1: its root object is not a device plugin</source>
@@ -1579,10 +1571,6 @@
         <translation>endete bei %1 s, ohne geschlossen zu werden (ein Absturz oder ein voller Datenträger); was danach gefühlt wurde, ist nicht darin</translation>
     </message>
     <message>
-        <source>structure &quot;%1&quot;: a map of its tissue is not there, or damaged</source>
-        <translation>Struktur „%1“: eine Karte ihres Gewebes fehlt oder ist beschädigt</translation>
-    </message>
-    <message>
         <source>tick %1 after tick %2: ticks must ascend</source>
         <translation>Augenblick %1 nach Augenblick %2: Augenblicke müssen aufsteigen</translation>
     </message>
@@ -1677,10 +1665,6 @@
     <message>
         <source>none</source>
         <translation>nichts</translation>
-    </message>
-    <message>
-        <source>a map of its tissue is not in the recording, or damaged</source>
-        <translation>eine Karte ihres Gewebes fehlt in der Aufzeichnung oder ist beschädigt</translation>
     </message>
     <message>
         <source>a map of its tissue has %1 triangles, expected %2</source>
@@ -2911,18 +2895,6 @@
         <translation>die Datei desselben Namens ohne „._“</translation>
     </message>
     <message>
-        <source>a FreeSurfer surface</source>
-        <translation>eine FreeSurfer-Oberfläche</translation>
-    </message>
-    <message>
-        <source>a file compressed by gzip</source>
-        <translation>eine mit gzip komprimierte Datei</translation>
-    </message>
-    <message>
-        <source>the mesh itself: unpack it first (gunzip)</source>
-        <translation>das Netz selbst: zuerst auspacken (gunzip)</translation>
-    </message>
-    <message>
         <source>a glTF file</source>
         <translation>eine glTF-Datei</translation>
     </message>
@@ -2959,16 +2931,8 @@
         <translation>ein daraus erzeugtes Netz (FreeCAD: als STL exportieren)</translation>
     </message>
     <message>
-        <source>a GIFTI surface</source>
-        <translation>eine GIFTI-Oberfläche</translation>
-    </message>
-    <message>
         <source>a 3D Slicer scene (MRML)</source>
         <translation>eine Szene von 3D Slicer (MRML)</translation>
-    </message>
-    <message>
-        <source>the files of its models, which are beside the scene: open them or their folder</source>
-        <translation>die Dateien ihrer Modelle, die neben der Szene liegen: diese oder ihren Ordner öffnen</translation>
     </message>
     <message>
         <source>an AMF file</source>
@@ -2981,14 +2945,6 @@
     <message>
         <source>an X3D file</source>
         <translation>eine X3D-Datei</translation>
-    </message>
-    <message>
-        <source>an OFF file</source>
-        <translation>eine OFF-Datei</translation>
-    </message>
-    <message>
-        <source>a surface in MNI&apos;s object format</source>
-        <translation>eine Oberfläche im Objektformat des MNI</translation>
     </message>
     <message>
         <source>a JSON document</source>
@@ -4727,10 +4683,6 @@
         <translation>keine Version gefunden, erwartet: 1.0; gelesen, soweit sie übereinstimmt</translation>
     </message>
     <message>
-        <source>found %1, expected a list of points: left out</source>
-        <translation>gefunden: %1, erwartet: eine Punktliste; weggelassen</translation>
-    </message>
-    <message>
         <source>found %1, expected LPS or RAS: the list is left out</source>
         <translation>gefunden: %1, erwartet: LPS oder RAS; die Liste wird weggelassen</translation>
     </message>
@@ -4821,6 +4773,370 @@
     <message>
         <source>%1 includes what it encloses, %2 voxels of other labels</source>
         <translation>%1 enthält, was es umschließt: %2 Voxel anderer Labels</translation>
+    </message>
+    <message>
+        <source>%1: left out, %2; --close-holes closes holes</source>
+        <translation>%1: ausgelassen, %2; --close-holes schließt Löcher</translation>
+    </message>
+    <message>
+        <source>found no device plugin called &quot;%1&quot;, expected one of: %2 (the built-in devices %3 are not plugins)</source>
+        <translation>kein Geräte-Plugin namens „%1“ gefunden, erwartet eines von: %2 (die eingebauten Geräte %3 sind keine Plugins)</translation>
+    </message>
+    <message>
+        <source>found %1 vertices and a lattice of %2 mm, expected more than 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1: found %2 vertices, expected %3 as at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1, vertex %2: found a number that is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1, vertex %2: found %3 mm between the shape and the lattice of %4 mm, expected at most %5 mm: use a finer lattice, or one structure for each part that slides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: found %2, expected %3 to %4</source>
+        <translation type="unfinished">%1: gefunden: %2, erwartet: %3 bis %4 {1:?} {2,?} {3 ?}</translation>
+    </message>
+    <message>
+        <source>found %1 poses, expected at least two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exponent: found %1, expected an even number from 2 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>amplitude_mm, still or full: found a number that is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1: found %2 control points, expected %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1: found a number that is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1: found the time %2 s after %3 s, expected ascending times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last pose: found another than the first, expected the same for a motion that repeats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1 frames, expected at least two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>amplitude_mm: found more than %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lattice: expected at least one cell of a positive size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lattice: found %1 control points in %2 frames, expected at most %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lattice: found %1 displacements, expected %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1, control point %2: found the displacement %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1, cell (%2, %3, %4): found a strain of up to %5 %, where the tissue may fold; expected at most %6 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1, cell (%2, %3, %4): found a strain of up to %5 %, expected at most %6 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1 bytes that are no motion of this version, expected one that Palpate wrote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1 layers with different motions, expected at most %2: let structures of a layer move alike</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the gzip file is cut off</source>
+        <translation>die gzip-Datei ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the whole file</source>
+        <translation>die ganze Datei</translation>
+    </message>
+    <message>
+        <source>at most %1 times the size of the file: unpack it first (gunzip)</source>
+        <translation>höchstens das %1fache der Dateigröße: zuerst entpacken (gunzip)</translation>
+    </message>
+    <message>
+        <source>more than %1 bytes when unpacked</source>
+        <translation>entpackt mehr als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>the gzip data are cut off or damaged</source>
+        <translation>die gzip-Daten sind abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 bytes, as its end states: unpack it with gunzip, which names the damage</source>
+        <translation>%1 Bytes, wie am Ende angegeben: mit gunzip entpacken, das den Schaden nennt</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer surface of quadrangles, or its values</source>
+        <translation>eine FreeSurfer-Oberfläche aus Vierecken oder ihre Werte</translation>
+    </message>
+    <message>
+        <source>the files of its models, or the scene with a name that ends in .mrml</source>
+        <translation>die Dateien ihrer Modelle, oder die Szene mit einem Namen, der auf .mrml endet</translation>
+    </message>
+    <message>
+        <source>an opacity is out of range</source>
+        <translation>eine Deckkraft liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not opened: %3</source>
+        <translation>%1: %2 wird nicht geöffnet: %3</translation>
+    </message>
+    <message>
+        <source>the scene names no file of it</source>
+        <translation>die Szene nennt keine Datei dazu</translation>
+    </message>
+    <message>
+        <source>the file %1 is not in the folder of the scene</source>
+        <translation>die Datei %1 ist nicht im Ordner der Szene</translation>
+    </message>
+    <message>
+        <source>its transform is not a rotation, shift and scale: harden it in 3D Slicer</source>
+        <translation>die Transformation ist keine Drehung, Verschiebung und Skalierung: in 3D Slicer anwenden (Harden)</translation>
+    </message>
+    <message>
+        <source>a scene without models and segmentations</source>
+        <translation>eine Szene ohne Modelle und Segmentierungen</translation>
+    </message>
+    <message>
+        <source>at least one (3D Slicer: File, Save Data)</source>
+        <translation>mindestens eines (3D Slicer: File, Save Data)</translation>
+    </message>
+    <message>
+        <source>1 hole of %1 mm closed, %2 mm² of new surface</source>
+        <translation>1 Loch von %1 mm geschlossen, %2 mm² neue Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1 holes of up to %2 mm closed, %3 mm² of new surface</source>
+        <translation>%1 Löcher bis %2 mm geschlossen, %3 mm² neue Oberfläche</translation>
+    </message>
+    <message>
+        <source>the FreeSurfer surface ends in its header</source>
+        <translation>die FreeSurfer-Oberfläche endet im Kopf</translation>
+    </message>
+    <message>
+        <source>a text with an empty line after it, and the numbers of vertices and triangles</source>
+        <translation>ein Text mit einer Leerzeile danach und die Anzahlen der Punkte und Dreiecke</translation>
+    </message>
+    <message>
+        <source>%1 vertices and %2 triangles declared, %3 bytes behind them</source>
+        <translation>%1 Punkte und %2 Dreiecke angegeben, dahinter %3 Bytes</translation>
+    </message>
+    <message>
+        <source>moved by the centre of its volume, (%1, %2, %3) mm, to the coordinates of the scanner</source>
+        <translation>um die Mitte des Volumens (%1, %2, %3) mm verschoben, in die Koordinaten des Scanners</translation>
+    </message>
+    <message>
+        <source>%1, as declared</source>
+        <translation>%1, wie angegeben</translation>
+    </message>
+    <message>
+        <source>the data are not base64</source>
+        <translation>die Daten sind kein Base64</translation>
+    </message>
+    <message>
+        <source>base64, as declared</source>
+        <translation>Base64, wie angegeben</translation>
+    </message>
+    <message>
+        <source>the data are cut off, damaged or too long</source>
+        <translation>die Daten sind abgeschnitten, beschädigt oder zu lang</translation>
+    </message>
+    <message>
+        <source>%1 bytes, as declared</source>
+        <translation>%1 Bytes, wie angegeben</translation>
+    </message>
+    <message>
+        <source>an array of %1 × %2 numbers</source>
+        <translation>ein Feld von %1 × %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>three numbers for each point or triangle, as many as its %1 bytes can hold</source>
+        <translation>drei Zahlen je Punkt oder Dreieck, so viele, wie die %1 Bytes enthalten können</translation>
+    </message>
+    <message>
+        <source>numbers of the type %1 in the encoding %2</source>
+        <translation>Zahlen vom Typ %1 in der Kodierung %2</translation>
+    </message>
+    <message>
+        <source>%1 in ASCII, Base64Binary or GZipBase64Binary (wb_command -gifti-convert)</source>
+        <translation>%1 in ASCII, Base64Binary oder GZipBase64Binary (wb_command -gifti-convert)</translation>
+    </message>
+    <message>
+        <source>an array without data</source>
+        <translation>ein Feld ohne Daten</translation>
+    </message>
+    <message>
+        <source>a coordinate transform without 16 finite numbers</source>
+        <translation>eine Koordinatentransformation ohne 16 endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>4 × 4 numbers</source>
+        <translation>4 × 4 Zahlen</translation>
+    </message>
+    <message>
+        <source>a second array of %1</source>
+        <translation>ein zweites Feld %1</translation>
+    </message>
+    <message>
+        <source>one surface in a file</source>
+        <translation>eine Oberfläche je Datei</translation>
+    </message>
+    <message>
+        <source>moved to the coordinates of the scanner, as the file states</source>
+        <translation>in die Koordinaten des Scanners verschoben, wie die Datei angibt</translation>
+    </message>
+    <message>
+        <source>a GIFTI file of values, without a surface</source>
+        <translation>eine GIFTI-Datei mit Werten, ohne Oberfläche</translation>
+    </message>
+    <message>
+        <source>arrays of points and triangles: open the surface file (.surf.gii)</source>
+        <translation>Felder von Punkten und Dreiecken: die Datei der Oberfläche öffnen (.surf.gii)</translation>
+    </message>
+    <message>
+        <source>the file ends</source>
+        <translation>die Datei endet</translation>
+    </message>
+    <message>
+        <source>the declared points and polygons</source>
+        <translation>die angegebenen Punkte und Polygone</translation>
+    </message>
+    <message>
+        <source>the MNI object has %1 in place of a count</source>
+        <translation>das MNI-Objekt hat %1 an der Stelle einer Anzahl</translation>
+    </message>
+    <message>
+        <source>a whole number up to %1, as many as its bytes can hold</source>
+        <translation>eine ganze Zahl bis %1, so viele, wie die Bytes enthalten können</translation>
+    </message>
+    <message>
+        <source>the kind of colours %1</source>
+        <translation>die Art der Farben %1</translation>
+    </message>
+    <message>
+        <source>an end of a polygon below the one before: %1</source>
+        <translation>ein Polygonende unter dem vorigen: %1</translation>
+    </message>
+    <message>
+        <source>%1 behind the last polygon</source>
+        <translation>%1 hinter dem letzten Polygon</translation>
+    </message>
+    <message>
+        <source>one object of polygons</source>
+        <translation>ein Objekt aus Polygonen</translation>
+    </message>
+    <message>
+        <source>the declared vertices and faces</source>
+        <translation>die angegebenen Punkte und Flächen</translation>
+    </message>
+    <message>
+        <source>%1: four dimensions, or binary</source>
+        <translation>%1: vierdimensional oder binär</translation>
+    </message>
+    <message>
+        <source>OFF as text with three coordinates for each vertex (MeshLab converts it)</source>
+        <translation>OFF als Text mit drei Koordinaten je Punkt (MeshLab wandelt es um)</translation>
+    </message>
+    <message>
+        <source>%1 is not a count</source>
+        <translation>%1 ist keine Anzahl</translation>
+    </message>
+    <message>
+        <source>the numbers of vertices, faces and edges</source>
+        <translation>die Anzahlen der Punkte, Flächen und Kanten</translation>
+    </message>
+    <message>
+        <source>the OFF file declares %1 vertices and %2 faces</source>
+        <translation>die OFF-Datei gibt %1 Punkte und %2 Flächen an</translation>
+    </message>
+    <message>
+        <source>three numbers for each vertex</source>
+        <translation>drei Zahlen je Punkt</translation>
+    </message>
+    <message>
+        <source>the number of corners of a face</source>
+        <translation>die Anzahl der Ecken einer Fläche</translation>
+    </message>
+    <message>
+        <source>the face has fewer corners than it declares</source>
+        <translation>die Fläche hat weniger Ecken als angegeben</translation>
+    </message>
+    <message>
+        <source>%1 vertex indices</source>
+        <translation>%1 Punktnummern</translation>
+    </message>
+    <message>
+        <source>%1 behind the last face</source>
+        <translation>%1 hinter der letzten Fläche</translation>
+    </message>
+    <message>
+        <source>%1 vertices and %2 faces, as declared</source>
+        <translation>%1 Punkte und %2 Flächen, wie angegeben</translation>
+    </message>
+    <message>
+        <source>colours, normals and further numbers of vertices and faces are not read</source>
+        <translation>Farben, Normalen und weitere Zahlen der Punkte und Flächen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot;: a map of its tissue or its motion is not there, or damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a map of its tissue or its motion is not in the recording, or damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface of %1 is inside out</source>
+        <translation>die Oberfläche von %1 ist umgestülpt</translation>
+    </message>
+    <message>
+        <source>more than two triangles of %1 meet at an edge</source>
+        <translation>an einer Kante von %1 treffen mehr als zwei Dreiecke zusammen</translation>
+    </message>
+    <message>
+        <source>the surface of %1 has a hole of %2 mm</source>
+        <translation>die Oberfläche von %1 hat ein Loch von %2 mm</translation>
+    </message>
+    <message>
+        <source>the surface of %1 has %2 holes, the largest of %3 mm</source>
+        <translation>die Oberfläche von %1 hat %2 Löcher, das größte von %3 mm</translation>
+    </message>
+    <message>
+        <source>found %1, expected points or a line: left out</source>
+        <translation>%1 gefunden, erwartet Punkte oder eine Linie: ausgelassen</translation>
+    </message>
+    <message>
+        <source>found a line without two points: left out</source>
+        <translation>Linie ohne zwei Punkte gefunden: ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -5026,6 +5342,10 @@
         <source>These changes were already restored in another window.</source>
         <translation>Diese Änderungen wurden schon in einem anderen Fenster wiederhergestellt.</translation>
     </message>
+    <message>
+        <source>Unsaved copy of %1</source>
+        <translation>Nicht gespeicherte Kopie von %1</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::EngineeringPart</name>
@@ -5154,22 +5474,30 @@
     </message>
 </context>
 <context>
-    <name>palpate::app::Fingertip</name>
+    <name>palpate::app::FingertipPart</name>
     <message>
-        <source>Fingertip</source>
-        <translation>Fingerspitze</translation>
+        <source>Ball, radius %1 mm</source>
+        <translation>Kugel, Radius %1 mm</translation>
     </message>
     <message>
         <source>Point</source>
         <translation>Punkt</translation>
     </message>
     <message>
-        <source>Ball, radius %1 mm</source>
-        <translation>Kugel, Radius %1 mm</translation>
-    </message>
-    <message>
         <source>Contact shape: a point feels every facet; a ball slides over small pits like a finger</source>
         <translation>Kontaktform: Ein Punkt spürt jede Facette; eine Kugel gleitet wie ein Finger über kleine Gruben</translation>
+    </message>
+    <message>
+        <source>Fingertip</source>
+        <translation>Fingerspitze</translation>
+    </message>
+    <message>
+        <source>fingertip %1 mm ▾</source>
+        <translation>Fingerspitze %1 mm ▾</translation>
+    </message>
+    <message>
+        <source>fingertip: point ▾</source>
+        <translation>Fingerspitze: Punkt ▾</translation>
     </message>
 </context>
 <context>
@@ -5282,6 +5610,22 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Added structures lie in or around others. The existing layers were kept.</source>
         <translation>Hinzugefügte Strukturen liegen in oder um andere. Die vorhandenen Schichten wurden beibehalten.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be felt through %2 yet: %3</source>
+        <translation>%1 ist durch %2 noch nicht zu fühlen: %3</translation>
+    </message>
+    <message>
+        <source>Feel it as a layer below</source>
+        <translation>Als Schicht darunter fühlen</translation>
+    </message>
+    <message>
+        <source>Feel them as layers below</source>
+        <translation>Als Schichten darunter fühlen</translation>
+    </message>
+    <message>
+        <source>Close the holes</source>
+        <translation>Löcher schließen</translation>
     </message>
 </context>
 <context>
@@ -5407,6 +5751,30 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <source>The fingertip is a point, as in the recording (Session › Fingertip).</source>
         <translation>Die Fingerspitze ist wie in der Aufzeichnung ein Punkt (Sitzung › Fingerspitze).</translation>
     </message>
+    <message>
+        <source>Find the meshes…</source>
+        <translation>Netze suchen…</translation>
+    </message>
+    <message>
+        <source>Meshes of the recording</source>
+        <translation>Netze der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Record to another folder…</source>
+        <translation>In einen anderen Ordner aufnehmen…</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Palpate ended unexpectedly while recording %1. The first %2 s were saved.</source>
+        <translation>Palpate endete unerwartet während der Aufnahme %1. Die ersten %2 s sind gespeichert.</translation>
+    </message>
+    <message>
+        <source>Do not offer again</source>
+        <translation>Nicht mehr anbieten</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::ResultsPart</name>
@@ -5464,6 +5832,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Add %1 structures</source>
         <translation>%1 Strukturen hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 structures: %2 (%3 and others; the sign in the list of structures has the details)</source>
+        <translation>%1 Strukturen: %2 (%3 und andere; Einzelheiten am Zeichen in der Liste der Strukturen)</translation>
     </message>
 </context>
 <context>
@@ -5535,6 +5907,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Add to the scene</source>
         <translation>Zur Szene hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 has points of 3D Slicer, which become findings. Open the anatomy first, or both at once.</source>
+        <translation>%1 enthält Punkte von 3D Slicer, die zu Befunden werden. Öffnen Sie zuerst die Anatomie, oder beides zugleich.</translation>
     </message>
 </context>
 <context>
@@ -5739,6 +6115,18 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <source>Structures</source>
         <translation>Strukturen</translation>
     </message>
+    <message>
+        <source>Structures in colour-blind colours</source>
+        <translation>Strukturen in Farben für Farbenblinde</translation>
+    </message>
+    <message>
+        <source>Give lumps, arteries, portal vein, other veins, ducts and organs colours that colour-blind people can distinguish; also when meshes are opened</source>
+        <translation>Knoten, Arterien, Pfortader, übrige Venen, Gänge und Organe in Farben zeigen, die Farbenblinde unterscheiden können; auch beim Öffnen von Netzen</translation>
+    </message>
+    <message>
+        <source>Colour structures</source>
+        <translation>Strukturen einfärben</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::TissueOffer</name>
@@ -5768,6 +6156,14 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Restore tissue</source>
         <translation>Gewebe wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Choose the tissue of unknown names</source>
+        <translation>Gewebe unbekannter Namen wählen</translation>
+    </message>
+    <message>
+        <source>Choose for all…</source>
+        <translation>Für alle wählen…</translation>
     </message>
 </context>
 <context>
@@ -6023,6 +6419,14 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>No haptic device or 6-axis mouse is connected.</source>
         <translation>Weder ein haptisches Gerät noch eine 6-Achsen-Maus ist angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Supported: %1.</source>
+        <translation>Unterstützt: %1.</translation>
+    </message>
+    <message>
+        <source>Not supported yet: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
+        <translation>Noch nicht unterstützt: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. Ein Geräte-Plugin bindet einen solchen Arm an; die Seite „device-plugin“ der Dokumentation beschreibt, wie man eines schreibt.</translation>
     </message>
 </context>
 <context>
@@ -6613,6 +7017,34 @@ sonst „Beliebig“ wählen.</translation>
         <source>Write a note (N), Enter saves</source>
         <translation>Notiz schreiben (N), Enter sichert</translation>
     </message>
+    <message>
+        <source>Go there</source>
+        <translation>Dorthin</translation>
+    </message>
+    <message>
+        <source>Play from here</source>
+        <translation>Ab hier abspielen</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Enter the size</source>
+        <translation>Größe eingeben</translation>
+    </message>
+    <message>
+        <source>Write a note</source>
+        <translation>Notiz schreiben</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::ForceBar</name>
@@ -7134,6 +7566,14 @@ Hier klicken oder F4 drücken für alle Meldungen</translation>
         <source>The computation of palpability was cancelled.</source>
         <translation>Die Berechnung der Tastbarkeit wurde abgebrochen.</translation>
     </message>
+    <message>
+        <source>%1 lumps were left out.</source>
+        <translation>%1 Knoten wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 was left out: %2.</source>
+        <translation>%1 wurde ausgelassen: %2.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::MapDisplay</name>
@@ -7632,6 +8072,10 @@ Hier klicken oder F4 drücken für alle Meldungen</translation>
         <source>By layer</source>
         <translation>Nach Schicht</translation>
     </message>
+    <message>
+        <source>By anatomy</source>
+        <translation>Nach Anatomie</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureModel</name>
@@ -7744,14 +8188,6 @@ Depth order: %3</source>
 Tiefenlage: %3</translation>
     </message>
     <message>
-        <source>Mesh of %1:
-• %2
-See the list of messages (F4) for details.</source>
-        <translation>Netz von %1:
-• %2
-Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
-    </message>
-    <message>
         <source>%1 is palpable. Click to let the hand pass through.</source>
         <translation>%1 ist tastbar. Klicken, um die Hand hindurchzulassen.</translation>
     </message>
@@ -7774,6 +8210,38 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
     <message>
         <source>The surface is not smoothed: it is too small</source>
         <translation>Die Oberfläche ist nicht geglättet: sie ist zu klein</translation>
+    </message>
+    <message>
+        <source>Close the holes of %1</source>
+        <translation>Löcher von %1 schließen</translation>
+    </message>
+    <message>
+        <source>Close the holes of %1 surfaces</source>
+        <translation>Löcher von %1 Oberflächen schließen</translation>
+    </message>
+    <message>
+        <source>Reopen the holes of %1</source>
+        <translation>Löcher von %1 wieder öffnen</translation>
+    </message>
+    <message>
+        <source>Reopen the holes of %1 surfaces</source>
+        <translation>Löcher von %1 Oberflächen wieder öffnen</translation>
+    </message>
+    <message>
+        <source>A hole of %1 mm was closed</source>
+        <translation>Ein Loch von %1 mm wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>%1 holes of up to %2 mm were closed</source>
+        <translation>%1 Löcher bis %2 mm wurden geschlossen</translation>
+    </message>
+    <message>
+        <source>Mesh of %1:
+• %2
+Details: %3</source>
+        <translation>Netz von %1:
+• %2
+Einzelheiten: %3</translation>
     </message>
 </context>
 <context>
@@ -8007,10 +8475,6 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <translation>Tiefenlage</translation>
     </message>
     <message>
-        <source>See the list of messages (F4) for details</source>
-        <translation>Einzelheiten stehen in der Liste der Meldungen (F4)</translation>
-    </message>
-    <message>
         <source>own surface, outermost</source>
         <translation>eigene Oberfläche, außen</translation>
     </message>
@@ -8126,6 +8590,34 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
         <source>%1 triangles, %2 MiB for touch</source>
         <translation>%1 Dreiecke, %2 MiB zum Tasten</translation>
     </message>
+    <message>
+        <source>Smoothing factor</source>
+        <translation>Glättungsfaktor</translation>
+    </message>
+    <message>
+        <source>Smoothing factor, from 0 (nearly none) to 1. A larger factor removes steps of thick slices, and changes the shape more</source>
+        <translation>Glättungsfaktor von 0 (fast keine) bis 1. Ein größerer Faktor entfernt Stufen dicker Schichten und verändert die Form stärker</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Close the holes</source>
+        <translation>Löcher schließen</translation>
+    </message>
+    <message>
+        <source>Close the hole of %1 mm</source>
+        <translation>Das Loch von %1 mm schließen</translation>
+    </message>
+    <message>
+        <source>Close %1 holes of up to %2 mm</source>
+        <translation>%1 Löcher bis %2 mm schließen</translation>
+    </message>
+    <message>
+        <source>Reopen the holes</source>
+        <translation>Löcher wieder öffnen</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureTree</name>
@@ -8160,6 +8652,38 @@ Einzelheiten stehen in der Liste der Meldungen (F4).</translation>
     <message>
         <source>Make all of %1 palpable</source>
         <translation>Alle aus %1 tastbar machen</translation>
+    </message>
+    <message>
+        <source>Lumps</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Organe</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Brain and nerves</source>
+        <translation>Gehirn und Nerven</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Cartilage and tendons</source>
+        <translation>Knorpel und Sehnen</translation>
+    </message>
+    <message>
+        <source>Muscles</source>
+        <translation>Muskeln</translation>
+    </message>
+    <message>
+        <source>Skin and fat</source>
+        <translation>Haut und Fett</translation>
     </message>
 </context>
 <context>
@@ -8288,6 +8812,18 @@ Gesamtkraft gemessen, und Tiefe der Hand in jeder Schicht [mm]</translation>
     <message>
         <source>very fine mesh here: force delayed</source>
         <translation>hier sehr feines Netz: Kraft verzögert</translation>
+    </message>
+    <message>
+        <source>Source of the values: the live hand or the recording</source>
+        <translation>Herkunft der Werte: die lebende Hand oder die Aufnahme</translation>
+    </message>
+    <message>
+        <source>Recording, %1 s</source>
+        <translation>Aufnahme, %1 s</translation>
+    </message>
+    <message>
+        <source>Live hand</source>
+        <translation>Lebende Hand</translation>
     </message>
 </context>
 <context>

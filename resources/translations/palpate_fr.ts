@@ -181,10 +181,6 @@
 <context>
     <name>LumpLayout</name>
     <message>
-        <source>%1 seems to be inside %2 but cannot be felt there yet, because the surface of %2 is open or inside out</source>
-        <translation>%1 semble être dans %2, mais n’y est pas encore palpable, car la surface de %2 est ouverte ou retournée</translation>
-    </message>
-    <message>
         <source>%1: inside %2, %3 × as stiff (%4), felt through %2</source>
         <translation>%1&#x202f;: dans %2, %3 × plus raide (%4), palpable à travers %2</translation>
     </message>
@@ -821,10 +817,6 @@
     <message>
         <source>%1: skipped, %2 has the same id and comes first</source>
         <translation>%1&#x202f;: ignoré, %2 a le même identifiant et vient d’abord</translation>
-    </message>
-    <message>
-        <source>found no device plugin called &quot;%1&quot;, expected one of: %2 (&quot;palpate devices&quot; also lists the built-in devices)</source>
-        <translation>aucun greffon d’appareil nommé «&#x202f;%1&#x202f;» trouvé, attendu l’un de&#x202f;: %2 («&#x202f;palpate devices&#x202f;» liste aussi les appareils intégrés)</translation>
     </message>
     <message>
         <source>%1: its root object is not a device plugin</source>
@@ -1579,10 +1571,6 @@
         <translation>fini à %1&#xa0;s sans être fermé (un arrêt brutal ou un disque plein)&#x202f;; ce qui a été senti ensuite n’y est pas</translation>
     </message>
     <message>
-        <source>structure &quot;%1&quot;: a map of its tissue is not there, or damaged</source>
-        <translation>structure «&#x202f;%1&#x202f;»&#x202f;: une carte de son tissu manque ou est endommagée</translation>
-    </message>
-    <message>
         <source>tick %1 after tick %2: ticks must ascend</source>
         <translation>instant %1 après l’instant %2&#x202f;: les instants doivent être croissants</translation>
     </message>
@@ -1677,10 +1665,6 @@
     <message>
         <source>none</source>
         <translation>aucun</translation>
-    </message>
-    <message>
-        <source>a map of its tissue is not in the recording, or damaged</source>
-        <translation>une carte de son tissu manque dans l’enregistrement ou est endommagée</translation>
     </message>
     <message>
         <source>a map of its tissue has %1 triangles, expected %2</source>
@@ -2911,18 +2895,6 @@
         <translation>le fichier du même nom sans «&#x202f;._&#x202f;»</translation>
     </message>
     <message>
-        <source>a FreeSurfer surface</source>
-        <translation>une surface FreeSurfer</translation>
-    </message>
-    <message>
-        <source>a file compressed by gzip</source>
-        <translation>un fichier compressé par gzip</translation>
-    </message>
-    <message>
-        <source>the mesh itself: unpack it first (gunzip)</source>
-        <translation>le maillage lui-même&#x202f;: le décompresser d’abord (gunzip)</translation>
-    </message>
-    <message>
         <source>a glTF file</source>
         <translation>un fichier glTF</translation>
     </message>
@@ -2959,16 +2931,8 @@
         <translation>un maillage qui en est tiré (FreeCAD&#x202f;: exporter en STL)</translation>
     </message>
     <message>
-        <source>a GIFTI surface</source>
-        <translation>une surface GIFTI</translation>
-    </message>
-    <message>
         <source>a 3D Slicer scene (MRML)</source>
         <translation>une scène de 3D Slicer (MRML)</translation>
-    </message>
-    <message>
-        <source>the files of its models, which are beside the scene: open them or their folder</source>
-        <translation>les fichiers de ses modèles, à côté de la scène&#x202f;: ouvrir ceux-ci ou leur dossier</translation>
     </message>
     <message>
         <source>an AMF file</source>
@@ -2981,14 +2945,6 @@
     <message>
         <source>an X3D file</source>
         <translation>un fichier X3D</translation>
-    </message>
-    <message>
-        <source>an OFF file</source>
-        <translation>un fichier OFF</translation>
-    </message>
-    <message>
-        <source>a surface in MNI&apos;s object format</source>
-        <translation>une surface au format objet du MNI</translation>
     </message>
     <message>
         <source>a JSON document</source>
@@ -4727,10 +4683,6 @@
         <translation>aucune version trouvée, attendue&#x202f;: 1.0&#x202f;; lue dans la mesure où elle est identique</translation>
     </message>
     <message>
-        <source>found %1, expected a list of points: left out</source>
-        <translation>trouvé&#x202f;: %1, attendu&#x202f;: une liste de points&#x202f;; laissé de côté</translation>
-    </message>
-    <message>
         <source>found %1, expected LPS or RAS: the list is left out</source>
         <translation>trouvé&#x202f;: %1, attendu&#x202f;: LPS ou RAS&#x202f;; la liste est laissée de côté</translation>
     </message>
@@ -4820,7 +4772,371 @@
     </message>
     <message>
         <source>%1 includes what it encloses, %2 voxels of other labels</source>
-        <translation>%1 contient ce qu’il entoure : %2 voxels d’autres étiquettes</translation>
+        <translation>%1 contient ce qu’il entoure&#x202f;: %2 voxels d’autres étiquettes</translation>
+    </message>
+    <message>
+        <source>%1: left out, %2; --close-holes closes holes</source>
+        <translation>%1 : omis, %2 ; --close-holes ferme les trous</translation>
+    </message>
+    <message>
+        <source>found no device plugin called &quot;%1&quot;, expected one of: %2 (the built-in devices %3 are not plugins)</source>
+        <translation>aucun greffon d’appareil nommé « %1 » trouvé, attendu l’un de : %2 (les appareils intégrés %3 ne sont pas des greffons)</translation>
+    </message>
+    <message>
+        <source>found %1 vertices and a lattice of %2 mm, expected more than 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1: found %2 vertices, expected %3 as at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1, vertex %2: found a number that is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1, vertex %2: found %3 mm between the shape and the lattice of %4 mm, expected at most %5 mm: use a finer lattice, or one structure for each part that slides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: found %2, expected %3 to %4</source>
+        <translation type="unfinished">%1&#x202f;: trouvé&#x202f;: %2, attendu&#x202f;: de %3 à %4 {1:?} {2,?} {3 ?}</translation>
+    </message>
+    <message>
+        <source>found %1 poses, expected at least two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exponent: found %1, expected an even number from 2 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>amplitude_mm, still or full: found a number that is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1: found %2 control points, expected %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1: found a number that is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1: found the time %2 s after %3 s, expected ascending times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last pose: found another than the first, expected the same for a motion that repeats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1 frames, expected at least two</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>amplitude_mm: found more than %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lattice: expected at least one cell of a positive size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lattice: found %1 control points in %2 frames, expected at most %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lattice: found %1 displacements, expected %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1, control point %2: found the displacement %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1, cell (%2, %3, %4): found a strain of up to %5 %, where the tissue may fold; expected at most %6 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1, cell (%2, %3, %4): found a strain of up to %5 %, expected at most %6 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1 bytes that are no motion of this version, expected one that Palpate wrote</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1 layers with different motions, expected at most %2: let structures of a layer move alike</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the gzip file is cut off</source>
+        <translation>le fichier gzip est tronqué</translation>
+    </message>
+    <message>
+        <source>the whole file</source>
+        <translation>le fichier entier</translation>
+    </message>
+    <message>
+        <source>at most %1 times the size of the file: unpack it first (gunzip)</source>
+        <translation>au plus %1 fois la taille du fichier : décompressez-le d’abord (gunzip)</translation>
+    </message>
+    <message>
+        <source>more than %1 bytes when unpacked</source>
+        <translation>plus de %1 octets une fois décompressé</translation>
+    </message>
+    <message>
+        <source>the gzip data are cut off or damaged</source>
+        <translation>les données gzip sont tronquées ou endommagées</translation>
+    </message>
+    <message>
+        <source>%1 bytes, as its end states: unpack it with gunzip, which names the damage</source>
+        <translation>%1 octets, comme l’indique sa fin : décompressez-le avec gunzip, qui nomme le dommage</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer surface of quadrangles, or its values</source>
+        <translation>une surface FreeSurfer de quadrilatères, ou ses valeurs</translation>
+    </message>
+    <message>
+        <source>the files of its models, or the scene with a name that ends in .mrml</source>
+        <translation>les fichiers de ses modèles, ou la scène avec un nom qui finit par .mrml</translation>
+    </message>
+    <message>
+        <source>an opacity is out of range</source>
+        <translation>une opacité est hors limites</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not opened: %3</source>
+        <translation>%1 : %2 n’est pas ouvert : %3</translation>
+    </message>
+    <message>
+        <source>the scene names no file of it</source>
+        <translation>la scène n’en nomme aucun fichier</translation>
+    </message>
+    <message>
+        <source>the file %1 is not in the folder of the scene</source>
+        <translation>le fichier %1 n’est pas dans le dossier de la scène</translation>
+    </message>
+    <message>
+        <source>its transform is not a rotation, shift and scale: harden it in 3D Slicer</source>
+        <translation>sa transformation n’est pas une rotation, une translation et une mise à l’échelle : appliquez-la dans 3D Slicer (Harden)</translation>
+    </message>
+    <message>
+        <source>a scene without models and segmentations</source>
+        <translation>une scène sans modèles ni segmentations</translation>
+    </message>
+    <message>
+        <source>at least one (3D Slicer: File, Save Data)</source>
+        <translation>au moins un (3D Slicer : File, Save Data)</translation>
+    </message>
+    <message>
+        <source>1 hole of %1 mm closed, %2 mm² of new surface</source>
+        <translation>1 trou de %1 mm fermé, %2 mm² de surface nouvelle</translation>
+    </message>
+    <message>
+        <source>%1 holes of up to %2 mm closed, %3 mm² of new surface</source>
+        <translation>%1 trous jusqu’à %2 mm fermés, %3 mm² de surface nouvelle</translation>
+    </message>
+    <message>
+        <source>the FreeSurfer surface ends in its header</source>
+        <translation>la surface FreeSurfer finit dans son en-tête</translation>
+    </message>
+    <message>
+        <source>a text with an empty line after it, and the numbers of vertices and triangles</source>
+        <translation>un texte suivi d’une ligne vide, et les nombres de sommets et de triangles</translation>
+    </message>
+    <message>
+        <source>%1 vertices and %2 triangles declared, %3 bytes behind them</source>
+        <translation>%1 sommets et %2 triangles déclarés, suivis de %3 octets</translation>
+    </message>
+    <message>
+        <source>moved by the centre of its volume, (%1, %2, %3) mm, to the coordinates of the scanner</source>
+        <translation>déplacé du centre de son volume, (%1, %2, %3) mm, vers les coordonnées du scanner</translation>
+    </message>
+    <message>
+        <source>%1, as declared</source>
+        <translation>%1, comme déclaré</translation>
+    </message>
+    <message>
+        <source>the data are not base64</source>
+        <translation>les données ne sont pas en base64</translation>
+    </message>
+    <message>
+        <source>base64, as declared</source>
+        <translation>base64, comme déclaré</translation>
+    </message>
+    <message>
+        <source>the data are cut off, damaged or too long</source>
+        <translation>les données sont tronquées, endommagées ou trop longues</translation>
+    </message>
+    <message>
+        <source>%1 bytes, as declared</source>
+        <translation>%1 octets, comme déclaré</translation>
+    </message>
+    <message>
+        <source>an array of %1 × %2 numbers</source>
+        <translation>un tableau de %1 × %2 nombres</translation>
+    </message>
+    <message>
+        <source>three numbers for each point or triangle, as many as its %1 bytes can hold</source>
+        <translation>trois nombres par point ou triangle, autant que ses %1 octets peuvent contenir</translation>
+    </message>
+    <message>
+        <source>numbers of the type %1 in the encoding %2</source>
+        <translation>des nombres de type %1 dans l’encodage %2</translation>
+    </message>
+    <message>
+        <source>%1 in ASCII, Base64Binary or GZipBase64Binary (wb_command -gifti-convert)</source>
+        <translation>%1 en ASCII, Base64Binary ou GZipBase64Binary (wb_command -gifti-convert)</translation>
+    </message>
+    <message>
+        <source>an array without data</source>
+        <translation>un tableau sans données</translation>
+    </message>
+    <message>
+        <source>a coordinate transform without 16 finite numbers</source>
+        <translation>une transformation de coordonnées sans 16 nombres finis</translation>
+    </message>
+    <message>
+        <source>4 × 4 numbers</source>
+        <translation>4 × 4 nombres</translation>
+    </message>
+    <message>
+        <source>a second array of %1</source>
+        <translation>un deuxième tableau %1</translation>
+    </message>
+    <message>
+        <source>one surface in a file</source>
+        <translation>une surface par fichier</translation>
+    </message>
+    <message>
+        <source>moved to the coordinates of the scanner, as the file states</source>
+        <translation>déplacé vers les coordonnées du scanner, comme l’indique le fichier</translation>
+    </message>
+    <message>
+        <source>a GIFTI file of values, without a surface</source>
+        <translation>un fichier GIFTI de valeurs, sans surface</translation>
+    </message>
+    <message>
+        <source>arrays of points and triangles: open the surface file (.surf.gii)</source>
+        <translation>des tableaux de points et de triangles : ouvrez le fichier de la surface (.surf.gii)</translation>
+    </message>
+    <message>
+        <source>the file ends</source>
+        <translation>le fichier se termine</translation>
+    </message>
+    <message>
+        <source>the declared points and polygons</source>
+        <translation>les points et polygones déclarés</translation>
+    </message>
+    <message>
+        <source>the MNI object has %1 in place of a count</source>
+        <translation>l’objet MNI a %1 à la place d’un nombre</translation>
+    </message>
+    <message>
+        <source>a whole number up to %1, as many as its bytes can hold</source>
+        <translation>un nombre entier jusqu’à %1, autant que ses octets peuvent contenir</translation>
+    </message>
+    <message>
+        <source>the kind of colours %1</source>
+        <translation>le type de couleurs %1</translation>
+    </message>
+    <message>
+        <source>an end of a polygon below the one before: %1</source>
+        <translation>une fin de polygone inférieure à la précédente : %1</translation>
+    </message>
+    <message>
+        <source>%1 behind the last polygon</source>
+        <translation>%1 après le dernier polygone</translation>
+    </message>
+    <message>
+        <source>one object of polygons</source>
+        <translation>un seul objet de polygones</translation>
+    </message>
+    <message>
+        <source>the declared vertices and faces</source>
+        <translation>les sommets et faces déclarés</translation>
+    </message>
+    <message>
+        <source>%1: four dimensions, or binary</source>
+        <translation>%1 : quatre dimensions, ou binaire</translation>
+    </message>
+    <message>
+        <source>OFF as text with three coordinates for each vertex (MeshLab converts it)</source>
+        <translation>OFF en texte avec trois coordonnées par sommet (MeshLab le convertit)</translation>
+    </message>
+    <message>
+        <source>%1 is not a count</source>
+        <translation>%1 n’est pas un nombre d’éléments</translation>
+    </message>
+    <message>
+        <source>the numbers of vertices, faces and edges</source>
+        <translation>les nombres de sommets, de faces et d’arêtes</translation>
+    </message>
+    <message>
+        <source>the OFF file declares %1 vertices and %2 faces</source>
+        <translation>le fichier OFF déclare %1 sommets et %2 faces</translation>
+    </message>
+    <message>
+        <source>three numbers for each vertex</source>
+        <translation>trois nombres par sommet</translation>
+    </message>
+    <message>
+        <source>the number of corners of a face</source>
+        <translation>le nombre de coins d’une face</translation>
+    </message>
+    <message>
+        <source>the face has fewer corners than it declares</source>
+        <translation>la face a moins de coins que déclaré</translation>
+    </message>
+    <message>
+        <source>%1 vertex indices</source>
+        <translation>%1 indices de sommets</translation>
+    </message>
+    <message>
+        <source>%1 behind the last face</source>
+        <translation>%1 après la dernière face</translation>
+    </message>
+    <message>
+        <source>%1 vertices and %2 faces, as declared</source>
+        <translation>%1 sommets et %2 faces, comme déclaré</translation>
+    </message>
+    <message>
+        <source>colours, normals and further numbers of vertices and faces are not read</source>
+        <translation>les couleurs, normales et autres nombres des sommets et des faces ne sont pas lus</translation>
+    </message>
+    <message>
+        <source>structure &quot;%1&quot;: a map of its tissue or its motion is not there, or damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a map of its tissue or its motion is not in the recording, or damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface of %1 is inside out</source>
+        <translation>la surface de %1 est retournée</translation>
+    </message>
+    <message>
+        <source>more than two triangles of %1 meet at an edge</source>
+        <translation>plus de deux triangles de %1 se rejoignent à une arête</translation>
+    </message>
+    <message>
+        <source>the surface of %1 has a hole of %2 mm</source>
+        <translation>la surface de %1 a un trou de %2 mm</translation>
+    </message>
+    <message>
+        <source>the surface of %1 has %2 holes, the largest of %3 mm</source>
+        <translation>la surface de %1 a %2 trous, le plus grand de %3 mm</translation>
+    </message>
+    <message>
+        <source>found %1, expected points or a line: left out</source>
+        <translation>trouvé %1, attendu des points ou une ligne : ignoré</translation>
+    </message>
+    <message>
+        <source>found a line without two points: left out</source>
+        <translation>trouvé une ligne sans deux points : ignorée</translation>
     </message>
 </context>
 <context>
@@ -5026,6 +5342,10 @@
         <source>These changes were already restored in another window.</source>
         <translation>Ces changements ont déjà été récupérés dans une autre fenêtre.</translation>
     </message>
+    <message>
+        <source>Unsaved copy of %1</source>
+        <translation>Copie non enregistrée de %1</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::EngineeringPart</name>
@@ -5154,22 +5474,30 @@
     </message>
 </context>
 <context>
-    <name>palpate::app::Fingertip</name>
+    <name>palpate::app::FingertipPart</name>
+    <message>
+        <source>Ball, radius %1 mm</source>
+        <translation>Boule, rayon %1 mm</translation>
+    </message>
     <message>
         <source>Point</source>
         <translation>Point</translation>
+    </message>
+    <message>
+        <source>Contact shape: a point feels every facet; a ball slides over small pits like a finger</source>
+        <translation>Forme du contact : un point sent chaque facette ; une boule glisse sur les petits creux comme un doigt</translation>
     </message>
     <message>
         <source>Fingertip</source>
         <translation>Bout du doigt</translation>
     </message>
     <message>
-        <source>Ball, radius %1 mm</source>
-        <translation>Boule, rayon %1 mm</translation>
+        <source>fingertip %1 mm ▾</source>
+        <translation>bout du doigt %1 mm ▾</translation>
     </message>
     <message>
-        <source>Contact shape: a point feels every facet; a ball slides over small pits like a finger</source>
-        <translation>Forme du contact&#x202f;: un point sent chaque facette&#x202f;; une boule glisse sur les petits creux comme un doigt</translation>
+        <source>fingertip: point ▾</source>
+        <translation>bout du doigt : point ▾</translation>
     </message>
 </context>
 <context>
@@ -5282,6 +5610,22 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Added structures lie in or around others. The existing layers were kept.</source>
         <translation>Des structures ajoutées sont dans ou autour d’autres. Les couches existantes ont été gardées.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be felt through %2 yet: %3</source>
+        <translation>%1 n’est pas encore perceptible à travers %2 : %3</translation>
+    </message>
+    <message>
+        <source>Feel it as a layer below</source>
+        <translation>La sentir comme une couche au-dessous</translation>
+    </message>
+    <message>
+        <source>Feel them as layers below</source>
+        <translation>Les sentir comme des couches au-dessous</translation>
+    </message>
+    <message>
+        <source>Close the holes</source>
+        <translation>Fermer les trous</translation>
     </message>
 </context>
 <context>
@@ -5407,6 +5751,30 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <source>The fingertip is a point, as in the recording (Session › Fingertip).</source>
         <translation>Le bout du doigt est, comme à l’enregistrement, un point (Séance › Bout du doigt).</translation>
     </message>
+    <message>
+        <source>Find the meshes…</source>
+        <translation>Chercher les maillages…</translation>
+    </message>
+    <message>
+        <source>Meshes of the recording</source>
+        <translation>Maillages de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Record to another folder…</source>
+        <translation>Enregistrer dans un autre dossier…</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Dossier des enregistrements</translation>
+    </message>
+    <message>
+        <source>Palpate ended unexpectedly while recording %1. The first %2 s were saved.</source>
+        <translation>Palpate s’est arrêté de façon inattendue pendant l’enregistrement %1. Les premières %2 s sont enregistrées.</translation>
+    </message>
+    <message>
+        <source>Do not offer again</source>
+        <translation>Ne plus proposer</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::ResultsPart</name>
@@ -5464,6 +5832,10 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Add %1 structures</source>
         <translation>Ajouter %1 structures</translation>
+    </message>
+    <message>
+        <source>%1 structures: %2 (%3 and others; the sign in the list of structures has the details)</source>
+        <translation>%1 structures : %2 (%3 et d’autres ; détails sur le signe dans la liste des structures)</translation>
     </message>
 </context>
 <context>
@@ -5535,6 +5907,10 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Add to the scene</source>
         <translation>Ajouter à la scène</translation>
+    </message>
+    <message>
+        <source>%1 has points of 3D Slicer, which become findings. Open the anatomy first, or both at once.</source>
+        <translation>%1 contient des points de 3D Slicer, qui deviennent des observations. Ouvrez d’abord l’anatomie, ou les deux à la fois.</translation>
     </message>
 </context>
 <context>
@@ -5739,6 +6115,18 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <source>Structures</source>
         <translation>Structures</translation>
     </message>
+    <message>
+        <source>Structures in colour-blind colours</source>
+        <translation>Structures en couleurs pour daltoniens</translation>
+    </message>
+    <message>
+        <source>Give lumps, arteries, portal vein, other veins, ducts and organs colours that colour-blind people can distinguish; also when meshes are opened</source>
+        <translation>Donner aux nodules, aux artères, à la veine porte, aux autres veines, aux conduits et aux organes des couleurs que les daltoniens distinguent ; aussi à l’ouverture de maillages</translation>
+    </message>
+    <message>
+        <source>Colour structures</source>
+        <translation>Colorer les structures</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::TissueOffer</name>
@@ -5768,6 +6156,14 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Restore tissue</source>
         <translation>Rétablir les tissus</translation>
+    </message>
+    <message>
+        <source>Choose the tissue of unknown names</source>
+        <translation>Choisir le tissu des noms inconnus</translation>
+    </message>
+    <message>
+        <source>Choose for all…</source>
+        <translation>Choisir pour toutes…</translation>
     </message>
 </context>
 <context>
@@ -6023,6 +6419,14 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>No haptic device or 6-axis mouse is connected.</source>
         <translation>Aucun appareil haptique ni souris à 6 axes n’est branché.</translation>
+    </message>
+    <message>
+        <source>Supported: %1.</source>
+        <translation>Pris en charge : %1.</translation>
+    </message>
+    <message>
+        <source>Not supported yet: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
+        <translation>Pas encore pris en charge : 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. Un greffon de périphérique relie un tel bras ; la page « device-plugin » de la documentation décrit comment en écrire un.</translation>
     </message>
 </context>
 <context>
@@ -6613,6 +7017,34 @@ sinon choisir «&#x202f;Libre&#x202f;».</translation>
         <source>Write a note (N), Enter saves</source>
         <translation>Écrire une note (N), Entrée enregistre</translation>
     </message>
+    <message>
+        <source>Go there</source>
+        <translation>Y aller</translation>
+    </message>
+    <message>
+        <source>Play from here</source>
+        <translation>Lire à partir d’ici</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Enter the size</source>
+        <translation>Saisir la taille</translation>
+    </message>
+    <message>
+        <source>Write a note</source>
+        <translation>Écrire une note</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::ForceBar</name>
@@ -7134,6 +7566,14 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
         <source>The computation of palpability was cancelled.</source>
         <translation>Le calcul de la palpabilité a été annulé.</translation>
     </message>
+    <message>
+        <source>%1 lumps were left out.</source>
+        <translation>%1 nodules ont été omis.</translation>
+    </message>
+    <message>
+        <source>%1 was left out: %2.</source>
+        <translation>%1 a été omis : %2.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::MapDisplay</name>
@@ -7632,6 +8072,10 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
         <source>By layer</source>
         <translation>Par couche</translation>
     </message>
+    <message>
+        <source>By anatomy</source>
+        <translation>Par anatomie</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureModel</name>
@@ -7744,14 +8188,6 @@ Depth order: %3</source>
 Ordre en profondeur&#x202f;: %3</translation>
     </message>
     <message>
-        <source>Mesh of %1:
-• %2
-See the list of messages (F4) for details.</source>
-        <translation>Maillage de %1&#x202f;:
-• %2
-Voir les détails dans la liste des messages (F4).</translation>
-    </message>
-    <message>
         <source>%1 is palpable. Click to let the hand pass through.</source>
         <translation>%1 est palpable. Cliquer pour que la main passe à travers.</translation>
     </message>
@@ -7774,6 +8210,38 @@ Voir les détails dans la liste des messages (F4).</translation>
     <message>
         <source>The surface is not smoothed: it is too small</source>
         <translation>La surface n’est pas lissée&#x202f;: elle est trop petite</translation>
+    </message>
+    <message>
+        <source>Close the holes of %1</source>
+        <translation>Fermer les trous de %1</translation>
+    </message>
+    <message>
+        <source>Close the holes of %1 surfaces</source>
+        <translation>Fermer les trous de %1 surfaces</translation>
+    </message>
+    <message>
+        <source>Reopen the holes of %1</source>
+        <translation>Rouvrir les trous de %1</translation>
+    </message>
+    <message>
+        <source>Reopen the holes of %1 surfaces</source>
+        <translation>Rouvrir les trous de %1 surfaces</translation>
+    </message>
+    <message>
+        <source>A hole of %1 mm was closed</source>
+        <translation>Un trou de %1 mm a été fermé</translation>
+    </message>
+    <message>
+        <source>%1 holes of up to %2 mm were closed</source>
+        <translation>%1 trous jusqu’à %2 mm ont été fermés</translation>
+    </message>
+    <message>
+        <source>Mesh of %1:
+• %2
+Details: %3</source>
+        <translation>Maillage de %1 :
+• %2
+Détails : %3</translation>
     </message>
 </context>
 <context>
@@ -8007,10 +8475,6 @@ Voir les détails dans la liste des messages (F4).</translation>
         <translation>Profondeur</translation>
     </message>
     <message>
-        <source>See the list of messages (F4) for details</source>
-        <translation>Voir les détails dans la liste des messages (F4)</translation>
-    </message>
-    <message>
         <source>own surface, outermost</source>
         <translation>propre surface, en premier</translation>
     </message>
@@ -8126,6 +8590,34 @@ Voir les détails dans la liste des messages (F4).</translation>
         <source>%1 triangles, %2 MiB for touch</source>
         <translation>%1 triangles, %2 Mio pour le toucher</translation>
     </message>
+    <message>
+        <source>Smoothing factor</source>
+        <translation>Facteur de lissage</translation>
+    </message>
+    <message>
+        <source>Smoothing factor, from 0 (nearly none) to 1. A larger factor removes steps of thick slices, and changes the shape more</source>
+        <translation>Facteur de lissage, de 0 (presque aucun) à 1. Un facteur plus grand efface les marches des coupes épaisses et modifie davantage la forme</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>Close the holes</source>
+        <translation>Fermer les trous</translation>
+    </message>
+    <message>
+        <source>Close the hole of %1 mm</source>
+        <translation>Fermer le trou de %1 mm</translation>
+    </message>
+    <message>
+        <source>Close %1 holes of up to %2 mm</source>
+        <translation>Fermer %1 trous jusqu’à %2 mm</translation>
+    </message>
+    <message>
+        <source>Reopen the holes</source>
+        <translation>Rouvrir les trous</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureTree</name>
@@ -8160,6 +8652,38 @@ Voir les détails dans la liste des messages (F4).</translation>
     <message>
         <source>Make all of %1 palpable</source>
         <translation>Tout rendre palpable&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Lumps</source>
+        <translation>Masses</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Organes</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Vaisseaux</translation>
+    </message>
+    <message>
+        <source>Brain and nerves</source>
+        <translation>Cerveau et nerfs</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>Os</translation>
+    </message>
+    <message>
+        <source>Cartilage and tendons</source>
+        <translation>Cartilages et tendons</translation>
+    </message>
+    <message>
+        <source>Muscles</source>
+        <translation>Muscles</translation>
+    </message>
+    <message>
+        <source>Skin and fat</source>
+        <translation>Peau et graisse</translation>
     </message>
 </context>
 <context>
@@ -8288,6 +8812,18 @@ de celle-ci, et profondeur de la main dans chaque couche [mm]</translation>
     <message>
         <source>very fine mesh here: force delayed</source>
         <translation>maillage très fin ici&#x202f;: force retardée</translation>
+    </message>
+    <message>
+        <source>Source of the values: the live hand or the recording</source>
+        <translation>Origine des valeurs : la main en direct ou l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Recording, %1 s</source>
+        <translation>Enregistrement, %1 s</translation>
+    </message>
+    <message>
+        <source>Live hand</source>
+        <translation>Main en direct</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,8 @@
 #include <QMenu>
 #include <QStringList>
 
+#include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,19 +44,44 @@ std::vector<int> unmatchedRows(const StructureModel& model, int first)
     return rows;
 }
 
+/// Number of structures of which names have set each property.
+struct ByName
+{
+    std::size_t tissue = 0, passedThrough = 0, opacity = 0;
+    std::string one; ///< name of a structure whose tissue was set
+
+    ByName(const StructureModel& model, const std::vector<StructureModel::Edited>& edits)
+    {
+        for (const StructureModel::Edited& edit : edits) {
+            const meshio::SceneStructure& before = model.structure(edit.row);
+            if (edit.description.tissue != before.tissue) {
+                one = before.name;
+                ++tissue;
+            }
+            passedThrough += before.palpable && !edit.description.palpable ? 1 : 0;
+            opacity += edit.description.opacity != before.opacity ? 1 : 0;
+        }
+    }
+};
+
 /// Message with the number of structures with and without a preset.
-QString tissueLine(const std::vector<StructureModel::Edited>& changed, std::size_t unmatched)
+QString tissueLine(const ByName& named, std::size_t unmatched)
 {
     QStringList lines;
-    if (changed.size() == 1) {
-        lines << TissueTexts::tr("The tissue of %1 was chosen by its name.")
-                     .arg(ui::readableName(changed.front().description.name));
-    } else if (!changed.empty()) {
-        lines << TissueTexts::tr("The tissue of %1 structures was chosen by their names.").arg(changed.size());
+    if (named.tissue == 1) {
+        lines << TissueTexts::tr("The tissue of %1 was chosen by its name.").arg(ui::readableName(named.one));
+    } else if (named.tissue > 1) {
+        lines << TissueTexts::tr("The tissue of %1 structures was chosen by their names.").arg(named.tissue);
+    }
+    if (named.passedThrough > 0) {
+        lines << TissueTexts::tr("Vessels, nerves and ducts that are not felt: %1.").arg(named.passedThrough);
     }
     if (unmatched > 0) {
         lines << TissueTexts::tr("No preset matches the name of %n: “Firm organ”, 0.5 N/mm.", nullptr,
                                  static_cast<int>(unmatched));
+    }
+    if (lines.isEmpty() && named.opacity > 0) {
+        lines << TissueTexts::tr("Opacities chosen by name: %1.").arg(named.opacity);
     }
     return lines.join(QLatin1Char(' '));
 }
@@ -84,6 +111,7 @@ void chooseForAll(StructureModel& model, ui::MessageBar& bar, int first)
 void applyTissueByName(StructureModel& model, ui::MessageBar& bar, const study::Layering& layering, int first)
 {
     std::vector<StructureModel::Edited> edits = ui::tissueByName(model, layering, first);
+    const ByName named(model, edits);
     std::vector<StructureModel::Edited> before;
     for (const StructureModel::Edited& one : edits) {
         before.push_back({one.row, model.structure(one.row)});
@@ -92,7 +120,7 @@ void applyTissueByName(StructureModel& model, ui::MessageBar& bar, const study::
         model.editAll(std::move(edits), TissueTexts::tr("Tissue by name"));
     }
     const std::size_t unmatched = unmatchedRows(model, first).size();
-    const QString line = tissueLine(before, unmatched), all = TissueTexts::tr("Choose for all…");
+    const QString line = tissueLine(named, unmatched), all = TissueTexts::tr("Choose for all…");
     const auto choose = [&model, &bar, first] { chooseForAll(model, bar, first); };
     if (before.empty()) {
         if (unmatched > 1) { // the panel shows the tissue of a single structure
