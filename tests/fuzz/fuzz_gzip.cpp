@@ -18,7 +18,9 @@ std::vector<std::string> seeds()
 void tryInput(std::string_view bytes)
 {
     tryMesh(bytes, meshio::internal::kOff, "a.off.gz");
-    tryMesh(test::gzipped(std::string(bytes)), meshio::internal::kOff, "a.stl.gz");
+    if (!bytes.empty()) { // which qCompress does not pack
+        tryMesh(test::gzipped(std::string(bytes)), meshio::internal::kOff, "a.stl.gz");
+    }
 }
 
 } // namespace gzip

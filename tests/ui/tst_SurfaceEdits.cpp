@@ -31,12 +31,12 @@ class SurfaceEdits : public QObject
 
     const study::OpenStructure& row() const { return m_model.rows().front(); }
 
-    void openFile(const std::filesystem::path& file)
+    void openFile(const std::filesystem::path& file, const meshio::ReadOptions& options = {})
     {
         std::shared_ptr<ui::OpenedScene> scene;
         const auto opened =
             connect(&m_loader, &ui::SceneLoader::opened, this, [&](const auto& found) { scene = found; });
-        m_loader.open({file});
+        m_loader.open({file}, options);
         PALPATE_TRY_VERIFY(scene != nullptr);
         disconnect(opened);
         m_model.setRows(std::move(scene->rows));
@@ -145,6 +145,12 @@ class SurfaceEdits : public QObject
         PALPATE_TRY_COMPARE(replaced.count(), 4);
         QVERIFY(!factor->isVisibleTo(&panel));
         QVERIFY(!row().loaded.smoothing.has_value());
+        meshio::ReadOptions options; // chosen before opening
+        options.smoothing = 0.25;
+        openFile(map, options);
+        panel.select(0);
+        QCOMPARE(factor->value(), 0.25);
+        QCOMPARE(row().loaded.smoothing->strength, 0.25);
     }
 
     void turnsAroundAndUndoes()

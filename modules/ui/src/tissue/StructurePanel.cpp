@@ -407,7 +407,8 @@ QWidget* StructurePanel::makeTissueBox()
     addLayer(*form, layerRow, box);
     addSurface(*form, layerRow, box);
     m_form = form;
-
+    form->setRowVisible(m_smoothing, false); // until a smoothed structure is selected
+    form->setRowVisible(m_surfaceCost, false);
     return box;
 }
 
