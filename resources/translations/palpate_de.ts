@@ -4784,19 +4784,19 @@
     </message>
     <message>
         <source>found %1 vertices and a lattice of %2 mm, expected more than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Eckpunkte und ein Gitter von %2 mm gefunden, erwartet wird mehr als 0</translation>
     </message>
     <message>
         <source>frame %1: found %2 vertices, expected %3 as at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1: %2 Eckpunkte gefunden, erwartet werden %3 wie in Ruhe</translation>
     </message>
     <message>
         <source>frame %1, vertex %2: found a number that is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1, Eckpunkt %2: eine Zahl ist nicht endlich</translation>
     </message>
     <message>
         <source>frame %1, vertex %2: found %3 mm between the shape and the lattice of %4 mm, expected at most %5 mm: use a finer lattice, or one structure for each part that slides</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1, Eckpunkt %2: %3 mm zwischen Form und Gitter von %4 mm gefunden, erwartet werden höchstens %5 mm: ein feineres Gitter oder für jeden gleitenden Teil eine eigene Struktur verwenden</translation>
     </message>
     <message>
         <source>%1: found %2, expected %3 to %4</source>
@@ -4804,71 +4804,71 @@
     </message>
     <message>
         <source>found %1 poses, expected at least two</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Lagen gefunden, erwartet werden mindestens zwei</translation>
     </message>
     <message>
         <source>exponent: found %1, expected an even number from 2 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>exponent: %1 gefunden, erwartet wird eine gerade Zahl von 2 bis %2</translation>
     </message>
     <message>
         <source>amplitude_mm, still or full: found a number that is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>amplitude_mm, still oder full: eine Zahl ist nicht endlich</translation>
     </message>
     <message>
         <source>frame %1: found %2 control points, expected %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1: %2 Kontrollpunkte gefunden, erwartet werden %3</translation>
     </message>
     <message>
         <source>pose %1: found a number that is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage %1: eine Zahl ist nicht endlich</translation>
     </message>
     <message>
         <source>pose %1: found the time %2 s after %3 s, expected ascending times</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage %1: Zeit %2 s nach %3 s gefunden, erwartet werden aufsteigende Zeiten</translation>
     </message>
     <message>
         <source>the last pose: found another than the first, expected the same for a motion that repeats</source>
-        <translation type="unfinished"></translation>
+        <translation>die letzte Lage: eine andere als die erste gefunden, bei einer sich wiederholenden Bewegung wird dieselbe erwartet</translation>
     </message>
     <message>
         <source>found %1 frames, expected at least two</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Bilder gefunden, erwartet werden mindestens zwei</translation>
     </message>
     <message>
         <source>amplitude_mm: found more than %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>amplitude_mm: mehr als %1 mm gefunden</translation>
     </message>
     <message>
         <source>lattice: expected at least one cell of a positive size</source>
-        <translation type="unfinished"></translation>
+        <translation>Gitter: erwartet wird mindestens eine Zelle von positiver Größe</translation>
     </message>
     <message>
         <source>lattice: found %1 control points in %2 frames, expected at most %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Gitter: %1 Kontrollpunkte in %2 Bildern gefunden, erwartet werden höchstens %3</translation>
     </message>
     <message>
         <source>lattice: found %1 displacements, expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Gitter: %1 Verschiebungen gefunden, erwartet werden %2</translation>
     </message>
     <message>
         <source>frame %1, control point %2: found the displacement %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1, Kontrollpunkt %2: Verschiebung %3 mm gefunden</translation>
     </message>
     <message>
         <source>frame %1, cell (%2, %3, %4): found a strain of up to %5 %, where the tissue may fold; expected at most %6 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1, Zelle (%2, %3, %4): Dehnung bis %5 % gefunden, bei der das Gewebe sich falten kann; erwartet wird höchstens %6 %</translation>
     </message>
     <message>
         <source>frame %1, cell (%2, %3, %4): found a strain of up to %5 %, expected at most %6 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1, Zelle (%2, %3, %4): Dehnung bis %5 % gefunden, erwartet wird höchstens %6 %</translation>
     </message>
     <message>
         <source>found %1 bytes that are no motion of this version, expected one that Palpate wrote</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Bytes gefunden, die keine Bewegung dieser Version sind; erwartet wird eine von Palpate geschriebene</translation>
     </message>
     <message>
         <source>found %1 layers with different motions, expected at most %2: let structures of a layer move alike</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Schichten mit verschiedenen Bewegungen gefunden, erwartet werden höchstens %2: die Strukturen einer Schicht gleich bewegen</translation>
     </message>
     <message>
         <source>the gzip file is cut off</source>
@@ -5108,11 +5108,11 @@
     </message>
     <message>
         <source>structure &quot;%1&quot;: a map of its tissue or its motion is not there, or damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>Struktur „%1“: eine Karte ihres Gewebes oder ihre Bewegung fehlt oder ist beschädigt</translation>
     </message>
     <message>
         <source>a map of its tissue or its motion is not in the recording, or damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Karte ihres Gewebes oder ihre Bewegung fehlt in der Aufzeichnung oder ist beschädigt</translation>
     </message>
     <message>
         <source>the surface of %1 is inside out</source>

@@ -4784,19 +4784,19 @@
     </message>
     <message>
         <source>found %1 vertices and a lattice of %2 mm, expected more than 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sommets et une grille de %2 mm trouvés, plus de 0 est attendu</translation>
     </message>
     <message>
         <source>frame %1: found %2 vertices, expected %3 as at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>image %1 : %2 sommets trouvés, %3 sont attendus comme au repos</translation>
     </message>
     <message>
         <source>frame %1, vertex %2: found a number that is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>image %1, sommet %2 : un nombre n’est pas fini</translation>
     </message>
     <message>
         <source>frame %1, vertex %2: found %3 mm between the shape and the lattice of %4 mm, expected at most %5 mm: use a finer lattice, or one structure for each part that slides</source>
-        <translation type="unfinished"></translation>
+        <translation>image %1, sommet %2 : %3 mm trouvés entre la forme et la grille de %4 mm, au plus %5 mm sont attendus : utilisez une grille plus fine ou une structure pour chaque partie qui glisse</translation>
     </message>
     <message>
         <source>%1: found %2, expected %3 to %4</source>
@@ -4804,71 +4804,71 @@
     </message>
     <message>
         <source>found %1 poses, expected at least two</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 poses trouvées, au moins deux sont attendues</translation>
     </message>
     <message>
         <source>exponent: found %1, expected an even number from 2 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>exponent : %1 trouvé, un nombre pair de 2 à %2 est attendu</translation>
     </message>
     <message>
         <source>amplitude_mm, still or full: found a number that is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>amplitude_mm, still ou full : un nombre n’est pas fini</translation>
     </message>
     <message>
         <source>frame %1: found %2 control points, expected %3</source>
-        <translation type="unfinished"></translation>
+        <translation>image %1 : %2 points de contrôle trouvés, %3 sont attendus</translation>
     </message>
     <message>
         <source>pose %1: found a number that is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1 : un nombre n’est pas fini</translation>
     </message>
     <message>
         <source>pose %1: found the time %2 s after %3 s, expected ascending times</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1 : temps %2 s trouvé après %3 s, des temps croissants sont attendus</translation>
     </message>
     <message>
         <source>the last pose: found another than the first, expected the same for a motion that repeats</source>
-        <translation type="unfinished"></translation>
+        <translation>la dernière pose : différente de la première, la même est attendue pour un mouvement qui se répète</translation>
     </message>
     <message>
         <source>found %1 frames, expected at least two</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 images trouvées, au moins deux sont attendues</translation>
     </message>
     <message>
         <source>amplitude_mm: found more than %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>amplitude_mm : plus de %1 mm trouvés</translation>
     </message>
     <message>
         <source>lattice: expected at least one cell of a positive size</source>
-        <translation type="unfinished"></translation>
+        <translation>grille : au moins une cellule de taille positive est attendue</translation>
     </message>
     <message>
         <source>lattice: found %1 control points in %2 frames, expected at most %3</source>
-        <translation type="unfinished"></translation>
+        <translation>grille : %1 points de contrôle dans %2 images trouvés, au plus %3 sont attendus</translation>
     </message>
     <message>
         <source>lattice: found %1 displacements, expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>grille : %1 déplacements trouvés, %2 sont attendus</translation>
     </message>
     <message>
         <source>frame %1, control point %2: found the displacement %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>image %1, point de contrôle %2 : déplacement de %3 mm trouvé</translation>
     </message>
     <message>
         <source>frame %1, cell (%2, %3, %4): found a strain of up to %5 %, where the tissue may fold; expected at most %6 %</source>
-        <translation type="unfinished"></translation>
+        <translation>image %1, cellule (%2, %3, %4) : déformation de %5 % trouvée, où le tissu peut se replier ; au plus %6 % est attendu</translation>
     </message>
     <message>
         <source>frame %1, cell (%2, %3, %4): found a strain of up to %5 %, expected at most %6 %</source>
-        <translation type="unfinished"></translation>
+        <translation>image %1, cellule (%2, %3, %4) : déformation de %5 % trouvée, au plus %6 % est attendu</translation>
     </message>
     <message>
         <source>found %1 bytes that are no motion of this version, expected one that Palpate wrote</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 octets trouvés qui ne sont pas un mouvement de cette version, un mouvement écrit par Palpate est attendu</translation>
     </message>
     <message>
         <source>found %1 layers with different motions, expected at most %2: let structures of a layer move alike</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 couches aux mouvements différents trouvées, au plus %2 sont attendues : donnez le même mouvement aux structures d’une couche</translation>
     </message>
     <message>
         <source>the gzip file is cut off</source>
@@ -5108,11 +5108,11 @@
     </message>
     <message>
         <source>structure &quot;%1&quot;: a map of its tissue or its motion is not there, or damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>structure « %1 » : une carte de son tissu ou son mouvement manque ou est endommagé</translation>
     </message>
     <message>
         <source>a map of its tissue or its motion is not in the recording, or damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>une carte de son tissu ou son mouvement manque dans l’enregistrement ou est endommagé</translation>
     </message>
     <message>
         <source>the surface of %1 is inside out</source>
