@@ -178,8 +178,9 @@ class OpenedFiles : public QObject
     /// Points of 3D Slicer open with the anatomy or onto it, and say what is missing without it.
     void pointsBecomeFindings()
     {
-        const auto points = write("F.mrk.json", R"({"@schema": "x/markups-schema-v1.0.3.json#", "markups": [{"type":
-            "Fiducial", "controlPoints": [{"label": "A", "position": [1, 2, 3]}]}]})");
+        const auto points =
+            write("F.mrk.json", "{\"@schema\": \"x/markups-schema-v1.0.3.json\", \"markups\": [{\"type\": "
+                                "\"Fiducial\", \"controlPoints\": [{\"position\": [1, 2, 3]}]}]}");
         QSignalSpy failed(&m_desk->window(), &MainWindow::openFailed);
         m_desk->window().open({points});
         QCOMPARE(failed.count(), 1);
