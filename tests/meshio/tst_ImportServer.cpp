@@ -52,8 +52,8 @@ void misbehave(const char* path)
         for (std::atomic<unsigned> i = 0;; ++i) {
         }
     } else if (name == "eat") {
-        while (true) { // until the memory is exhausted
-            std::memset(::operator new (std::size_t{1} << 24), 1, std::size_t{1} << 24);
+        while (true) { // until the memory is exhausted; writing all of it takes seconds on a busy machine
+            std::memset(::operator new (std::size_t{1} << 24), 1, 1);
         }
     } else if (name == "files") {
         int opened = 0;
