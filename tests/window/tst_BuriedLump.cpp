@@ -143,6 +143,13 @@ class BuriedLump : public QObject
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
         QSettings().setValue(QStringLiteral("fingertip_mm"), 0.0); // a point, whose forces are known in closed form
         QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
+        geometry::TriangleMesh liver = test::sphere(24, 20.0);
+        std::erase_if(liver.triangles, [&](const geometry::Triangle& t) {
+            return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return liver.vertices[v].z() < -15.0; });
+        });
+        QVERIFY(QDir(m_folder.path()).mkpath("open"));
+        writeStl("open/liver.stl", liver);
+        writeStl("open/tumour.stl", test::moved(test::sphere(12, 5.0), Vec3(0, -7, 0)));
         QVERIFY(QDir(m_folder.path()).mkpath("two"));
         writeStl("two/liver.stl", test::sphere(24, 20.0));
         writeStl("two/tumour.stl", test::moved(test::sphere(12, 5.0), Vec3(0, -7, 0))); // towards the front
@@ -220,13 +227,6 @@ class BuriedLump : public QObject
     /// A lump in an open organ is one click away from being a layer, and the map counts the lump.
     void inAnOpenOrganALayerIsOneClickAway()
     {
-        geometry::TriangleMesh liver = test::sphere(24, 20.0);
-        std::erase_if(liver.triangles, [&](const geometry::Triangle& t) {
-            return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return liver.vertices[v].z() < -15.0; });
-        });
-        QVERIFY(QDir(m_folder.path()).mkpath("open"));
-        writeStl("open/liver.stl", liver);
-        writeStl("open/tumour.stl", test::moved(test::sphere(12, 5.0), Vec3(0, -7, 0)));
         open({folder() / "open"});
         QVERIFY2(test::newest(message().text())
                      .startsWith(QStringLiteral(
@@ -265,8 +265,8 @@ class BuriedLump : public QObject
         action("Undo")->trigger(); // felt through
         action("Undo")->trigger(); // closed
         PALPATE_TRY_VERIFY(!m_window->model().rows()[0].loaded.closing);
-        const double again_N = pressed(view::ViewFrom::Front);
-        QVERIFY2(std::abs(again_N - open_N) < 0.05, qPrintable(QString::number(again_N)));
+        QVERIFY(!m_window->model().rows()[0].loaded.surface->report.isClosed());
+        QVERIFY(!m_window->model().isTransmitted(1));
     }
 
     /// The lump simulation changes twice under the pressing hand during a recording: each scene is recorded as

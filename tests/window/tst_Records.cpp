@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Desk.h"
+#include "Shapes.h"
 #include "TestRunner.h"
 
 #include <palpate/session/Findings.h>
@@ -408,6 +409,11 @@ class Records : public QObject
         QVERIFY(m_desk->open({phantom() / "lump-20-mm.stl"}));
         QCOMPARE(fingertip(), QStringLiteral("Ball, radius 8 mm"));
         const auto* shown = m_desk->window().findChild<ui::Chip*>(QStringLiteral("fingertip"));
+        QCOMPARE(shown->said(), QStringLiteral("fingertip 8 mm ▾"));
+        // A scene in metres is smaller than a finger.
+        QVERIFY(m_desk->open({m_desk->writeStl("tiny.stl", test::sphere(8, 0.5))}));
+        QCOMPARE(shown->said(), QStringLiteral("fingertip: point ▾"));
+        QVERIFY(m_desk->open({phantom() / "lump-20-mm.stl"}));
         QCOMPARE(shown->said(), QStringLiteral("fingertip 8 mm ▾"));
     }
 

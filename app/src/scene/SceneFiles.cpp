@@ -4,6 +4,7 @@
 #include "scene/DocumentPart.h"
 #include "shared/Paths.h"
 #include "shared/ProgramFolders.h"
+#include "shared/SceneSize.h"
 #include "shell/Notices.h"
 #include "shell/StatusProgress.h"
 
@@ -249,9 +250,7 @@ void SceneFiles::takeFailure(const QString& line)
 /// Called as soon as the meshes are read, while they are being indexed.
 void SceneFiles::offerReadingAsMetres(double size_mm)
 {
-    // No organ is smaller; some libraries write metres to formats that cannot store a unit.
-    constexpr double kSmallest_mm = 3.0;
-    if (m_options.unit_mm != 1.0 || size_mm >= kSmallest_mm ||
+    if (m_options.unit_mm != 1.0 || size_mm >= kSmallestScene_mm ||
         std::any_of(m_opening.begin(), m_opening.end(),
                     [](const std::filesystem::path& file) { return meshio::isSceneFile(file) || isRecording(file); })) {
         return;

@@ -2,6 +2,7 @@
 #include "scene/SceneSurfaces.h"
 
 #include "scene/LayerOffers.h"
+#include "shared/SceneSize.h"
 #include "shell/Notices.h"
 #include "shell/StatusProgress.h"
 
@@ -174,7 +175,9 @@ void SceneSurfaces::offerRepairs()
 {
     offerSmoothing();
     offerTurning();
-    m_loader.findGaps(m_core.model.rows());
+    if (m_core.viewport.view().bounds().diagonal().norm() >= kSmallestScene_mm) {
+        m_loader.findGaps(m_core.model.rows());
+    }
 }
 
 void SceneSurfaces::offerSmoothing()

@@ -4,6 +4,7 @@
 #include "scene/DocumentPart.h"
 #include "scene/RecentFiles.h"
 #include "shared/Paths.h"
+#include "shared/SceneSize.h"
 #include "shell/Docks.h"
 #include "shell/Notices.h"
 #include "touch/FingertipPart.h"
@@ -258,7 +259,8 @@ void RecordingPart::takeFingertip()
     const ui::RecordedTouch* recording =
         session::isRecordingFile(m_document.files().front()) ? m_playback->recording() : nullptr;
     const auto first = recording != nullptr ? recording->at(0.0) : std::nullopt;
-    const double radius_mm = first ? recording->fingertip_mm(*first) : chosenFingertip_mm();
+    const bool isTiny = m_core.viewport.view().bounds().diagonal().norm() < kSmallestScene_mm;
+    const double radius_mm = first ? recording->fingertip_mm(*first) : isTiny ? 0.0 : chosenFingertip_mm();
     if (first && radius_mm != m_core.live.fingertip_mm()) {
         m_core.notices.say(
             radius_mm > 0.0 ? tr("The fingertip is a ball of %1 mm radius, as in the recording (Session › Fingertip).")

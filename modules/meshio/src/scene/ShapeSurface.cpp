@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -251,7 +252,8 @@ void curve(ShapedSurface& out, double crease_deg)
 
 core::Message HoleClosing::message() const
 {
-    const core::Rounded across_mm{largest_mm, 3}, area{area_mm2, 3};
+    const core::Rounded across_mm{largest_mm, 3};
+    const core::Count area(static_cast<std::uint64_t>(std::llround(area_mm2)));
     return holes == 1 ? core::Message(PALPATE_TEXT("1 hole of %1 mm closed, %2 mm² of new surface"), across_mm, area)
                       : core::Message(PALPATE_TEXT("%1 holes of up to %2 mm closed, %3 mm² of new surface"), holes,
                                       across_mm, area);
