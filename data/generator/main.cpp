@@ -83,6 +83,19 @@ meshio::SceneFile describe(const std::vector<phantom::PhantomStructure>& phantom
     return scene;
 }
 
+/// The scene with a liver that moves down on breathing in: its dome by 15 mm, its lower edge not at all.
+meshio::SceneFile breathing(meshio::SceneFile scene)
+{
+    meshio::SceneMotion motion;
+    motion.amplitude_mm = {0.0, -3.0, -15.0};
+    motion.still_mm = {0.0, 0.0, -56.0};
+    motion.full_mm = {0.0, 0.0, 64.0};
+    for (meshio::SceneStructure& structure : scene.structures) {
+        structure.motion = motion;
+    }
+    return scene;
+}
+
 core::Status write(const std::filesystem::path& folder)
 {
     std::vector<phantom::PhantomStructure> phantom = phantom::makePhantom();
@@ -105,6 +118,10 @@ core::Status write(const std::filesystem::path& folder)
         return status;
     }
     if (core::Status status = meshio::writeScene(folder / "phantom-layers.palpate.json", layered); !status.isOk()) {
+        return status;
+    }
+    if (core::Status status = meshio::writeScene(folder / "phantom-breathing.palpate.json", breathing(scene));
+        !status.isOk()) {
         return status;
     }
     // Recorded on the scene as opened from the file, so that a replay on the scene file gives the same bits.

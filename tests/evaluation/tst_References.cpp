@@ -5,6 +5,7 @@
 #include <palpate/evaluation/CornerForce.h>
 #include <palpate/evaluation/ExactSolver.h>
 #include <palpate/evaluation/LagrangeElimination.h>
+#include <palpate/evaluation/MotionComparison.h>
 #include <palpate/evaluation/PaperBody.h>
 #include <palpate/evaluation/PaperSolver.h>
 #include <palpate/evaluation/ProductSolver.h>
@@ -174,6 +175,19 @@ class References : public QObject
                 qPrintable(QString("%1 degrees: %2, expected %3").arg(c.angle_deg).arg(c.vectorField).arg(expected)));
             QVERIFY2(std::abs(c.godObject - 1.0) < 1e-8,
                      qPrintable(QString("%1 degrees: %2").arg(c.angle_deg).arg(c.godObject)));
+        }
+    }
+
+    void movingSurfacesPassOnlyWhenTheirNodesAreMoved()
+    {
+        const std::vector<MotionRow> rows = compareMotions();
+        QCOMPARE(rows.size(), std::size_t{8});
+        for (std::size_t i = 0; i < rows.size(); i += 2) {
+            const MotionRow &moved = rows[i], &back = rows[i + 1];
+            QCOMPARE(moved.motion, back.motion);
+            QVERIFY2(moved.passes > 0, moved.motion.c_str());
+            QVERIFY(back.passes == 0 && back.share == 0.0);
+            QVERIFY2(back.touched > back.ticks / 5, back.motion.c_str());
         }
     }
 

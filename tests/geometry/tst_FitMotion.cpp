@@ -66,7 +66,8 @@ class FitMotionTest : public QObject
     {
         auto frames = breathing(m_rest, 0.1);
         frames[3].pop_back();
-        QVERIFY(message(fitMotion(4.0, m_rest, frames, 10.0)).startsWith("frame 3: found 2561 vertices"));
+        const QString fewer = QString("frame 3: found %1 vertices").arg(m_rest.size() - 1);
+        QVERIFY(message(fitMotion(4.0, m_rest, frames, 10.0)).startsWith(fewer));
         frames = breathing(m_rest, 0.1);
         frames[5][17].y() = std::numeric_limits<double>::quiet_NaN();
         QVERIFY(message(fitMotion(4.0, m_rest, frames, 10.0)).startsWith("frame 5, vertex 17"));

@@ -448,7 +448,7 @@ bool Palpator::Impl::takeToRest(const Vec3& p, double dt_s, const Vec3* v_WH, do
             return false;
         }
         if (scene->isDamped()) {
-            hand.vTissue_W = motion->velocity(hand.moment, hand.rest.X);
+            hand.vTissue_W = motion->velocity(hand.moment, hand.rest);
             const Vec3 v = v_WH != nullptr ? *v_WH : started ? Vec3((p - p_WH) / dt_s) : hand.vTissue_W;
             hand.v_R = hand.rest.invF * (v - hand.vTissue_W);
         }
@@ -469,12 +469,14 @@ void Palpator::Impl::takeToWorld(TickResult& result, std::size_t i, std::size_t 
         }
         return;
     }
-    const Vec3 v = scene->isDamped() ? hand.vTissue_W : motion.velocity(hand.moment, hand.rest.X);
+    const Vec3 v = scene->isDamped() ? hand.vTissue_W : motion.velocity(hand.moment, hand.rest);
     const Vec3 p_WG = motion.toWorld(hand.moment, p_RG);
     const bool isAlone = result.contactCount == firstContact + 1;
     for (std::size_t c = firstContact; c < result.contactCount; ++c) {
         Contact& contact = result.contacts[c];
-        tissuePower_mW += hand.moment.factorSlope * storedEnergy(contact, *scene);
+        if (hand.moment.factorSlope != 0.0) {
+            tissuePower_mW += hand.moment.factorSlope * storedEnergy(contact, *scene);
+        }
         contact.p_WG = p_WG;
         contact.n_W = turned(hand, contact.n_W);
         contact.f_W = hand.moment.factor * hand.rest.force(contact.f_W);
@@ -482,7 +484,7 @@ void Palpator::Impl::takeToWorld(TickResult& result, std::size_t i, std::size_t 
         tissuePower_mW += contact.f_W.dot(v);
     }
     result.p_WG = p_WG;
-    result.n_W = turned(hand, result.n_W);
+    result.n_W = isAlone ? result.contacts[firstContact].n_W : turned(hand, result.n_W);
     for (std::size_t k = 0; k < result.constraints; ++k) {
         result.active[k].n_W = turned(hand, result.active[k].n_W);
     }

@@ -315,6 +315,26 @@ std::string smoothSection(const Evaluation& evaluation)
                      "</div>";
 }
 
+/// Section that counts how often a moving surface passes through the hand.
+std::string movingSection(const Evaluation& evaluation)
+{
+    std::string rows;
+    for (const MotionRow& r : evaluation.moving) {
+        rows += tag("tr", cell(escaped(r.motion), true) + cell(escaped(r.way), true) + cell(core::grouped(r.ticks)) +
+                              cell(core::grouped(r.touched)) + cell(core::grouped(r.passes)) +
+                              cell(number(100.0 * r.share)));
+    }
+    return rows.empty() ? ""
+                        : tag("h2", "Moving surfaces") +
+                              "<p class='soft'>How often a surface that moves under the hand passes through the "
+                              "god-object at 1 kHz: when the nodes of the mesh are moved between ticks, and when the "
+                              "hand is taken back to the rest shape, where nothing moves but the hand.</p>"
+                              "<div class='card'>" +
+                              tag("table", head({"", "", "ticks", "in contact", "passes", "behind<br>[% of ticks]"}) +
+                                               tag("tbody", rows)) +
+                              "</div>";
+}
+
 std::string notes(const Evaluation& evaluation)
 {
     std::string text;
@@ -394,7 +414,8 @@ std::string reportHtml(const Evaluation& evaluation)
             card("Error over time, " + (evaluation.motions.empty() ? "" : evaluation.motions.front()) + ": " + s.name,
                  errorOverTimeChart(evaluation, s.name));
     }
-    body += "</div>" + hardCaseSection(evaluation) + smoothSection(evaluation) + methodSection(evaluation);
+    body += "</div>" + hardCaseSection(evaluation) + smoothSection(evaluation) + movingSection(evaluation) +
+            methodSection(evaluation);
     return "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
            "content='width=device-width, initial-scale=1'><title>Palpate: speed against error</title><style>" +
            std::string(kReportStyle) + kChartStyle + "</style></head><body>" + tag("main", body) + "</body></html>\n";

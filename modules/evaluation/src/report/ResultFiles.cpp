@@ -259,7 +259,7 @@ std::string hardCasesCsv(const Evaluation& evaluation)
 
 std::string resultsJson(const Evaluation& evaluation)
 {
-    QJsonArray subjects, trials, paperBody, corners, smooth, sizes, tissues, cases, advice, ratios, operations;
+    QJsonArray subjects, trials, paperBody, corners, smooth, moving, sizes, tissues, cases, advice, ratios, operations;
     for (const SubjectInfo& s : evaluation.subjects) {
         QJsonArray structures;
         for (const SubjectStructure& structure : s.structures) {
@@ -286,6 +286,14 @@ std::string resultsJson(const Evaluation& evaluation)
         corners.append(QJsonObject{{"angle_deg", c.angle_deg},
                                    {"vector_field_over_right", c.vectorField},
                                    {"god_object_over_right", c.godObject}});
+    }
+    for (const MotionRow& r : evaluation.moving) {
+        moving.append(QJsonObject{{"motion", text(r.motion)},
+                                  {"way", text(r.way)},
+                                  {"ticks", qint64(r.ticks)},
+                                  {"touched", qint64(r.touched)},
+                                  {"passes", qint64(r.passes)},
+                                  {"share_behind", r.share}});
     }
     for (const SmoothRow& r : evaluation.smooth) {
         smooth.append(QJsonObject{{"shape", text(r.shape)},
@@ -342,6 +350,7 @@ std::string resultsJson(const Evaluation& evaluation)
                           {"paper_body", paperBody},
                           {"corner_force", corners},
                           {"smooth_surfaces", smooth},
+                          {"moving_surfaces", moving},
                           {"cost_by_size", sizes},
                           {"cost_of_tissue", tissues},
                           {"ratios", ratios},

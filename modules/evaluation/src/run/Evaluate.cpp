@@ -143,8 +143,10 @@ Evaluation Evaluator::run(const std::vector<std::shared_ptr<const Subject>>& sub
     m_result.corners = forceInCorners();
     if (m_options.isQuick) {
         m_result.skippedItems.push_back("smooth surfaces");
+        m_result.skippedItems.push_back("moving surfaces");
     } else {
         m_result.smooth = compareSmoothSurfaces();
+        m_result.moving = compareMotions();
     }
     elimination();
     const double pathCount = m_extent.seeds + static_cast<double>(given.size());

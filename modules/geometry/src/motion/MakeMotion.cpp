@@ -129,7 +129,8 @@ SurfaceMotion::Made SurfaceMotion::breath(const Breath& breath, const core::Box&
         constexpr double kUsual_mm = 10.0, kPerRamp = 8.0, kMostCells = 64.0;
         const double spacing_mm =
             std::max(std::min(kUsual_mm, length_mm / kPerRamp), bounds.sizes().maxCoeff() / kMostCells);
-        motion->m_lattice = MotionLattice::around(bounds, spacing_mm);
+        const core::Box padded(bounds.min().array() - spacing_mm, bounds.max().array() + spacing_mm);
+        motion->m_lattice = MotionLattice::around(padded, spacing_mm);
         motion->m_frames = 1;
         const MotionLattice& lattice = motion->m_lattice;
         for (std::size_t k = 0; k < lattice.cells[2] + 2; ++k) {
@@ -333,6 +334,9 @@ Status SurfaceMotion::checkStrain()
     }
     const internal::WorstStrain worst = internal::worstStrain(m_lattice, m_frames, m_controls);
     m_strain = share * worst.strain;
+    // A quadratic in Bernstein form changes along an axis by at most twice the difference of two coefficients per cell,
+    // and along any direction by at most the square root of 3 of that.
+    m_bend = 4.0 * std::sqrt(3.0) * m_strain / m_lattice.spacing_mm;
     if (m_strain <= kMaxStrain) {
         return {};
     }

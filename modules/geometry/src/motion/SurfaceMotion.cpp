@@ -13,8 +13,8 @@ namespace palpate::geometry {
 namespace {
 
 constexpr int kMaxSteps = 32;
-/// The steps end at this distance [mm], well below kInverse_mm. One more Newton step would square it.
-constexpr double kEnough_mm = 1e-10;
+/// The steps end when at most this distance is left [mm], half of SurfaceMotion::kInverse_mm.
+constexpr double kEnough_mm = 5e-10;
 
 using Four = Eigen::Array<double, 4, 1>;
 
@@ -53,6 +53,8 @@ class SurfaceMotion::Patch
     {
     }
 
+    /// @tparam kSlopes  false: only the displacement
+    template<bool kSlopes>
     [[nodiscard]] PALPATE_ALWAYS_INLINE Value at(const Vec3& X) noexcept
     {
         const MotionLattice& lattice = m_motion.m_lattice;
@@ -80,19 +82,26 @@ class SurfaceMotion::Patch
                            c = Eigen::Map<const Four>(at[2].data());
                 const Four value = x.weight[0] * a + x.weight[1] * b + x.weight[2] * c;
                 inSlab += y.weight[j] * value;
-                slabX += y.weight[j] * (x.slope[0] * a + x.slope[1] * b + x.slope[2] * c);
-                slabY += y.slope[j] * value;
+                if constexpr (kSlopes) {
+                    slabX += y.weight[j] * (x.slope[0] * a + x.slope[1] * b + x.slope[2] * c);
+                    slabY += y.slope[j] * value;
+                }
             }
             u += z.weight[k] * inSlab;
-            alongX += z.weight[k] * slabX;
-            alongY += z.weight[k] * slabY;
-            alongZ += z.slope[k] * inSlab;
+            if constexpr (kSlopes) {
+                alongX += z.weight[k] * slabX;
+                alongY += z.weight[k] * slabY;
+                alongZ += z.slope[k] * inSlab;
+            }
         }
         Value value;
-        value.u = scale * u.head<3>().matrix();
-        value.gradient.col(0) = scale * alongX.head<3>().matrix();
-        value.gradient.col(1) = scale * alongY.head<3>().matrix();
-        value.gradient.col(2) = scale * alongZ.head<3>().matrix();
+        value.raw = u.head<3>().matrix();
+        value.u = scale * value.raw;
+        if constexpr (kSlopes) {
+            value.gradient.col(0) = scale * alongX.head<3>().matrix();
+            value.gradient.col(1) = scale * alongY.head<3>().matrix();
+            value.gradient.col(2) = scale * alongZ.head<3>().matrix();
+        }
         return value;
     }
 
@@ -105,13 +114,18 @@ class SurfaceMotion::Patch
         }
         m_hasSum = true;
         m_first = first;
-        for (std::size_t i = 0; i < m_sum.size(); ++i) {
-            const std::size_t at = first + i % 3 + i / 3 % 3 * row + i / 9 * slab;
-            Four sum = Four::Zero();
-            for (std::size_t f = 0; f < m_moment.frames; ++f) {
-                sum += m_weight[f] * Eigen::Map<const Four>(m_motion.m_controls[m_moment.frame[f] + at].data());
+        std::array<double, 4>* sum = m_sum.data();
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t j = 0; j < 3; ++j) {
+                const std::array<double, 4>* at = m_motion.m_controls.data() + first + j * row + k * slab;
+                for (std::size_t i = 0; i < 3; ++i, ++sum, ++at) {
+                    Four u = Four::Zero();
+                    for (std::size_t f = 0; f < m_moment.frames; ++f) {
+                        u += m_weight[f] * Eigen::Map<const Four>(at[m_moment.frame[f]].data());
+                    }
+                    Eigen::Map<Four>(sum->data()) = u;
+                }
             }
-            Eigen::Map<Four>(m_sum[i].data()) = sum;
         }
     }
 
@@ -174,6 +188,7 @@ void SurfaceMotion::applyBreath(double t, Moment& moment) const noexcept
     moment.weight[0] = m_amplitude * now.value(m_curve);
     moment.slope[0] = m_rate * m_amplitude * now.change(m_curve);
     moment.frames = m_frames;
+    moment.frame[0] = 0;
     const Vec3 shift = moment.turn * (moment.weight[0] * m_shift);
     moment.shift += shift;
     moment.drift += moment.spin.cross(shift) + moment.turn * (moment.slope[0] * m_shift);
@@ -182,6 +197,10 @@ void SurfaceMotion::applyBreath(double t, Moment& moment) const noexcept
 SurfaceMotion::Moment SurfaceMotion::at(double time_s) const noexcept PALPATE_NONBLOCKING
 {
     Moment moment;
+    moment.turn.setIdentity();
+    moment.shift.setZero();
+    moment.spin.setZero();
+    moment.drift.setZero();
     const double t = phase_s(time_s);
     if (!m_keys.empty()) {
         applyPose(t, moment);
@@ -202,29 +221,31 @@ SurfaceMotion::Moment SurfaceMotion::at(double time_s) const noexcept PALPATE_NO
 SurfaceMotion::Rest SurfaceMotion::toRest(const Moment& moment, const Vec3& p_W,
                                           const Vec3& near) const noexcept PALPATE_NONBLOCKING
 {
-    const Vec3 from = p_W - moment.shift;
-    const Vec3 target = moment.isTurned ? Vec3(moment.turn.transpose() * from) : from;
     Rest rest;
+    rest.arm = p_W - moment.shift;
+    const Vec3 target = moment.isTurned ? Vec3(moment.turn.transpose() * rest.arm) : rest.arm;
     if (moment.frames == 0) {
         rest.X = target;
         rest.F = moment.turn;
         rest.invF = moment.turn.transpose();
+        rest.residual_mm = 0.0;
         return rest;
     }
     Patch patch(*this, moment, moment.weight);
     rest.X = near;
-    for (int steps = 0;; ++steps) {
-        const Value value = patch.at(rest.X);
-        const Vec3 missing = target - rest.X - value.u;
+    for (int steps = 1;; ++steps) {
+        const Value value = patch.at<true>(rest.X);
+        rest.u = value.raw;
         rest.F = value.gradient;
         rest.F.diagonal().array() += 1.0;
         rest.invF = rest.F.inverse();
-        const double squared = missing.squaredNorm();
-        if (!(squared > kEnough_mm * kEnough_mm) || steps == kMaxSteps) {
-            rest.residual_mm = std::sqrt(squared);
+        const Vec3 step = rest.invF * (target - rest.X - value.u);
+        rest.X += step;
+        // The gradient changes by at most m_bend per length: what a Newton step leaves needs no other evaluation.
+        rest.residual_mm = 0.5 * m_bend * step.squaredNorm();
+        if (!(rest.residual_mm > kEnough_mm) || steps == kMaxSteps) {
             break;
         }
-        rest.X += rest.invF * missing;
     }
     if (moment.isTurned) {
         rest.F = moment.turn * rest.F;
@@ -235,18 +256,33 @@ SurfaceMotion::Rest SurfaceMotion::toRest(const Moment& moment, const Vec3& p_W,
 
 Vec3 SurfaceMotion::toWorld(const Moment& moment, const Vec3& X) const noexcept PALPATE_NONBLOCKING
 {
-    const Vec3 moved = moment.frames == 0 ? X : Vec3(X + Patch(*this, moment, moment.weight).at(X).u);
+    const Vec3 moved = moment.frames == 0 ? X : Vec3(X + Patch(*this, moment, moment.weight).at<false>(X).u);
     return (moment.isTurned ? Vec3(moment.turn * moved) : moved) + moment.shift;
 }
 
 Vec3 SurfaceMotion::velocity(const Moment& moment, const Vec3& X) const noexcept PALPATE_NONBLOCKING
 {
-    if (moment.frames == 0) {
-        return moment.drift + moment.spin.cross(moment.turn * X);
+    Rest rest;
+    rest.X = X;
+    rest.arm = toWorld(moment, X) - moment.shift;
+    if (moment.frames == 1) {
+        rest.u = Patch(*this, moment, moment.weight).at<false>(X).raw;
     }
-    const Vec3 moved = X + Patch(*this, moment, moment.weight).at(X).u;
-    const Vec3 change = Patch(*this, moment, moment.slope).at(X).u;
-    return moment.drift + moment.spin.cross(moment.turn * moved) + moment.turn * change;
+    return velocity(moment, rest);
+}
+
+Vec3 SurfaceMotion::velocity(const Moment& moment, const Rest& rest) const noexcept PALPATE_NONBLOCKING
+{
+    Vec3 v = moment.drift;
+    if (!m_keys.empty()) {
+        v += moment.spin.cross(rest.arm);
+    }
+    if (moment.frames > 0) {
+        const Vec3 change = moment.frames == 1 ? Vec3(moment.slope[0] * rest.u)
+                                               : Patch(*this, moment, moment.slope).at<false>(rest.X).u;
+        v += moment.isTurned ? Vec3(moment.turn * change) : change;
+    }
+    return v;
 }
 
 std::vector<Vec3> SurfaceMotion::placesAt(double time_s, std::span<const Vec3> rest) const

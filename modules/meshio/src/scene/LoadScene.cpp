@@ -88,6 +88,8 @@ class Loader
     void repairAll();
     void noteSurface(const Pending& pending);
     void collect();
+    [[nodiscard]] Status addMotions(const std::string& name);
+    void noteMotion(const LoadedStructure& one);
     void noteFrames();
     void noteUnit();
 
@@ -405,6 +407,65 @@ void Loader::collect()
     }
 }
 
+void Loader::noteMotion(const LoadedStructure& one)
+{
+    const SceneStructure& described = one.description;
+    if (described.motion && described.motion->kind == MotionKind::Poses) {
+        warn(PALPATE_TEXT("%1: moves along the poses of %2"), described.name,
+             described.motion->files.front().filename());
+    } else if (described.motion) {
+        warn(PALPATE_TEXT("%1: moves by up to %2 mm in a period of %3 s, with a strain of up to %4 %"), described.name,
+             core::Rounded{one.motion->reach_mm(), 3}, core::Rounded{described.motion->period_s, 3},
+             core::Rounded{100.0 * one.motion->strain(), 3});
+    }
+    if (described.pulse) {
+        warn(PALPATE_TEXT("%1: its force pulses by %2 % in a period of %3 s"), described.name,
+             core::Rounded{100.0 * described.pulse->share, 3}, core::Rounded{described.pulse->period_s, 3});
+    }
+}
+
+/// Makes the motions. Structures with equal breaths or poses share one, so that one god-object can feel them.
+Status Loader::addMotions(const std::string& name)
+{
+    std::vector<LoadedStructure>& all = m_scene.structures;
+    const auto isAlike = [](const SceneStructure& a, const SceneStructure& b) {
+        return a.motion == b.motion && a.pulse == b.pulse && (!a.motion || a.motion->kind != MotionKind::Frames);
+    };
+    std::set<std::pair<std::uint32_t, const geometry::SurfaceMotion*>> layers;
+    bool isMoving = false;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const SceneStructure& one = all[i].description;
+        MotionSubject subject{{}, one.mesh, one.part, one.unit_mm, one.frame, one.X_WM};
+        for (std::size_t j = 0; j < all.size(); ++j) {
+            if (j == i || isAlike(one, all[j].description)) {
+                subject.bounds.extend(all[j].surface->report.bounds);
+            }
+            if (j < i && isAlike(one, all[j].description)) {
+                all[i].motion = all[j].motion;
+            }
+        }
+        if (all[i].motion == nullptr && (one.motion || one.pulse)) {
+            auto made = makeMotion(one.motion ? &*one.motion : nullptr, one.pulse ? &*one.pulse : nullptr, subject);
+            if (!made.isOk()) {
+                return made.status().at(one.name).at(name);
+            }
+            all[i].motion = std::move(made).value();
+        }
+        noteMotion(all[i]);
+        isMoving = isMoving || all[i].motion != nullptr;
+        if (one.palpable && one.visible) {
+            layers.emplace(one.layer, all[i].motion.get());
+        }
+    }
+    constexpr std::size_t kMostLayers = 4; // haptics::kMaxLayers
+    if (isMoving && layers.size() > kMostLayers) {
+        return fault(StatusCode::Unsupported, name, {PALPATE_TEXT("%1"), "motion"},
+                     {PALPATE_TEXT("%1 layers with different motions"), layers.size()},
+                     {PALPATE_TEXT("at most %1: let the structures of a layer move alike"), kMostLayers});
+    }
+    return {};
+}
+
 void Loader::noteFrames()
 {
     std::vector<std::string> untagged;
@@ -527,6 +588,9 @@ Result<LoadedScene> Loader::open(const std::string& name)
     }
     if (m_scene.structures.empty()) {
         return !m_firstFailure.isOk() ? m_firstFailure : Status(StatusCode::Empty, m_scene.losses.front()).at(name);
+    }
+    if (Status status = addMotions(name); !status.isOk()) {
+        return status;
     }
     noteFrames();
     noteUnit();

@@ -4,6 +4,7 @@
 #include "palpate/meshio/MeshFormats.h"
 
 #include "guard/FileImage.h"
+#include "motion/MotionFields.h"
 #include "scene/SceneLaw.h"
 #include "text/Fault.h"
 #include "text/FileStem.h"
@@ -234,6 +235,7 @@ SceneStructure readStructure(JsonFields& fields, const std::filesystem::path& fo
         }
     }
     internal::readLaw(fields, folder, s.tissue.law);
+    internal::readMotion(fields, folder, s.motion, s.pulse);
     double layer = 0.0;
     fields.read("layer", layer, 0.0, 63.0);
     if (layer != std::floor(layer)) {

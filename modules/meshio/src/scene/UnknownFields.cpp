@@ -12,7 +12,7 @@ namespace palpate::meshio {
 namespace {
 
 /// Objects that only keep the unknown fields.
-constexpr std::array kGroups{"friction", "law", "camera", "recording"};
+constexpr std::array kGroups{"friction", "law", "camera", "recording", "motion", "pulse"};
 
 /// @param path  of the object, with a trailing dot; empty for the document
 void addFields(const QJsonObject& extra, const std::string& path, std::vector<std::string>& out)

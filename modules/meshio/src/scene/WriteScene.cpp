@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/SceneFile.h"
 
+#include "motion/MotionFields.h"
 #include "scene/SceneLaw.h"
 
 #include <palpate/core/AtomicFile.h>
@@ -126,6 +127,7 @@ QJsonObject structure(const SceneStructure& s, const std::filesystem::path& fold
         }
     }
     internal::writeLaw(s.tissue.law, out);
+    internal::writeMotion(s.motion, s.pulse, folder, out);
     out["layer"] = static_cast<double>(s.layer);
     putIfThere(out, "inside", s.inside);
     putIfThere(out, "young_ratio", s.young_ratio);

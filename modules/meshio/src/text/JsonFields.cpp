@@ -122,6 +122,29 @@ void JsonFields::read(const char* name, double& value, double low, double high)
     value = found.toDouble();
 }
 
+std::vector<std::string> JsonFields::texts(const char* name, std::size_t most)
+{
+    const QJsonValue found = take(name);
+    std::vector<std::string> texts;
+    if (found.isUndefined()) {
+        return texts;
+    }
+    const QJsonArray array = found.toArray();
+    if (!found.isArray() || static_cast<std::size_t>(array.size()) > most) {
+        failType(name, found, {PALPATE_TEXT("at most %1 texts"), most});
+        return texts;
+    }
+    for (const QJsonValue& entry : array) {
+        if (!entry.isString() || entry.toString().isEmpty() || entry.toString().contains(QChar::Null)) {
+            const std::string element = std::string(name) + "[" + std::to_string(texts.size()) + "]";
+            failType(element.c_str(), entry, {PALPATE_TEXT("a text")});
+            return {};
+        }
+        texts.push_back(entry.toString().toStdString());
+    }
+    return texts;
+}
+
 std::optional<std::vector<double>> JsonFields::numbers(const char* name, std::size_t count, double low, double high)
 {
     const QJsonValue found = take(name);

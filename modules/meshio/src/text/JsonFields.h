@@ -36,6 +36,8 @@ class JsonFields
     std::optional<std::vector<double>> numbers(const char* name, std::size_t count, double low, double high);
     /// Reads an array of at most `most` pairs of numbers; empty when the field is absent or wrong.
     std::vector<std::array<double, 2>> pairs(const char* name, std::size_t most);
+    /// Reads an array of at most `most` non-empty texts; empty when the field is absent or wrong.
+    std::vector<std::string> texts(const char* name, std::size_t most);
     std::optional<QJsonObject> object(const char* name);
     /// The fields of an object; empty if absent or invalid.
     std::optional<JsonFields> fieldsOf(const char* name);

@@ -298,6 +298,7 @@ std::vector<haptics::HapticStructure> OpenScene::hapticStructures(const haptics:
         structures.push_back(hapticStructure(from, isTouched ? one.touch : nullptr));
         if (structures.back().surface != nullptr) {
             structures.back().maps = one.felt;
+            structures.back().motion = one.loaded.motion;
             if (isThrough[i]) {
                 structures.back().layer = rule.layerWithin(i); // map not computed yet, or the model does not apply
             }

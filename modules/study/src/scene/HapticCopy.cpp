@@ -70,6 +70,7 @@ std::shared_ptr<const haptics::HapticScene> hapticScene(const meshio::LoadedScen
         structures.push_back(hapticStructure(structure.description, isFelt ? indexed(*structure.surface) : nullptr));
         if (isFelt) {
             structures.back().maps = tissueMaps(structure, *structures.back().surface);
+            structures.back().motion = structure.motion;
         }
     }
     return std::make_shared<const haptics::HapticScene>(std::move(structures));

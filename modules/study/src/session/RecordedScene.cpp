@@ -152,6 +152,7 @@ class Reopening
         for (std::size_t i = 0; i < m_records.size(); ++i) {
             if (m_found[i]) {
                 applyRecordedMaps(*m_found[i], m_records[i]);
+                applyRecordedMotion(*m_found[i], m_records[i]);
                 m_out.scene.structures.push_back(m_found[i]->description);
                 m_out.structures.push_back(std::move(*m_found[i]));
             }
@@ -205,6 +206,18 @@ class Reopening
         out.visible = look->visible || record.palpable;
         out.palpable = record.palpable || (look->palpable && !look->visible); // hidden structures are not palpable
         return out;
+    }
+
+    /// The motion is the recorded one. Its description is the scene file's, if that still has one.
+    void applyRecordedMotion(meshio::LoadedStructure& one, const StructureRecord& record) const
+    {
+        one.motion = record.motion;
+        const auto look = std::find_if(m_look.structures.begin(), m_look.structures.end(),
+                                       [&](const meshio::SceneStructure& other) { return other.name == record.name; });
+        if (record.motion != nullptr && look != m_look.structures.end()) {
+            one.description.motion = look->motion;
+            one.description.pulse = look->pulse;
+        }
     }
 
     std::optional<meshio::LoadedStructure> embedded(const StructureRecord& record, std::size_t number)

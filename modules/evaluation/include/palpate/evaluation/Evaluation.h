@@ -3,6 +3,7 @@
 
 #include "palpate/evaluation/CornerForce.h"
 #include "palpate/evaluation/HardCases.h"
+#include "palpate/evaluation/MotionComparison.h"
 #include "palpate/evaluation/SmoothComparison.h"
 #include "palpate/evaluation/Spread.h"
 #include "palpate/evaluation/Subject.h"
@@ -185,6 +186,7 @@ struct Evaluation
     VectorFieldFigures vectorField;
     std::vector<CornerForce> corners;
     std::vector<SmoothRow> smooth;              ///< empty in a quick run
+    std::vector<MotionRow> moving;              ///< empty in a quick run
     std::vector<Trial> paperBody;               ///< PaperSolver, then the product, on paperBody() with 616 triangles
     std::array<int, 3> eliminationOperations{}; ///< for 1, 2 and 3 planes
 };

@@ -50,7 +50,7 @@ struct MotionLattice
 };
 
 /// Breathing: the rest shape is displaced by amplitude · sin^exponent(π t / period).
-/// @par Source exponent 4: Lujan et al., Medical Physics 26 (1999) 715, doi:10.1118/1.598577
+/// @par Source exponent 4: Lujan et al., Medical Physics 26 (1999) 715
 struct Breath
 {
     double period_s = 4.0;            ///< > 0; typical 3 to 5 s
@@ -107,16 +107,16 @@ class PALPATE_EXPORT SurfaceMotion
     /// Returns the motion's own time at time t [s].
     [[nodiscard]] double phase_s(double time_s) const noexcept { return m_offset_s + m_rate * (time_s - m_start_s); }
 
-    /// Everything that depends on the time only. Make one per tick.
+    /// Everything that depends on the time only. Make one per tick with `at`.
     struct Moment
     {
-        Mat3 turn = Mat3::Identity();            ///< of the pose
-        Vec3 shift = Vec3::Zero();               ///< of the pose [mm]
-        Vec3 spin = Vec3::Zero();                ///< angular velocity of the pose [rad/s]
-        Vec3 drift = Vec3::Zero();               ///< velocity of the pose's origin [mm/s]
-        std::array<std::size_t, 4> frame{};      ///< first control point of each frame of the lattice
-        std::array<double, 4> weight{}, slope{}; ///< of these frames [1], and their change [1/s]
-        std::size_t frames = 0;
+        Mat3 turn;                              ///< of the pose
+        Vec3 shift;                             ///< of the pose [mm]
+        Vec3 spin;                              ///< angular velocity of the pose [rad/s]
+        Vec3 drift;                             ///< velocity of the pose's origin [mm/s]
+        std::array<std::size_t, 4> frame;       ///< first control point of each frame of the lattice
+        std::array<double, 4> weight, slope;    ///< of these frames [1], and their change [1/s]
+        std::size_t frames = 0;                 ///< number of valid entries of these three
         double factor = 1.0, factorSlope = 0.0; ///< on the stored energy [1], and its change [1/s]
         bool isTurned = false;
     };
@@ -127,9 +127,11 @@ class PALPATE_EXPORT SurfaceMotion
     struct Rest
     {
         Vec3 X; ///< rest position [mm]
-        Mat3 F; ///< ∂φ/∂X
+        Mat3 F; ///< ∂φ/∂X, at most 1e-4 mm from X
         Mat3 invF;
-        double residual_mm = 0.0; ///< distance between φ(X) and the position asked for
+        Vec3 arm;           ///< from the pose's origin to the position asked for, in the world [mm]
+        Vec3 u;             ///< displacement of a single frame of weight 1 [mm]
+        double residual_mm; ///< bound on the distance between φ(X) and the position asked for
 
         [[nodiscard]] bool isExact() const noexcept { return residual_mm <= kInverse_mm; }
         /// Force in the world from a force in the rest shape [N].
@@ -146,6 +148,8 @@ class PALPATE_EXPORT SurfaceMotion
     /// Returns the velocity of the material at a rest position [mm/s].
     /// @par Real-time Wait-free, no allocation.
     [[nodiscard]] Vec3 velocity(const Moment& moment, const Vec3& X) const noexcept PALPATE_NONBLOCKING;
+    /// As above, with less work.
+    [[nodiscard]] Vec3 velocity(const Moment& moment, const Rest& rest) const noexcept PALPATE_NONBLOCKING;
 
     /// Returns where the vertices of the rest shape are at a time, for drawing.
     [[nodiscard]] std::vector<Vec3> placesAt(double time_s, std::span<const Vec3> rest) const;
@@ -175,6 +179,7 @@ class PALPATE_EXPORT SurfaceMotion
     struct Value
     {
         Vec3 u;
+        Vec3 raw; ///< u of a single frame of weight 1
         Mat3 gradient;
     };
     class Patch;
@@ -197,6 +202,7 @@ class PALPATE_EXPORT SurfaceMotion
     std::vector<double> m_pulse;                   ///< factor at equal steps of that period
     double m_start_s = 0.0, m_offset_s = 0.0, m_rate = 1.0, m_amplitude = 1.0;
     double m_strain = 0.0;
+    double m_bend = 0.0; ///< bound on the change of the displacement gradient per length [1/mm]
     std::uint64_t m_shape = 0;
 };
 

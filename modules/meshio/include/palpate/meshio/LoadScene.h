@@ -40,6 +40,8 @@ struct LoadedStructure
     /// recording.
     std::shared_ptr<const geometry::RepairedMesh> asRead{};
     std::optional<geometry::Staircase> staircase{}; ///< found in `asRead`
+    /// How `surface`, the rest shape, moves. Structures with equal descriptions share a motion. Null: it rests.
+    std::shared_ptr<const geometry::SurfaceMotion> motion{};
     std::optional<HoleClosing> closing{};           ///< result of closing holes, when applied
     std::optional<SurfaceSmoothing> smoothing{};    ///< result of smoothing, when applied
     std::optional<SurfaceCurving> curving{};        ///< result of curving the facets, when applied
@@ -61,7 +63,7 @@ struct LoadedScene
 /// Opens a scene file, a mesh file, or a folder (all mesh files, sorted by name). Meshes without a scene file get
 /// default tissue and colours by known anatomical names; all are visible and palpable, in layer 0. Files that fail to
 /// open are reported as losses as long as any other file opens. A mesh that has changed since the scene was saved is
-/// opened and also reported as a loss.
+/// opened and also reported as a loss. A motion that cannot be made fails the whole scene.
 /// @param options  `unit_mm` applies only to mesh files, because a scene file defines its own units; `frame` also
 /// applies
 ///                 to structures of a scene without a frame.

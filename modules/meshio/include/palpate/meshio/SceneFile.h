@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/meshio/SceneMotion.h"
+
 #include <palpate/core/Export.h>
 #include <palpate/core/FileFrame.h>
 #include <palpate/core/Finding.h>
@@ -77,6 +79,8 @@ struct SceneStructure
     /// How arrays or volumes vary the tissue over the surface; empty: by arrays with known names
     /// (core::kKnownMaps).
     std::optional<std::vector<core::TissueMapping>> maps{};
+    std::optional<SceneMotion> motion{}; ///< how the structure moves; empty: it rests
+    std::optional<ScenePulse> pulse{};
     core::Transform X_WM = core::Transform::Identity(); ///< pose: mesh (mm) to world
     std::string extra;                                  ///< unknown fields of this structure, as a JSON object
 };
