@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/Commands.h"
+#include "reports/DistancesReport.h"
 #include "reports/InfoReport.h"
 #include "shared/Console.h"
 #include "shared/LayersOption.h"
@@ -7,6 +8,7 @@
 
 #include <palpate/meshio/MeshFormats.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/study/Distances.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/SceneNotes.h>
@@ -36,10 +38,11 @@ namespace {
 struct InfoOptions
 {
     std::vector<std::filesystem::path> files;
-    std::string unit = "mm", frame, layers;
+    std::string unit = "mm", frame, layers, bands = "5,10";
     SurfaceOptions surfaces;
     bool isPartial = false;
     bool isJson = false;
+    bool hasDistances = false;
 };
 
 double secondsSince(std::chrono::steady_clock::time_point start)
@@ -129,8 +132,21 @@ std::vector<std::vector<std::size_t>> scenesOf(const std::vector<Examined>& file
     return scenes;
 }
 
+/// Measures sizes, least distances and margins among the structures of several files.
+study::DistanceTable distancesOf(const meshio::LoadedScene& scene, const haptics::HapticScene& felt,
+                                 const std::vector<double>& limits_mm)
+{
+    std::vector<std::shared_ptr<const geometry::SurfaceIndex>> indices;
+    for (const haptics::HapticStructure& structure : felt.structures()) {
+        indices.push_back(structure.surface);
+    }
+    return study::measureDistances(scene, indices, limits_mm);
+}
+
 /// Computes the relations between structures of several files.
-void compareFiles(std::vector<Examined>& files, const std::vector<std::size_t>& numbers, bool setsLayers)
+/// @param limits_mm  borders of the bands of margins; empty: no distances
+void compareFiles(std::vector<Examined>& files, const std::vector<std::size_t>& numbers, bool setsLayers,
+                  const std::vector<double>& limits_mm)
 {
     meshio::LoadedScene together;
     std::vector<haptics::HapticStructure> structures;
@@ -147,6 +163,10 @@ void compareFiles(std::vector<Examined>& files, const std::vector<std::size_t>& 
         layers = layOut(files[numbers.front()].report.path, together, felt);
     }
     const std::vector<core::Message> notes = study::neighbourNotes(together, *felt);
+    std::optional<study::DistanceTable> distances;
+    if (!limits_mm.empty()) {
+        distances = distancesOf(together, *felt, limits_mm);
+    }
     std::size_t next = 0;
     for (const std::size_t i : numbers) {
         for (meshio::LoadedStructure& structure : files[i].report.scene.structures) {
@@ -154,6 +174,7 @@ void compareFiles(std::vector<Examined>& files, const std::vector<std::size_t>& 
         }
         files[i].report.layers = layers;
         files[i].report.neighbours = notes;
+        files[i].report.distances = distances;
     }
 }
 
@@ -165,6 +186,9 @@ void printComparison(const std::vector<Examined>& files, const std::vector<std::
     }
     for (const core::Message& line : first.neighbours) {
         print("  note: %s\n", line.english().c_str());
+    }
+    if (first.distances) {
+        printDistances(*first.distances);
     }
 }
 
@@ -191,6 +215,10 @@ int runMeshInfo(const InfoOptions& options)
     if (!read.isOk()) {
         return report(read.status());
     }
+    const auto bands = bandsOption(options.bands);
+    if (!bands.isOk()) {
+        return report(bands.status());
+    }
     // Print available results immediately: the examination takes much longer than all previous steps.
     const auto show = [&options](void (*part)(const FileReport&), const Examined& one) {
         if (!options.isJson) {
@@ -215,7 +243,8 @@ int runMeshInfo(const InfoOptions& options)
         show(printExamination, files.back());
     }
     for (const std::vector<std::size_t>& numbers : scenesOf(files)) {
-        compareFiles(files, numbers, !options.layers.empty());
+        compareFiles(files, numbers, !options.layers.empty(),
+                     options.hasDistances ? bands.value() : std::vector<double>());
         if (!options.isJson) {
             printComparison(files, numbers);
         }
@@ -246,6 +275,11 @@ void addInfoCommand(CLI::App& app, Chosen& chosen)
     options->surfaces.addTo(*command);
     command->add_flag("--partial", options->isPartial,
                       "Read what is whole of a file that was cut off; exit code 3 then");
+    auto* distances = command->add_flag("--distances", options->hasDistances,
+                                        "Also sizes, least distances, and margins of lumps to other structures");
+    command->add_option("--bands", options->bands, "Borders of the bands of the margins [mm], ascending")
+        ->needs(distances)
+        ->capture_default_str();
     command->add_flag("--json", options->isJson, "Print the report as JSON");
     command->callback([options, &chosen] { chosen = [options] { return runMeshInfo(*options); }; });
 }

@@ -411,6 +411,9 @@ QJsonObject toJson(const FileReport& report)
         object["layers"] = texts(english(*report.layers));
     }
     object["lumps"] = study::lumpsJson(report.scene, report.lumps);
+    if (report.distances) {
+        object["distances"] = study::toJson(*report.distances);
+    }
     return object;
 }
 

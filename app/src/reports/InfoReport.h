@@ -5,6 +5,7 @@
 #include <palpate/geometry/SurfaceExamination.h>
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/study/BuriedLumps.h>
+#include <palpate/study/Distances.h>
 
 #include <QJsonObject>
 
@@ -28,8 +29,9 @@ struct FileReport
     std::vector<core::Message> neighbours;   ///< structures of all files that obstruct each other, one sentence each
     /// Nesting of structures across all files, one sentence each, if requested.
     std::optional<std::vector<core::Message>> layers;
-    std::vector<study::OrganPalpability> lumps; ///< palpability of lumps in organs
-    std::vector<core::Message> lumpNotes;       ///< organs and lumps that cannot be evaluated, one sentence each
+    std::vector<study::OrganPalpability> lumps;    ///< palpability of lumps in organs
+    std::vector<core::Message> lumpNotes;          ///< organs and lumps that cannot be evaluated, one sentence each
+    std::optional<study::DistanceTable> distances; ///< among the structures of all files of the scene, if requested
     std::size_t touchBytes = 0;
     std::size_t touchTriangles = 0;
 };

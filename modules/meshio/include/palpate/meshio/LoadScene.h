@@ -42,9 +42,9 @@ struct LoadedStructure
     std::optional<geometry::Staircase> staircase{}; ///< found in `asRead`
     /// How `surface`, the rest shape, moves. Structures with equal descriptions share a motion. Null: it rests.
     std::shared_ptr<const geometry::SurfaceMotion> motion{};
-    std::optional<HoleClosing> closing{};           ///< result of closing holes, when applied
-    std::optional<SurfaceSmoothing> smoothing{};    ///< result of smoothing, when applied
-    std::optional<SurfaceCurving> curving{};        ///< result of curving the facets, when applied
+    std::optional<HoleClosing> closing{};        ///< result of closing holes, when applied
+    std::optional<SurfaceSmoothing> smoothing{}; ///< result of smoothing, when applied
+    std::optional<SurfaceCurving> curving{};     ///< result of curving the facets, when applied
 };
 
 /// A scene with the meshes.

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/study/Distances.h"
+
+#include <QJsonArray>
+
+namespace palpate::study {
+
+namespace {
+
+using core::Message;
+using core::Rounded;
+using geometry::Relation;
+
+QJsonArray tripleOf(const core::Vec3& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+Message placeOf(const core::Vec3& p)
+{
+    return {PALPATE_TEXT("(%1, %2, %3)"), p.x(), p.y(), p.z()};
+}
+
+QJsonArray sizesOf(const DistanceTable& table)
+{
+    QJsonArray sizes;
+    for (const StructureSize& size : table.sizes) {
+        const auto diameter_mm = size.ballDiameter_mm();
+        sizes.append(QJsonObject{
+            {"name", QString::fromStdString(size.name)},
+            {"volume_mm3", size.volume_mm3 ? QJsonValue(*size.volume_mm3) : QJsonValue()},
+            {"volume_note", size.note.isEmpty() ? QJsonValue() : QString::fromStdString(size.note.english())},
+            {"ball_diameter_mm", diameter_mm ? QJsonValue(*diameter_mm) : QJsonValue()},
+            {"area_mm2", size.area_mm2},
+            {"extent_mm", tripleOf(size.extent_mm)}});
+    }
+    return sizes;
+}
+
+} // namespace
+
+Message sentence(const StructureSize& size)
+{
+    const Message extent{PALPATE_TEXT("area %1 cm², extent %2 × %3 × %4 mm"), Rounded{size.area_mm2 / 100.0, 4},
+                         Rounded{size.extent_mm.x(), 4}, Rounded{size.extent_mm.y(), 4},
+                         Rounded{size.extent_mm.z(), 4}};
+    if (!size.volume_mm3) {
+        return {PALPATE_TEXT("%1: %2; %3"), size.name, extent, size.note};
+    }
+    const Message whole{PALPATE_TEXT("%1: volume %2 ml (a ball of %3 mm), %4"), size.name,
+                        Rounded{*size.volume_mm3 / 1000.0, 4}, Rounded{*size.ballDiameter_mm(), 4}, extent};
+    return size.note.isEmpty() ? whole : core::joined({whole, size.note});
+}
+
+Message sentence(const DistanceTable& table, const PairDistance& pair)
+{
+    const std::string &first = table.sizes[pair.first].name, &second = table.sizes[pair.second].name;
+    const geometry::SurfaceDistance& found = pair.found;
+    const Message from = placeOf(found.onFirst), to = placeOf(found.onSecond);
+    const Rounded surface_mm{found.surface_mm, 4};
+    switch (found.relation) {
+    case Relation::Crossing:
+        return {PALPATE_TEXT("%1 to %2: 0 mm, they cross or touch at %3"), first, second, from};
+    case Relation::Inside:
+        return {PALPATE_TEXT("%1 to %2: 0 mm, %1 lies inside, %3 mm from the surface, from %4 to %5"),
+                first,
+                second,
+                surface_mm,
+                from,
+                to};
+    case Relation::Around:
+        return {PALPATE_TEXT("%1 to %2: 0 mm, %2 lies inside, %3 mm from the surface, from %4 to %5"),
+                first,
+                second,
+                surface_mm,
+                from,
+                to};
+    case Relation::Apart:
+        break;
+    }
+    return {PALPATE_TEXT("%1 to %2: %3 mm, from %4 to %5"), first, second, surface_mm, from, to};
+}
+
+std::vector<Message> clauses(const DistanceTable& table, const LumpMargin& margin)
+{
+    std::vector<Message> bands;
+    const std::vector<double>& limits_mm = table.limits_mm;
+    for (std::size_t i = 0; i < margin.found.shares.size(); ++i) {
+        const Rounded share{100.0 * margin.found.shares[i], 3};
+        if (i == 0 && i < limits_mm.size()) {
+            bands.push_back({PALPATE_TEXT("< %1 mm: %2 %"), limits_mm[i], share});
+        } else if (i < limits_mm.size()) {
+            bands.push_back({PALPATE_TEXT("%1 to %2 mm: %3 %"), limits_mm[i - 1], limits_mm[i], share});
+        } else if (i > 0) {
+            bands.push_back({PALPATE_TEXT("> %1 mm: %2 %"), limits_mm[i - 1], share});
+        }
+    }
+    if (margin.found.insideShare > 0.0) {
+        bands.push_back({PALPATE_TEXT("inside: %1 %"), Rounded{100.0 * margin.found.insideShare, 3}});
+    }
+    return bands;
+}
+
+const char* relationName(Relation relation) noexcept
+{
+    switch (relation) {
+    case Relation::Crossing:
+        return "crossing";
+    case Relation::Inside:
+        return "inside";
+    case Relation::Around:
+        return "around";
+    case Relation::Apart:
+        break;
+    }
+    return "apart";
+}
+
+QJsonObject toJson(const DistanceTable& table)
+{
+    const auto nameOf = [&table](std::size_t i) { return QString::fromStdString(table.sizes[i].name); };
+    const auto numbers = [](const std::vector<double>& values) {
+        QJsonArray array;
+        for (const double value : values) {
+            array.append(value);
+        }
+        return array;
+    };
+    QJsonArray nearest, margins;
+    for (const PairDistance& pair : table.pairs) {
+        nearest.append(QJsonObject{{"first", nameOf(pair.first)},
+                                   {"second", nameOf(pair.second)},
+                                   {"relation", relationName(pair.found.relation)},
+                                   {"distance_mm", pair.found.distance_mm},
+                                   {"surface_mm", pair.found.surface_mm},
+                                   {"first_mm", tripleOf(pair.found.onFirst)},
+                                   {"second_mm", tripleOf(pair.found.onSecond)}});
+    }
+    for (const LumpMargin& margin : table.margins) {
+        margins.append(QJsonObject{{"lump", nameOf(margin.lump)},
+                                   {"structure", nameOf(margin.structure)},
+                                   {"area_shares", numbers(margin.found.shares)},
+                                   {"inside_share", margin.found.insideShare}});
+    }
+    return {
+        {"limits_mm", numbers(table.limits_mm)}, {"sizes", sizesOf(table)}, {"nearest", nearest}, {"margins", margins}};
+}
+
+} // namespace palpate::study

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/study/Distances.h"
+
+#include "palpate/study/Layers.h"
+#include "palpate/study/LumpRule.h"
+
+#include <palpate/core/Parallel.h>
+#include <palpate/meshio/AnatomyKind.h>
+
+#include <cmath>
+#include <utility>
+
+namespace palpate::study {
+
+namespace {
+
+using SharedIndex = std::shared_ptr<const geometry::SurfaceIndex>;
+
+std::vector<SharedIndex> completed(const meshio::LoadedScene& scene, std::span<const SharedIndex> indices)
+{
+    std::vector<SharedIndex> all(indices.begin(), indices.end());
+    all.resize(scene.structures.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i] == nullptr && scene.structures[i].surface != nullptr) {
+            all[i] = std::make_shared<const geometry::SurfaceIndex>(
+                geometry::SurfaceIndex::build(*scene.structures[i].surface));
+        }
+        if (all[i] != nullptr && all[i]->triangleCount() == 0) {
+            all[i] = nullptr;
+        }
+    }
+    return all;
+}
+
+std::vector<bool> lumpsOf(const meshio::LoadedScene& scene, const std::vector<SharedIndex>& indices)
+{
+    std::vector<LayeredSurface> surfaces;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        surfaces.push_back({indices[i] ? scene.structures[i].surface.get() : nullptr, indices[i].get()});
+    }
+    const Layering layers = layering(surfaces);
+    std::vector<PlacedStructure> placed;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        placed.push_back({&scene.structures[i].description, surfaces[i].surface, layers.structures[i].in});
+    }
+    const LumpRule rule(std::move(placed));
+    std::vector<bool> areLumps;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const meshio::SceneStructure& one = scene.structures[i].description;
+        areLumps.push_back(indices[i] &&
+                           (meshio::isLump(meshio::anatomyKind(one.name)) || one.young_ratio || rule.organOf(i)));
+    }
+    return areLumps;
+}
+
+} // namespace
+
+std::optional<double> StructureSize::ballDiameter_mm() const
+{
+    return volume_mm3 ? std::optional(std::cbrt(6.0 * *volume_mm3 / M_PI)) : std::nullopt;
+}
+
+StructureSize sizeOf(std::string name, const geometry::MeshReport& report)
+{
+    StructureSize size;
+    size.name = std::move(name);
+    size.area_mm2 = report.area_mm2;
+    if (!report.bounds.isEmpty()) {
+        size.extent_mm = report.bounds.sizes();
+    }
+    if (report.closedComponents == 0) {
+        size.note = {
+            PALPATE_TEXT("no volume: no part is closed (open edges: %1, edges of more than two triangles: %2)"),
+            core::Count(report.openEdges), core::Count(report.nonManifoldEdges)};
+    } else if (report.insideOutComponents > 0) {
+        size.note = {PALPATE_TEXT("no volume: the surface is inside out")};
+    } else {
+        size.volume_mm3 = report.volume_mm3;
+        if (report.openComponents > 0) {
+            size.note = {PALPATE_TEXT("the volume is that of the closed parts: %1 of %2"),
+                         core::Count(report.closedComponents), core::Count(report.components)};
+        }
+    }
+    return size;
+}
+
+DistanceTable measureDistances(const meshio::LoadedScene& scene, std::span<const SharedIndex> indices,
+                               std::span<const double> limits_mm)
+{
+    DistanceTable table;
+    table.limits_mm.assign(limits_mm.begin(), limits_mm.end());
+    for (const meshio::LoadedStructure& one : scene.structures) {
+        table.sizes.push_back(sizeOf(one.description.name, one.surface ? one.surface->report : geometry::MeshReport()));
+    }
+    const std::vector<SharedIndex> surfaces = completed(scene, indices);
+    const std::vector<bool> areLumps = lumpsOf(scene, surfaces);
+    bool hasLumps = false;
+    for (const bool isLump : areLumps) {
+        hasLumps = hasLumps || isLump;
+    }
+    for (std::size_t a = 0; a < surfaces.size(); ++a) {
+        for (std::size_t b = 0; b < surfaces.size(); ++b) {
+            if (a == b || surfaces[a] == nullptr || surfaces[b] == nullptr || (hasLumps && !areLumps[a])) {
+                continue;
+            }
+            if (areLumps[a]) {
+                table.margins.push_back({a, b, {}});
+            }
+            if (a < b || (areLumps[a] && !areLumps[b])) {
+                table.pairs.push_back({a, b, {}});
+            }
+        }
+    }
+    core::parallelFor(table.pairs.size(), [&](std::size_t i, unsigned /*thread*/) {
+        PairDistance& pair = table.pairs[i];
+        pair.found = geometry::surfaceDistance(*surfaces[pair.first], *surfaces[pair.second]).value();
+    });
+    for (LumpMargin& margin : table.margins) {
+        margin.found = geometry::surfaceMargin(*surfaces[margin.lump], *surfaces[margin.structure], limits_mm);
+    }
+    return table;
+}
+
+} // namespace palpate::study
