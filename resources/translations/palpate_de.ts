@@ -4800,7 +4800,7 @@
     </message>
     <message>
         <source>%1: found %2, expected %3 to %4</source>
-        <translation type="unfinished">%1: gefunden: %2, erwartet: %3 bis %4 {1:?} {2,?} {3 ?}</translation>
+        <translation>%1: gefunden: %2, erwartet: %3 bis %4</translation>
     </message>
     <message>
         <source>found %1 poses, expected at least two</source>
@@ -5137,6 +5137,138 @@
     <message>
         <source>found a line without two points: left out</source>
         <translation>Linie ohne zwei Punkte gefunden: ausgelassen</translation>
+    </message>
+    <message>
+        <source>--bands: found &quot;%1&quot;, expected ascending distances in mm, as 5,10</source>
+        <translation>--bands: „%1“ gefunden, erwartet werden aufsteigende Abstände in mm, etwa 5,10</translation>
+    </message>
+    <message>
+        <source>an even number from 2 to 64</source>
+        <translation>eine gerade Zahl von 2 bis 64</translation>
+    </message>
+    <message>
+        <source>both `still_mm` and `full_mm`, or neither</source>
+        <translation>sowohl `still_mm` als auch `full_mm` oder keines von beiden</translation>
+    </message>
+    <message>
+        <source>the same place as `still_mm`</source>
+        <translation>derselbe Ort wie `still_mm`</translation>
+    </message>
+    <message>
+        <source>another place</source>
+        <translation>ein anderer Ort</translation>
+    </message>
+    <message>
+        <source>the path of a CSV file of poses</source>
+        <translation>der Pfad einer CSV-Datei mit Lagen</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 Dateien</translation>
+    </message>
+    <message>
+        <source>at least two, at equal steps of the period</source>
+        <translation>mindestens zwei, in gleichen Schritten der Periode</translation>
+    </message>
+    <message>
+        <source>a header with time_s, x, y, z and optionally qw, qx, qy, qz</source>
+        <translation>eine Kopfzeile mit time_s, x, y, z und wahlweise qw, qx, qy, qz</translation>
+    </message>
+    <message>
+        <source>a quaternion of length %1</source>
+        <translation>ein Quaternion der Länge %1</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>%1 as in %2: every frame has the same mesh</source>
+        <translation>%1 wie in %2: jedes Bild hat dasselbe Netz</translation>
+    </message>
+    <message>
+        <source>%1: moves along the poses of %2</source>
+        <translation>%1: bewegt sich nach den Lagen in %2</translation>
+    </message>
+    <message>
+        <source>%1: moves by up to %2 mm in a period of %3 s, with a strain of up to %4 %</source>
+        <translation>%1: bewegt sich um bis zu %2 mm mit einer Periode von %3 s und einer Dehnung bis %4 %</translation>
+    </message>
+    <message>
+        <source>%1: its force pulses by %2 % in a period of %3 s</source>
+        <translation>%1: die Kraft pulsiert um %2 % mit einer Periode von %3 s</translation>
+    </message>
+    <message>
+        <source>%1 layers with different motions</source>
+        <translation>%1 Schichten mit verschiedenen Bewegungen</translation>
+    </message>
+    <message>
+        <source>at most %1: let the structures of a layer move alike</source>
+        <translation>höchstens %1: die Strukturen einer Schicht gleich bewegen</translation>
+    </message>
+    <message>
+        <source>at most %1 texts</source>
+        <translation>höchstens %1 Texte</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3)</source>
+        <translation>(%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>area %1 cm², extent %2 × %3 × %4 mm</source>
+        <translation>Fläche %1 cm², Ausdehnung %2 × %3 × %4 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3</source>
+        <translation>%1: %2; %3</translation>
+    </message>
+    <message>
+        <source>%1: volume %2 ml (a ball of %3 mm), %4</source>
+        <translation>%1: Volumen %2 ml (eine Kugel von %3 mm), %4</translation>
+    </message>
+    <message>
+        <source>%1 to %2: 0 mm, they cross or touch at %3</source>
+        <translation>%1 zu %2: 0 mm, sie schneiden oder berühren sich bei %3</translation>
+    </message>
+    <message>
+        <source>%1 to %2: 0 mm, %1 lies inside, %3 mm from the surface, from %4 to %5</source>
+        <translation>%1 zu %2: 0 mm, %1 liegt innen, %3 mm von der Oberfläche, von %4 bis %5</translation>
+    </message>
+    <message>
+        <source>%1 to %2: 0 mm, %2 lies inside, %3 mm from the surface, from %4 to %5</source>
+        <translation>%1 zu %2: 0 mm, %2 liegt innen, %3 mm von der Oberfläche, von %4 bis %5</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3 mm, from %4 to %5</source>
+        <translation>%1 zu %2: %3 mm, von %4 bis %5</translation>
+    </message>
+    <message>
+        <source>&lt; %1 mm: %2 %</source>
+        <translation>&lt; %1 mm: %2 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm: %3 %</source>
+        <translation>%1 bis %2 mm: %3 %</translation>
+    </message>
+    <message>
+        <source>&gt; %1 mm: %2 %</source>
+        <translation>&gt; %1 mm: %2 %</translation>
+    </message>
+    <message>
+        <source>inside: %1 %</source>
+        <translation>innen: %1 %</translation>
+    </message>
+    <message>
+        <source>no volume: no part is closed (open edges: %1, edges of more than two triangles: %2)</source>
+        <translation>kein Volumen: kein Teil ist geschlossen (offene Kanten: %1, Kanten mit mehr als zwei Dreiecken: %2)</translation>
+    </message>
+    <message>
+        <source>no volume: the surface is inside out</source>
+        <translation>kein Volumen: die Innenseite der Fläche ist nach außen gekehrt</translation>
+    </message>
+    <message>
+        <source>the volume is that of the closed parts: %1 of %2</source>
+        <translation>das Volumen ist das der geschlossenen Teile: %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -6164,6 +6296,14 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Choose for all…</source>
         <translation>Für alle wählen…</translation>
+    </message>
+    <message>
+        <source>Vessels, nerves and ducts that are not felt: %1.</source>
+        <translation>Gefäße, Nerven und Gänge, die nicht gefühlt werden: %1.</translation>
+    </message>
+    <message>
+        <source>Opacities chosen by name: %1.</source>
+        <translation>Nach dem Namen gewählte Deckkraft: %1.</translation>
     </message>
 </context>
 <context>

@@ -4776,11 +4776,11 @@
     </message>
     <message>
         <source>%1: left out, %2; --close-holes closes holes</source>
-        <translation>%1 : omis, %2 ; --close-holes ferme les trous</translation>
+        <translation>%1&#x202f;: omis, %2&#x202f;; --close-holes ferme les trous</translation>
     </message>
     <message>
         <source>found no device plugin called &quot;%1&quot;, expected one of: %2 (the built-in devices %3 are not plugins)</source>
-        <translation>aucun greffon d’appareil nommé « %1 » trouvé, attendu l’un de : %2 (les appareils intégrés %3 ne sont pas des greffons)</translation>
+        <translation>aucun greffon d’appareil nommé «&#x202f;%1&#x202f;» trouvé, attendu l’un de&#x202f;: %2 (les appareils intégrés %3 ne sont pas des greffons)</translation>
     </message>
     <message>
         <source>found %1 vertices and a lattice of %2 mm, expected more than 0</source>
@@ -4788,19 +4788,19 @@
     </message>
     <message>
         <source>frame %1: found %2 vertices, expected %3 as at rest</source>
-        <translation>image %1 : %2 sommets trouvés, %3 sont attendus comme au repos</translation>
+        <translation>image %1&#x202f;: %2 sommets trouvés, %3 sont attendus comme au repos</translation>
     </message>
     <message>
         <source>frame %1, vertex %2: found a number that is not finite</source>
-        <translation>image %1, sommet %2 : un nombre n’est pas fini</translation>
+        <translation>image %1, sommet %2&#x202f;: un nombre n’est pas fini</translation>
     </message>
     <message>
         <source>frame %1, vertex %2: found %3 mm between the shape and the lattice of %4 mm, expected at most %5 mm: use a finer lattice, or one structure for each part that slides</source>
-        <translation>image %1, sommet %2 : %3 mm trouvés entre la forme et la grille de %4 mm, au plus %5 mm sont attendus : utilisez une grille plus fine ou une structure pour chaque partie qui glisse</translation>
+        <translation>image %1, sommet %2&#x202f;: %3 mm trouvés entre la forme et la grille de %4 mm, au plus %5 mm sont attendus&#x202f;: utilisez une grille plus fine ou une structure pour chaque partie qui glisse</translation>
     </message>
     <message>
         <source>%1: found %2, expected %3 to %4</source>
-        <translation type="unfinished">%1&#x202f;: trouvé&#x202f;: %2, attendu&#x202f;: de %3 à %4 {1:?} {2,?} {3 ?}</translation>
+        <translation>%1 : trouvé : %2, attendu : de %3 à %4</translation>
     </message>
     <message>
         <source>found %1 poses, expected at least two</source>
@@ -4808,27 +4808,27 @@
     </message>
     <message>
         <source>exponent: found %1, expected an even number from 2 to %2</source>
-        <translation>exponent : %1 trouvé, un nombre pair de 2 à %2 est attendu</translation>
+        <translation>exponent&#x202f;: %1 trouvé, un nombre pair de 2 à %2 est attendu</translation>
     </message>
     <message>
         <source>amplitude_mm, still or full: found a number that is not finite</source>
-        <translation>amplitude_mm, still ou full : un nombre n’est pas fini</translation>
+        <translation>amplitude_mm, still ou full&#x202f;: un nombre n’est pas fini</translation>
     </message>
     <message>
         <source>frame %1: found %2 control points, expected %3</source>
-        <translation>image %1 : %2 points de contrôle trouvés, %3 sont attendus</translation>
+        <translation>image %1&#x202f;: %2 points de contrôle trouvés, %3 sont attendus</translation>
     </message>
     <message>
         <source>pose %1: found a number that is not finite</source>
-        <translation>pose %1 : un nombre n’est pas fini</translation>
+        <translation>pose %1&#x202f;: un nombre n’est pas fini</translation>
     </message>
     <message>
         <source>pose %1: found the time %2 s after %3 s, expected ascending times</source>
-        <translation>pose %1 : temps %2 s trouvé après %3 s, des temps croissants sont attendus</translation>
+        <translation>pose %1&#x202f;: temps %2 s trouvé après %3 s, des temps croissants sont attendus</translation>
     </message>
     <message>
         <source>the last pose: found another than the first, expected the same for a motion that repeats</source>
-        <translation>la dernière pose : différente de la première, la même est attendue pour un mouvement qui se répète</translation>
+        <translation>la dernière pose&#x202f;: différente de la première, la même est attendue pour un mouvement qui se répète</translation>
     </message>
     <message>
         <source>found %1 frames, expected at least two</source>
@@ -4836,31 +4836,31 @@
     </message>
     <message>
         <source>amplitude_mm: found more than %1 mm</source>
-        <translation>amplitude_mm : plus de %1 mm trouvés</translation>
+        <translation>amplitude_mm&#x202f;: plus de %1 mm trouvés</translation>
     </message>
     <message>
         <source>lattice: expected at least one cell of a positive size</source>
-        <translation>grille : au moins une cellule de taille positive est attendue</translation>
+        <translation>grille&#x202f;: au moins une cellule de taille positive est attendue</translation>
     </message>
     <message>
         <source>lattice: found %1 control points in %2 frames, expected at most %3</source>
-        <translation>grille : %1 points de contrôle dans %2 images trouvés, au plus %3 sont attendus</translation>
+        <translation>grille&#x202f;: %1 points de contrôle dans %2 images trouvés, au plus %3 sont attendus</translation>
     </message>
     <message>
         <source>lattice: found %1 displacements, expected %2</source>
-        <translation>grille : %1 déplacements trouvés, %2 sont attendus</translation>
+        <translation>grille&#x202f;: %1 déplacements trouvés, %2 sont attendus</translation>
     </message>
     <message>
         <source>frame %1, control point %2: found the displacement %3 mm</source>
-        <translation>image %1, point de contrôle %2 : déplacement de %3 mm trouvé</translation>
+        <translation>image %1, point de contrôle %2&#x202f;: déplacement de %3 mm trouvé</translation>
     </message>
     <message>
         <source>frame %1, cell (%2, %3, %4): found a strain of up to %5 %, where the tissue may fold; expected at most %6 %</source>
-        <translation>image %1, cellule (%2, %3, %4) : déformation de %5 % trouvée, où le tissu peut se replier ; au plus %6 % est attendu</translation>
+        <translation>image %1, cellule (%2, %3, %4)&#x202f;: déformation de %5 % trouvée, où le tissu peut se replier&#x202f;; au plus %6 % est attendu</translation>
     </message>
     <message>
         <source>frame %1, cell (%2, %3, %4): found a strain of up to %5 %, expected at most %6 %</source>
-        <translation>image %1, cellule (%2, %3, %4) : déformation de %5 % trouvée, au plus %6 % est attendu</translation>
+        <translation>image %1, cellule (%2, %3, %4)&#x202f;: déformation de %5 % trouvée, au plus %6 % est attendu</translation>
     </message>
     <message>
         <source>found %1 bytes that are no motion of this version, expected one that Palpate wrote</source>
@@ -4868,7 +4868,7 @@
     </message>
     <message>
         <source>found %1 layers with different motions, expected at most %2: let structures of a layer move alike</source>
-        <translation>%1 couches aux mouvements différents trouvées, au plus %2 sont attendues : donnez le même mouvement aux structures d’une couche</translation>
+        <translation>%1 couches aux mouvements différents trouvées, au plus %2 sont attendues&#x202f;: donnez le même mouvement aux structures d’une couche</translation>
     </message>
     <message>
         <source>the gzip file is cut off</source>
@@ -4880,7 +4880,7 @@
     </message>
     <message>
         <source>at most %1 times the size of the file: unpack it first (gunzip)</source>
-        <translation>au plus %1 fois la taille du fichier : décompressez-le d’abord (gunzip)</translation>
+        <translation>au plus %1 fois la taille du fichier&#x202f;: décompressez-le d’abord (gunzip)</translation>
     </message>
     <message>
         <source>more than %1 bytes when unpacked</source>
@@ -4892,7 +4892,7 @@
     </message>
     <message>
         <source>%1 bytes, as its end states: unpack it with gunzip, which names the damage</source>
-        <translation>%1 octets, comme l’indique sa fin : décompressez-le avec gunzip, qui nomme le dommage</translation>
+        <translation>%1 octets, comme l’indique sa fin&#x202f;: décompressez-le avec gunzip, qui nomme le dommage</translation>
     </message>
     <message>
         <source>a FreeSurfer surface of quadrangles, or its values</source>
@@ -4908,7 +4908,7 @@
     </message>
     <message>
         <source>%1: %2 is not opened: %3</source>
-        <translation>%1 : %2 n’est pas ouvert : %3</translation>
+        <translation>%1&#x202f;: %2 n’est pas ouvert&#x202f;: %3</translation>
     </message>
     <message>
         <source>the scene names no file of it</source>
@@ -4920,7 +4920,7 @@
     </message>
     <message>
         <source>its transform is not a rotation, shift and scale: harden it in 3D Slicer</source>
-        <translation>sa transformation n’est pas une rotation, une translation et une mise à l’échelle : appliquez-la dans 3D Slicer (Harden)</translation>
+        <translation>sa transformation n’est pas une rotation, une translation et une mise à l’échelle&#x202f;: appliquez-la dans 3D Slicer (Harden)</translation>
     </message>
     <message>
         <source>a scene without models and segmentations</source>
@@ -4928,7 +4928,7 @@
     </message>
     <message>
         <source>at least one (3D Slicer: File, Save Data)</source>
-        <translation>au moins un (3D Slicer : File, Save Data)</translation>
+        <translation>au moins un (3D Slicer&#x202f;: File, Save Data)</translation>
     </message>
     <message>
         <source>1 hole of %1 mm closed, %2 mm² of new surface</source>
@@ -5020,7 +5020,7 @@
     </message>
     <message>
         <source>arrays of points and triangles: open the surface file (.surf.gii)</source>
-        <translation>des tableaux de points et de triangles : ouvrez le fichier de la surface (.surf.gii)</translation>
+        <translation>des tableaux de points et de triangles&#x202f;: ouvrez le fichier de la surface (.surf.gii)</translation>
     </message>
     <message>
         <source>the file ends</source>
@@ -5044,7 +5044,7 @@
     </message>
     <message>
         <source>an end of a polygon below the one before: %1</source>
-        <translation>une fin de polygone inférieure à la précédente : %1</translation>
+        <translation>une fin de polygone inférieure à la précédente&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 behind the last polygon</source>
@@ -5060,7 +5060,7 @@
     </message>
     <message>
         <source>%1: four dimensions, or binary</source>
-        <translation>%1 : quatre dimensions, ou binaire</translation>
+        <translation>%1&#x202f;: quatre dimensions, ou binaire</translation>
     </message>
     <message>
         <source>OFF as text with three coordinates for each vertex (MeshLab converts it)</source>
@@ -5108,7 +5108,7 @@
     </message>
     <message>
         <source>structure &quot;%1&quot;: a map of its tissue or its motion is not there, or damaged</source>
-        <translation>structure « %1 » : une carte de son tissu ou son mouvement manque ou est endommagé</translation>
+        <translation>structure «&#x202f;%1&#x202f;»&#x202f;: une carte de son tissu ou son mouvement manque ou est endommagé</translation>
     </message>
     <message>
         <source>a map of its tissue or its motion is not in the recording, or damaged</source>
@@ -5132,11 +5132,143 @@
     </message>
     <message>
         <source>found %1, expected points or a line: left out</source>
-        <translation>trouvé %1, attendu des points ou une ligne : ignoré</translation>
+        <translation>trouvé %1, attendu des points ou une ligne&#x202f;: ignoré</translation>
     </message>
     <message>
         <source>found a line without two points: left out</source>
-        <translation>trouvé une ligne sans deux points : ignorée</translation>
+        <translation>trouvé une ligne sans deux points&#x202f;: ignorée</translation>
+    </message>
+    <message>
+        <source>--bands: found &quot;%1&quot;, expected ascending distances in mm, as 5,10</source>
+        <translation>--bands : « %1 » trouvé, des distances croissantes en mm sont attendues, comme 5,10</translation>
+    </message>
+    <message>
+        <source>an even number from 2 to 64</source>
+        <translation>un nombre pair de 2 à 64</translation>
+    </message>
+    <message>
+        <source>both `still_mm` and `full_mm`, or neither</source>
+        <translation>`still_mm` et `full_mm` ensemble, ou aucun des deux</translation>
+    </message>
+    <message>
+        <source>the same place as `still_mm`</source>
+        <translation>le même lieu que `still_mm`</translation>
+    </message>
+    <message>
+        <source>another place</source>
+        <translation>un autre lieu</translation>
+    </message>
+    <message>
+        <source>the path of a CSV file of poses</source>
+        <translation>le chemin d’un fichier CSV de poses</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1 fichiers</translation>
+    </message>
+    <message>
+        <source>at least two, at equal steps of the period</source>
+        <translation>au moins deux, à intervalles égaux de la période</translation>
+    </message>
+    <message>
+        <source>a header with time_s, x, y, z and optionally qw, qx, qy, qz</source>
+        <translation>un en-tête avec time_s, x, y, z et au choix qw, qx, qy, qz</translation>
+    </message>
+    <message>
+        <source>a quaternion of length %1</source>
+        <translation>un quaternion de longueur %1</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 sommets</translation>
+    </message>
+    <message>
+        <source>%1 as in %2: every frame has the same mesh</source>
+        <translation>%1 comme dans %2 : chaque image a le même maillage</translation>
+    </message>
+    <message>
+        <source>%1: moves along the poses of %2</source>
+        <translation>%1 : se déplace selon les poses de %2</translation>
+    </message>
+    <message>
+        <source>%1: moves by up to %2 mm in a period of %3 s, with a strain of up to %4 %</source>
+        <translation>%1 : se déplace de %2 mm au plus avec une période de %3 s et une déformation de %4 % au plus</translation>
+    </message>
+    <message>
+        <source>%1: its force pulses by %2 % in a period of %3 s</source>
+        <translation>%1 : sa force pulse de %2 % avec une période de %3 s</translation>
+    </message>
+    <message>
+        <source>%1 layers with different motions</source>
+        <translation>%1 couches aux mouvements différents</translation>
+    </message>
+    <message>
+        <source>at most %1: let the structures of a layer move alike</source>
+        <translation>au plus %1 : donnez le même mouvement aux structures d’une couche</translation>
+    </message>
+    <message>
+        <source>at most %1 texts</source>
+        <translation>au plus %1 textes</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3)</source>
+        <translation>(%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>area %1 cm², extent %2 × %3 × %4 mm</source>
+        <translation>aire %1 cm², étendue %2 × %3 × %4 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3</source>
+        <translation>%1 : %2 ; %3</translation>
+    </message>
+    <message>
+        <source>%1: volume %2 ml (a ball of %3 mm), %4</source>
+        <translation>%1 : volume %2 ml (une boule de %3 mm), %4</translation>
+    </message>
+    <message>
+        <source>%1 to %2: 0 mm, they cross or touch at %3</source>
+        <translation>%1 à %2 : 0 mm, elles se croisent ou se touchent en %3</translation>
+    </message>
+    <message>
+        <source>%1 to %2: 0 mm, %1 lies inside, %3 mm from the surface, from %4 to %5</source>
+        <translation>%1 à %2 : 0 mm, %1 est à l’intérieur, à %3 mm de la surface, de %4 à %5</translation>
+    </message>
+    <message>
+        <source>%1 to %2: 0 mm, %2 lies inside, %3 mm from the surface, from %4 to %5</source>
+        <translation>%1 à %2 : 0 mm, %2 est à l’intérieur, à %3 mm de la surface, de %4 à %5</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3 mm, from %4 to %5</source>
+        <translation>%1 à %2 : %3 mm, de %4 à %5</translation>
+    </message>
+    <message>
+        <source>&lt; %1 mm: %2 %</source>
+        <translation>&lt; %1 mm : %2 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm: %3 %</source>
+        <translation>%1 à %2 mm : %3 %</translation>
+    </message>
+    <message>
+        <source>&gt; %1 mm: %2 %</source>
+        <translation>&gt; %1 mm : %2 %</translation>
+    </message>
+    <message>
+        <source>inside: %1 %</source>
+        <translation>à l’intérieur : %1 %</translation>
+    </message>
+    <message>
+        <source>no volume: no part is closed (open edges: %1, edges of more than two triangles: %2)</source>
+        <translation>pas de volume : aucune partie n’est fermée (arêtes libres : %1, arêtes de plus de deux triangles : %2)</translation>
+    </message>
+    <message>
+        <source>no volume: the surface is inside out</source>
+        <translation>pas de volume : la surface est retournée</translation>
+    </message>
+    <message>
+        <source>the volume is that of the closed parts: %1 of %2</source>
+        <translation>le volume est celui des parties fermées : %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -5485,7 +5617,7 @@
     </message>
     <message>
         <source>Contact shape: a point feels every facet; a ball slides over small pits like a finger</source>
-        <translation>Forme du contact : un point sent chaque facette ; une boule glisse sur les petits creux comme un doigt</translation>
+        <translation>Forme du contact&#x202f;: un point sent chaque facette&#x202f;; une boule glisse sur les petits creux comme un doigt</translation>
     </message>
     <message>
         <source>Fingertip</source>
@@ -5497,7 +5629,7 @@
     </message>
     <message>
         <source>fingertip: point ▾</source>
-        <translation>bout du doigt : point ▾</translation>
+        <translation>bout du doigt&#x202f;: point ▾</translation>
     </message>
 </context>
 <context>
@@ -5613,7 +5745,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>%1 cannot be felt through %2 yet: %3</source>
-        <translation>%1 n’est pas encore perceptible à travers %2 : %3</translation>
+        <translation>%1 n’est pas encore perceptible à travers %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>Feel it as a layer below</source>
@@ -5835,7 +5967,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>%1 structures: %2 (%3 and others; the sign in the list of structures has the details)</source>
-        <translation>%1 structures : %2 (%3 et d’autres ; détails sur le signe dans la liste des structures)</translation>
+        <translation>%1 structures&#x202f;: %2 (%3 et d’autres&#x202f;; détails sur le signe dans la liste des structures)</translation>
     </message>
 </context>
 <context>
@@ -6121,7 +6253,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Give lumps, arteries, portal vein, other veins, ducts and organs colours that colour-blind people can distinguish; also when meshes are opened</source>
-        <translation>Donner aux nodules, aux artères, à la veine porte, aux autres veines, aux conduits et aux organes des couleurs que les daltoniens distinguent ; aussi à l’ouverture de maillages</translation>
+        <translation>Donner aux nodules, aux artères, à la veine porte, aux autres veines, aux conduits et aux organes des couleurs que les daltoniens distinguent&#x202f;; aussi à l’ouverture de maillages</translation>
     </message>
     <message>
         <source>Colour structures</source>
@@ -6164,6 +6296,14 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Choose for all…</source>
         <translation>Choisir pour toutes…</translation>
+    </message>
+    <message>
+        <source>Vessels, nerves and ducts that are not felt: %1.</source>
+        <translation>Vaisseaux, nerfs et conduits qui ne sont pas palpés : %1.</translation>
+    </message>
+    <message>
+        <source>Opacities chosen by name: %1.</source>
+        <translation>Opacités choisies d’après le nom : %1.</translation>
     </message>
 </context>
 <context>
@@ -6422,11 +6562,11 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Supported: %1.</source>
-        <translation>Pris en charge : %1.</translation>
+        <translation>Pris en charge&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Not supported yet: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
-        <translation>Pas encore pris en charge : 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. Un greffon de périphérique relie un tel bras ; la page « device-plugin » de la documentation décrit comment en écrire un.</translation>
+        <translation>Pas encore pris en charge&#x202f;: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. Un greffon de périphérique relie un tel bras&#x202f;; la page «&#x202f;device-plugin&#x202f;» de la documentation décrit comment en écrire un.</translation>
     </message>
 </context>
 <context>
@@ -7572,7 +7712,7 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
     <message>
         <source>%1 was left out: %2.</source>
-        <translation>%1 a été omis : %2.</translation>
+        <translation>%1 a été omis&#x202f;: %2.</translation>
     </message>
 </context>
 <context>
@@ -8239,9 +8379,9 @@ Ordre en profondeur&#x202f;: %3</translation>
         <source>Mesh of %1:
 • %2
 Details: %3</source>
-        <translation>Maillage de %1 :
+        <translation>Maillage de %1&#x202f;:
 • %2
-Détails : %3</translation>
+Détails&#x202f;: %3</translation>
     </message>
 </context>
 <context>
@@ -8815,7 +8955,7 @@ de celle-ci, et profondeur de la main dans chaque couche [mm]</translation>
     </message>
     <message>
         <source>Source of the values: the live hand or the recording</source>
-        <translation>Origine des valeurs : la main en direct ou l’enregistrement</translation>
+        <translation>Origine des valeurs&#x202f;: la main en direct ou l’enregistrement</translation>
     </message>
     <message>
         <source>Recording, %1 s</source>

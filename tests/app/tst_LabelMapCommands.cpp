@@ -101,7 +101,7 @@ class LabelMapCommands : public QObject
     void feltTakesLabelMaps()
     {
         const Outcome felt = run({"felt", "case.seg.nrrd"});
-        QCOMPARE(felt.code, 0);
+        QCOMPARE(felt.exitCode, 0);
         QVERIFY2(felt.out.contains("tumour (") && felt.out.contains("below at least"),
                  (felt.out + felt.error).constData()); // although its voxels are cut out of the liver's
     }
