@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the engine on every row of the table of hard cases; a new case is a row in modules/evaluation/src/*Rows.cpp.
+// Runs the engine on every row of the table of hard cases; a new case is a row in
+// modules/evaluation/src/cases/*Rows.cpp.
 #include "HardCaseTest.h"
 
 class HardCases : public QObject

@@ -40,8 +40,11 @@ struct Sum
 using LinearLaw = Sum<LinearSpring, LinearDamper>;
 /// No maps that affect the force.
 using UnmappedLaw = Sum<LawSpring, LinearDamper>;
+/// Maps that affect the force. Without springs: the other terms, for SharedContact, which evaluates the springs itself.
+template<class... Springs>
+using WithMaps = Sum<Springs..., MapDamper>;
 /// No buried lumps.
-using MappedLaw = Sum<MapSpring, MapDamper>;
-using FeltLaw = Sum<TransmissionSpring, MapDamper>;
+using MappedLaw = WithMaps<MapSpring>;
+using FeltLaw = WithMaps<TransmissionSpring>;
 
 } // namespace palpate::haptics::law

@@ -101,7 +101,7 @@ void askLaw(const Touch& touch, Part& part) noexcept
     // The stored energy of a part is the energy of its law times its fraction of the push: W_S(lambda_S) at a right
     // angle, and the common energy where the planes are nearly parallel.
     part.aside_W = std::min(1.0, part.push_W.norm() / touch.depth_mm) * (spring_W - along_N * touch.up_W);
-    part.damper_W = Sum<MapDamper>::force(mapped);
+    part.damper_W = WithMaps<>::force(mapped);
 }
 
 /// Distributes the force by levels of stiffness: sets `stiffness_N_per_mm` of each part.
