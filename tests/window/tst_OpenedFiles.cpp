@@ -293,11 +293,10 @@ class OpenedFiles : public QObject
 
     void theTitleNamesWhatIsOpen()
     {
-        const auto marks = write("F.mrk.json", R"({"markups": []})");
-        QVERIFY(m_desk->open({marks, folder() / "liver.stl"}));
+        const auto other = write("other.json", R"({"a": 1})");
+        QVERIFY(m_desk->open({other, folder() / "liver.stl"}));
         QCOMPARE(m_desk->window().windowTitle(), QStringLiteral("liver.stl[*] – Palpate"));
-        QVERIFY(m_desk->window().findChild<ui::MessageBar*>()->text().contains(
-            "F.mrk.json: is a list of 3D Slicer marks, not a Palpate scene"));
+        QVERIFY(m_desk->window().findChild<ui::MessageBar*>()->text().contains("other.json: is not a Palpate scene"));
         QVERIFY(m_desk->show());
         QVERIFY(m_desk->open({folder() / "liver.stl", folder() / "a.stl", folder() / "b.stl"}));
         QCOMPARE(m_desk->window().windowTitle(), QStringLiteral("liver.stl and 2 more[*] – Palpate"));
