@@ -5969,6 +5969,14 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <source>%1 structures: %2 (%3 and others; the sign in the list of structures has the details)</source>
         <translation>%1 Strukturen: %2 (%3 und andere; Einzelheiten am Zeichen in der Liste der Strukturen)</translation>
     </message>
+    <message>
+        <source>%1: the hand feels the motion of the scene file, but the view shows the shape at rest.</source>
+        <translation>%1: Die Hand fühlt die Bewegung aus der Szenendatei, aber die Ansicht zeigt die Form in Ruhe.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::SceneFiles</name>

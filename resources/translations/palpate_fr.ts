@@ -4800,7 +4800,7 @@
     </message>
     <message>
         <source>%1: found %2, expected %3 to %4</source>
-        <translation>%1 : trouvé : %2, attendu : de %3 à %4</translation>
+        <translation>%1&#x202f;: trouvé&#x202f;: %2, attendu&#x202f;: de %3 à %4</translation>
     </message>
     <message>
         <source>found %1 poses, expected at least two</source>
@@ -5140,7 +5140,7 @@
     </message>
     <message>
         <source>--bands: found &quot;%1&quot;, expected ascending distances in mm, as 5,10</source>
-        <translation>--bands : « %1 » trouvé, des distances croissantes en mm sont attendues, comme 5,10</translation>
+        <translation>--bands&#x202f;: «&#x202f;%1&#x202f;» trouvé, des distances croissantes en mm sont attendues, comme 5,10</translation>
     </message>
     <message>
         <source>an even number from 2 to 64</source>
@@ -5184,19 +5184,19 @@
     </message>
     <message>
         <source>%1 as in %2: every frame has the same mesh</source>
-        <translation>%1 comme dans %2 : chaque image a le même maillage</translation>
+        <translation>%1 comme dans %2&#x202f;: chaque image a le même maillage</translation>
     </message>
     <message>
         <source>%1: moves along the poses of %2</source>
-        <translation>%1 : se déplace selon les poses de %2</translation>
+        <translation>%1&#x202f;: se déplace selon les poses de %2</translation>
     </message>
     <message>
         <source>%1: moves by up to %2 mm in a period of %3 s, with a strain of up to %4 %</source>
-        <translation>%1 : se déplace de %2 mm au plus avec une période de %3 s et une déformation de %4 % au plus</translation>
+        <translation>%1&#x202f;: se déplace de %2 mm au plus avec une période de %3 s et une déformation de %4 % au plus</translation>
     </message>
     <message>
         <source>%1: its force pulses by %2 % in a period of %3 s</source>
-        <translation>%1 : sa force pulse de %2 % avec une période de %3 s</translation>
+        <translation>%1&#x202f;: sa force pulse de %2 % avec une période de %3 s</translation>
     </message>
     <message>
         <source>%1 layers with different motions</source>
@@ -5204,7 +5204,7 @@
     </message>
     <message>
         <source>at most %1: let the structures of a layer move alike</source>
-        <translation>au plus %1 : donnez le même mouvement aux structures d’une couche</translation>
+        <translation>au plus %1&#x202f;: donnez le même mouvement aux structures d’une couche</translation>
     </message>
     <message>
         <source>at most %1 texts</source>
@@ -5220,55 +5220,55 @@
     </message>
     <message>
         <source>%1: %2; %3</source>
-        <translation>%1 : %2 ; %3</translation>
+        <translation>%1&#x202f;: %2&#x202f;; %3</translation>
     </message>
     <message>
         <source>%1: volume %2 ml (a ball of %3 mm), %4</source>
-        <translation>%1 : volume %2 ml (une boule de %3 mm), %4</translation>
+        <translation>%1&#x202f;: volume %2 ml (une boule de %3 mm), %4</translation>
     </message>
     <message>
         <source>%1 to %2: 0 mm, they cross or touch at %3</source>
-        <translation>%1 à %2 : 0 mm, elles se croisent ou se touchent en %3</translation>
+        <translation>%1 à %2&#x202f;: 0 mm, elles se croisent ou se touchent en %3</translation>
     </message>
     <message>
         <source>%1 to %2: 0 mm, %1 lies inside, %3 mm from the surface, from %4 to %5</source>
-        <translation>%1 à %2 : 0 mm, %1 est à l’intérieur, à %3 mm de la surface, de %4 à %5</translation>
+        <translation>%1 à %2&#x202f;: 0 mm, %1 est à l’intérieur, à %3 mm de la surface, de %4 à %5</translation>
     </message>
     <message>
         <source>%1 to %2: 0 mm, %2 lies inside, %3 mm from the surface, from %4 to %5</source>
-        <translation>%1 à %2 : 0 mm, %2 est à l’intérieur, à %3 mm de la surface, de %4 à %5</translation>
+        <translation>%1 à %2&#x202f;: 0 mm, %2 est à l’intérieur, à %3 mm de la surface, de %4 à %5</translation>
     </message>
     <message>
         <source>%1 to %2: %3 mm, from %4 to %5</source>
-        <translation>%1 à %2 : %3 mm, de %4 à %5</translation>
+        <translation>%1 à %2&#x202f;: %3 mm, de %4 à %5</translation>
     </message>
     <message>
         <source>&lt; %1 mm: %2 %</source>
-        <translation>&lt; %1 mm : %2 %</translation>
+        <translation>&lt; %1 mm&#x202f;: %2 %</translation>
     </message>
     <message>
         <source>%1 to %2 mm: %3 %</source>
-        <translation>%1 à %2 mm : %3 %</translation>
+        <translation>%1 à %2 mm&#x202f;: %3 %</translation>
     </message>
     <message>
         <source>&gt; %1 mm: %2 %</source>
-        <translation>&gt; %1 mm : %2 %</translation>
+        <translation>&gt; %1 mm&#x202f;: %2 %</translation>
     </message>
     <message>
         <source>inside: %1 %</source>
-        <translation>à l’intérieur : %1 %</translation>
+        <translation>à l’intérieur&#x202f;: %1 %</translation>
     </message>
     <message>
         <source>no volume: no part is closed (open edges: %1, edges of more than two triangles: %2)</source>
-        <translation>pas de volume : aucune partie n’est fermée (arêtes libres : %1, arêtes de plus de deux triangles : %2)</translation>
+        <translation>pas de volume&#x202f;: aucune partie n’est fermée (arêtes libres&#x202f;: %1, arêtes de plus de deux triangles&#x202f;: %2)</translation>
     </message>
     <message>
         <source>no volume: the surface is inside out</source>
-        <translation>pas de volume : la surface est retournée</translation>
+        <translation>pas de volume&#x202f;: la surface est retournée</translation>
     </message>
     <message>
         <source>the volume is that of the closed parts: %1 of %2</source>
-        <translation>le volume est celui des parties fermées : %1 sur %2</translation>
+        <translation>le volume est celui des parties fermées&#x202f;: %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -5969,6 +5969,14 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <source>%1 structures: %2 (%3 and others; the sign in the list of structures has the details)</source>
         <translation>%1 structures&#x202f;: %2 (%3 et d’autres&#x202f;; détails sur le signe dans la liste des structures)</translation>
     </message>
+    <message>
+        <source>%1: the hand feels the motion of the scene file, but the view shows the shape at rest.</source>
+        <translation>%1 : la main sent le mouvement du fichier de scène, mais la vue montre la forme au repos.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::SceneFiles</name>
@@ -6299,11 +6307,11 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Vessels, nerves and ducts that are not felt: %1.</source>
-        <translation>Vaisseaux, nerfs et conduits qui ne sont pas palpés : %1.</translation>
+        <translation>Vaisseaux, nerfs et conduits qui ne sont pas palpés&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Opacities chosen by name: %1.</source>
-        <translation>Opacités choisies d’après le nom : %1.</translation>
+        <translation>Opacités choisies d’après le nom&#x202f;: %1.</translation>
     </message>
 </context>
 <context>
