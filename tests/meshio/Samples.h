@@ -74,8 +74,9 @@ inline std::string binaryStl(std::uint32_t declared, const std::vector<std::arra
 
 inline std::string asciiStl(const std::string& name = "liver", const std::string& lastVertex = "0 1.5 0")
 {
-    return "solid " + name + "\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2.5 0 0\nvertex " + lastVertex +
-           "\nendloop\nendfacet\nendsolid " + name + "\n";
+    std::string text = "solid ";
+    text.append(name).append("\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2.5 0 0\nvertex ");
+    return text.append(lastVertex).append("\nendloop\nendfacet\nendsolid ").append(name).append("\n");
 }
 
 inline std::string asciiPly(const std::string& vertices = "0 0 0\n2.5 0 0\n0 1.5 0\n",
