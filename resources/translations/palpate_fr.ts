@@ -5971,7 +5971,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>%1: the hand feels the motion of the scene file, but the view shows the shape at rest.</source>
-        <translation>%1 : la main sent le mouvement du fichier de scène, mais la vue montre la forme au repos.</translation>
+        <translation>%1&#x202f;: la main sent le mouvement du fichier de scène, mais la vue montre la forme au repos.</translation>
     </message>
     <message>
         <source>OK</source>
