@@ -196,10 +196,8 @@ class Recording : public QObject
         QTest::newRow("lost block") << "DELETE FROM ticks WHERE tick BETWEEN 500 AND 749;"
                                        "DELETE FROM checks WHERE first = 500"
                                     << "a part of the recording was taken out";
-        QTest::newRow("added row") << "INSERT INTO ticks SELECT 5000, time_ns, hip_x, hip_y, hip_z, god_x, god_y, "
-                                      "god_z, force_x, force_y, force_z, sent_x, sent_y, sent_z, structure, triangle, "
-                                      "constraints, scene, buttons, solve_ns, iterations, flags, normal_x, normal_y, "
-                                      "normal_z, layers, velocity_x, velocity_y, velocity_z FROM ticks WHERE tick = 9"
+        QTest::newRow("added row") << "CREATE TEMP TABLE added AS SELECT * FROM ticks WHERE tick = 9;"
+                                      "UPDATE added SET tick = 5000; INSERT INTO ticks SELECT * FROM added"
                                    << "ticks 2000 to 5000";
         QTest::newRow("start state") << "UPDATE meta SET value = zeroblob(length(value)) WHERE key = 'start';"
                                         "UPDATE meta SET value = 'x' WHERE key = 'device_name'"
