@@ -354,8 +354,8 @@ class RecordedLayers : public QObject
             QVERIFY(QFile::copy(m_folder.filePath("m.palpate"), m_folder.filePath("o.palpate")));
             QVERIFY(test::runSql(path("o.palpate"), sql));
             const auto hurt = RecordingReader::open(path("o.palpate"));
-            QVERIFY2(hurt.value()->verify().message().find("a map of its tissue is not there, or damaged") !=
-                         std::string::npos,
+            QVERIFY2(hurt.value()->verify().message().find(
+                         "a map of its tissue or its motion is not there, or damaged") != std::string::npos,
                      sql);
             const auto refused = session::resimulate(*hurt.value(), surfaces());
             QVERIFY(!refused.isOk());

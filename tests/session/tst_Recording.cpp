@@ -331,8 +331,8 @@ class Recording : public QObject
     {
         QTest::addColumn<QString>("sql");
         QTest::addColumn<QString>("message");
-        QTest::newRow("newer") << "PRAGMA user_version = 5"
-                               << "found a recording of version 5, expected at most 4";
+        QTest::newRow("newer") << "PRAGMA user_version = 6"
+                               << "found a recording of version 6, expected at most 5";
         QTest::newRow("another program's") << "PRAGMA application_id = 7"
                                            << "found another program's SQLite database";
         QTest::newRow("no meta") << "DROP TABLE meta"

@@ -28,7 +28,7 @@ struct StructureSize
     core::Vec3 extent_mm = core::Vec3::Zero(); ///< along the axes of the world frame (LPS)
 
     /// Diameter of the ball with the same volume; empty without a volume. [mm]
-    [[nodiscard]] std::optional<double> ballDiameter_mm() const;
+    [[nodiscard]] PALPATE_EXPORT std::optional<double> ballDiameter_mm() const;
 };
 
 /// Least distance of two structures, by their numbers in the table.
