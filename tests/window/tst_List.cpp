@@ -223,7 +223,8 @@ class List : public QObject
         QVERIFY(m_desk->show());
         QVERIFY(m_desk->open({m_liver, m_vein}));
         QCOMPARE(test::newest(message().text()),
-                 QStringLiteral("The tissue of 2 structures was chosen by their names."));
+                 QStringLiteral(
+                     "The tissue of liver was chosen by its name. Vessels, nerves and ducts that are not felt: 1."));
         QVERIFY(!window().isWindowModified());
         const view::SceneView& view = window().viewport().view();
         PALPATE_TRY_VERIFY(view.structure(1).touchable == nullptr);

@@ -39,7 +39,7 @@ void printDistances(const study::DistanceTable& table)
     for (const study::LumpMargin& margin : table.margins) {
         std::string bands;
         for (const core::Message& clause : study::clauses(table, margin)) {
-            bands += (bands.empty() ? "" : ", ") + clause.english();
+            bands.append(bands.empty() ? "" : ", ").append(clause.english());
         }
         print("  margin: %s to %s: %s of its area\n", table.sizes[margin.lump].name.c_str(),
               table.sizes[margin.structure].name.c_str(), bands.c_str());

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/LumpLabel.h"
 
+#include "palpate/ui/FeltWords.h"
 #include "palpate/ui/TouchPanel.h"
 #include "palpate/ui/VtkViewport.h"
 
 #include <palpate/view/LabelLayout.h>
 
+#include <QEvent>
 #include <QLabel>
 
 #include <vector>
@@ -27,6 +29,15 @@ LumpLabel::LumpLabel(VtkViewport& viewport, const TouchPanel& touch, QObject* pa
     m_label->setMargin(3);
     m_label->hide();
     connect(&touch, &TouchPanel::changed, this, &LumpLabel::show);
+    viewport.installEventFilter(this);
+}
+
+bool LumpLabel::eventFilter(QObject* watched, QEvent* event)
+{
+    if ((event->type() == QEvent::FontChange || event->type() == QEvent::Resize) && m_label->isVisible()) {
+        QMetaObject::invokeMethod(this, &LumpLabel::show, Qt::QueuedConnection); // when the label has that font, too
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 void LumpLabel::show()
@@ -40,6 +51,10 @@ void LumpLabel::show()
         return;
     }
     m_label->setText(text);
+    if (m_label->sizeHint().width() > m_viewport.width()) {
+        m_label->setText(overLumpText(m_touch.reading()) + QLatin1Char('\n') +
+                         verdictPhrase(buried::verdictOf(m_touch.reading().lumpRatio)));
+    }
     m_label->adjustSize();
     const Eigen::Vector2d half(0.5 * m_viewport.width(), 0.5 * m_viewport.height());
     const view::ViewFrame frame = view::ViewFrame::of(view.renderer(), m_viewport.devicePixelRatioF());

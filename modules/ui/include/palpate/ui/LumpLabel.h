@@ -23,6 +23,9 @@ class PALPATE_EXPORT LumpLabel : public QObject
     /// @param touch  source of the reading; must outlive this object, as must the view
     LumpLabel(VtkViewport& viewport, const TouchPanel& touch, QObject* parent);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override; ///< of the view: another size or font
+
   private:
     void show();
 
