@@ -4,6 +4,7 @@
 #include "Motions.h"
 #include "Shapes.h"
 #include "TestRunner.h"
+#include "Trials.h"
 
 #include <palpate/geometry/Inside.h>
 #include <palpate/haptics/Palpator.h>
@@ -288,7 +289,7 @@ class MovingTissue : public QObject
         palpator.borrowScene(&scene);
         const Vec3 X(0.5, 0.3, 36.0);
         Vec3 material = Vec3::Zero();
-        for (int i = 0; i < 100000; ++i) {
+        for (int i = 0; i < trials(100000); ++i) {
             const auto moment = motion->at(i * kTick_s);
             const Vec3 wobble = 0.3 * Vec3(std::sin(0.01 * i), std::cos(0.013 * i), std::sin(0.02 * i));
             const Vec3 p =
@@ -315,13 +316,13 @@ class MovingTissue : public QObject
     {
         QFETCH(double, radius_mm);
         const int asked = qEnvironmentVariableIntValue("PALPATE_MOVING_TICKS");
-        const int trials = 10, ticks = (asked > 0 ? asked : 100000) / trials;
+        const int motions = 10, ticks = (asked > 0 ? asked : trials(100000)) / motions;
         std::mt19937 random(42);
         std::uniform_real_distribution<double> of(-1.0, 1.0);
         const auto mesh = bumpySphere(12, 40.0, 0.05);
         const auto index = indexed(mesh);
         int touched = 0;
-        for (int trial = 0; trial < trials; ++trial) {
+        for (int trial = 0; trial < motions; ++trial) {
             const auto motion = randomMotion(core::Box(Vec3::Constant(-60), Vec3::Constant(60)), 10.0, 4,
                                              static_cast<unsigned>(200 + trial));
             const HapticScene scene({moving(mesh, motion)}, radius_mm);
@@ -345,7 +346,7 @@ class MovingTissue : public QObject
                 }
             }
         }
-        QVERIFY2(touched > trials * ticks / 4, qPrintable(QString::number(touched)));
+        QVERIFY2(touched > motions * ticks / 4, qPrintable(QString::number(touched)));
     }
 
     void otherMotionsAreOtherLayers()
