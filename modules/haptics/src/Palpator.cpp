@@ -23,11 +23,20 @@ namespace {
 
 constexpr std::size_t kLayers = HapticScene::kMaxLayers;
 
-/// Range of layer numbers of the layer that a god-object belongs to; empty: first > last.
+/// Shape of a layer's motion, 0 without one.
+std::uint64_t shapeOf(const HapticLayer& layer) noexcept
+{
+    return layer.motion == nullptr ? 0 : layer.motion->shape();
+}
+
+/// Layer that a god-object belongs to: the range of its numbers, empty: first > last, and its motion. Kept because the
+/// scene may be gone when another is set and nothing is in contact.
 struct Numbers
 {
     std::uint32_t first = 1;
     std::uint32_t last = 0;
+    std::uint64_t shape = 0; ///< see shapeOf
+    bool isMoving = false;
 };
 
 /// Fills a contact except for its force and layer.
@@ -170,7 +179,7 @@ struct Palpator::Impl
     std::shared_ptr<const HapticScene> owned; ///< see setScene
 
     void leaveContacts(const HapticScene* after) noexcept;
-    [[nodiscard]] std::optional<std::size_t> previousLayer(std::size_t layer, const HapticScene* before,
+    [[nodiscard]] std::optional<std::size_t> previousLayer(std::size_t layer,
                                                            const std::array<Numbers, kLayers>& known) const noexcept;
     template<class HipOf>
     void feelLayer(TickResult& result, std::size_t i, const Vec3& p_H, double dt_s, SharedWork& work,
@@ -272,11 +281,9 @@ bool Palpator::setScene(const HapticScene* scene, Continuity continuity) noexcep
 }
 
 /// Finds the layer of the scene before with the same number. Layers of one number differ by their motion.
-/// @param before  null: the positions of the god-objects are kept whatever moves
-std::optional<std::size_t> Palpator::Impl::previousLayer(std::size_t layer, const HapticScene* before,
+std::optional<std::size_t> Palpator::Impl::previousLayer(std::size_t layer,
                                                          const std::array<Numbers, kLayers>& known) const noexcept
 {
-    const auto shapeOf = [](const HapticLayer& of) { return of.motion == nullptr ? 0 : of.motion->shape(); };
     const HapticLayer& now = scene->layer(layer);
     std::size_t rivals = 0; // layers of this scene with the same number
     for (std::size_t i = 0; i < scene->layerCount(); ++i) {
@@ -285,11 +292,8 @@ std::optional<std::size_t> Palpator::Impl::previousLayer(std::size_t layer, cons
     std::optional<std::size_t> found;
     for (std::size_t j = 0; j < kLayers; ++j) {
         const bool isSameNumber = known[j].first <= now.number && now.number <= known[j].last;
-        const bool isKnown = before != nullptr && j < before->layerCount();
-        if (!isSameNumber || (rivals > 1 && !(isKnown && shapeOf(before->layer(j)) == shapeOf(now)))) {
-            continue;
-        }
-        if (!found || (isKnown && shapeOf(before->layer(j)) == shapeOf(now))) {
+        const bool isAlike = known[j].shape == shapeOf(now);
+        if (isSameNumber && (isAlike || (rivals <= 1 && !found))) {
             found = j;
         }
     }
@@ -305,7 +309,6 @@ bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noex
     if (old != nullptr) {
         me.leaveContacts(scene);
     }
-    const HapticScene* const previous = me.scene;
     me.scene = scene;
     me.isMoving = scene != nullptr && scene->isMoving();
     me.isBall = scene != nullptr && scene->fingertip_mm() > 0.0;
@@ -318,13 +321,11 @@ bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noex
         GodObjectState kept;
         if (scene != nullptr && i < scene->layerCount()) {
             const HapticLayer& layer = scene->layer(i);
-            me.numbers[i] = {layer.number, layer.lastNumber};
+            me.numbers[i] = {layer.number, layer.lastNumber, shapeOf(layer), layer.motion != nullptr};
             Vec3 hip = before.p_WH;
-            if (const auto j = me.previousLayer(i, previous, numbers)) {
+            if (const auto j = me.previousLayer(i, numbers)) {
                 kept = before.layers[*j];
-                const bool hasMoved =
-                    previous != nullptr && *j < previous->layerCount() && previous->layer(*j).motion != nullptr;
-                hip = hasMoved ? before.p_RH[*j] : hip;
+                hip = numbers[*j].isMoving ? before.p_RH[*j] : hip;
             }
             if (old != nullptr && kept.placed != 0) {
                 kept.p_WG = internal::carryOverPosition(*old, *scene, layer, kept, hip);
