@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/ReadMesh.h"
 
+#include "palpate/meshio/MeshFormats.h"
+
 #include "formats/Gzip.h"
 #include "guard/PreScan.h"
 #include "read/ImportServer.h"
