@@ -179,6 +179,11 @@ FaultyDisk::~FaultyDisk()
     theDisk = nullptr;
 }
 
+void FaultyDisk::loseErrno()
+{
+    theLayer.xGetLastError = [](sqlite3_vfs*, int, char*) { return 0; };
+}
+
 void FaultyDisk::mark(std::int64_t number)
 {
     if (m_isLogging) {

@@ -57,6 +57,8 @@ class FaultyDisk
     void release();
     /// Delays every write. @param delay_ms  0: no longer
     void slowDown(int delay_ms) { m_delay_ms = delay_ms; }
+    /// From now on errno is gone when SQLite asks for it after an error, as if another call had overwritten it.
+    void loseErrno();
 
     /// Called by the VFS.
     /// @return 0, or the error code to fail with

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaultyDisk.h"
+#include "FileLimits.h"
 #include "Sessions.h"
 #include "TestRunner.h"
 
@@ -198,6 +199,32 @@ class DiskFaults : public QObject
         }
         qInfo("%d operations failed one by one while recording, %d while the file was made", failed, unmade);
         QVERIFY(failed > 50 && unmade > 5);
+    }
+
+    /// As with a quota: SQLite's error does not name the cause, and errno may belong to a later call.
+    void aLimitBelowTheSizeOfTheFileIsAFullDisk()
+    {
+        test::FaultyDisk disk;
+        disk.loseErrno();
+        auto writer = begin(path("limit.palpate"));
+        QVERIFY2(writer.isOk(), writer.status().message().c_str());
+        core::Status status;
+        const auto ticks = test::palpationTicks(40'000);
+        const auto append = [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to && status.isOk(); ++i) {
+                status = writer.value()->append(ticks[i]);
+            }
+        };
+        append(0, 20'000);
+        QVERIFY2(status.isOk(), status.message().c_str());
+        QVERIFY(std::filesystem::file_size(path("limit.palpate")) > 1'000'000);
+        {
+            const test::FileLimit limit(
+                100'000); // the journal of a transaction fits, so it is the recording that fails
+            append(20'000, 40'000);
+            status = status.isOk() ? writer.value()->finish() : status;
+        }
+        QVERIFY2(status.code() == core::StatusCode::NoSpace, status.message().c_str());
     }
 
     /// The disk blocks for more than a second, three times: the servo loop continues and no tick is lost.
