@@ -33,7 +33,7 @@ enum Mask : std::uint8_t
     kNone,  ///< background
     kOwn,   ///< the label itself
     kOther, ///< another label
-    kSeen   ///< another label, in a part that is being followed
+    kSeen   ///< another label, in a part that was followed
 };
 
 /// Copies the bounding box of a label, with one voxel of background around, as Mask.
@@ -69,6 +69,40 @@ vtkSmartPointer<vtkImageData> maskOf(const LabelVolume& volume, std::uint16_t nu
     return image;
 }
 
+/// Connected voxels that were given another value.
+struct Part
+{
+    std::uint64_t voxels = 0;
+    bool isEnclosed = true; ///< no face is next to background
+};
+
+/// Gives all voxels that are connected with one over faces, and have the same value, another value. Keeps the front
+/// only, which is much smaller than the part.
+/// @param mask  with background around
+/// @param to  another value than that of the voxel
+Part replacePart(std::uint8_t* mask, const std::array<std::ptrdiff_t, 6>& neighbours, std::ptrdiff_t start,
+                 std::uint8_t to)
+{
+    const std::uint8_t from = mask[start];
+    Part part;
+    std::vector<std::ptrdiff_t> front{start}, next;
+    mask[start] = to;
+    for (; !front.empty(); front.swap(next), next.clear()) {
+        part.voxels += front.size();
+        for (const std::ptrdiff_t voxel : front) {
+            for (const std::ptrdiff_t step : neighbours) {
+                std::uint8_t& beside = mask[voxel + step];
+                part.isEnclosed = part.isEnclosed && beside != kNone;
+                if (beside == from) {
+                    beside = to;
+                    next.push_back(voxel + step);
+                }
+            }
+        }
+    }
+    return part;
+}
+
 /// Adds the parts of other labels that the label encloses: those that touch neither background nor the border of the
 /// box over a face. The voxels of all other parts become background.
 /// @return the number of voxels added
@@ -79,27 +113,12 @@ std::uint64_t addEnclosed(vtkImageData& image)
     const std::ptrdiff_t row = size[0], slice = row * size[1], all = slice * size[2];
     const std::array<std::ptrdiff_t, 6> neighbours{1, -1, row, -row, slice, -slice};
     std::uint64_t added = 0;
-    std::vector<std::ptrdiff_t> part;
-    for (std::ptrdiff_t start = 0; start < all; ++start) {
-        if (mask[start] != kOther) {
-            continue;
-        }
-        part.assign(1, start);
-        mask[start] = kSeen;
-        bool isEnclosed = true;
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            for (const std::ptrdiff_t step : neighbours) { // inside the image: the outermost voxels are background
-                std::uint8_t& next = mask[part[i] + step];
-                isEnclosed = isEnclosed && next != kNone;
-                if (next == kOther) {
-                    next = kSeen;
-                    part.push_back(part[i] + step);
-                }
+    for (std::ptrdiff_t voxel = 0; voxel < all; ++voxel) {
+        if (mask[voxel] == kOther) {
+            const Part part = replacePart(mask, neighbours, voxel, kSeen);
+            if (part.isEnclosed) {
+                added += replacePart(mask, neighbours, voxel, kOwn).voxels;
             }
-        }
-        added += isEnclosed ? part.size() : 0;
-        for (const std::ptrdiff_t voxel : part) {
-            mask[voxel] = isEnclosed ? kOwn : kSeen;
         }
     }
     std::replace(mask, mask + all, std::uint8_t{kSeen}, std::uint8_t{kNone});
