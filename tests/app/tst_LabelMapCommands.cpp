@@ -72,6 +72,7 @@ class LabelMapCommands : public QObject
         QVERIFY2(
             text.out.contains("surface from a label map of 1 × 1 × 2 mm voxels, smoothed by 0.5: volume changed by "),
             text.out.constData());
+        QVERIFY2(text.out.contains("frame LPS (the file's format)"), text.out.constData());
         const auto json = [this](const QStringList& options) {
             const Outcome outcome = run(QStringList{"info", "case.seg.nrrd", "--json"} + options);
             return QJsonDocument::fromJson(outcome.out).array().at(0).toObject()["structures"].toArray();

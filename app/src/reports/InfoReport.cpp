@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <string_view>
 #include <vector>
 
 namespace palpate::app {
@@ -30,7 +31,14 @@ const char* frameSource(const meshio::LoadedStructure& structure)
     if (structure.description.frame != core::FileFrame::Untagged) {
         return "chosen";
     }
-    return structure.frame == core::FileFrame::Untagged ? "assumed: the file has no SPACE tag" : "the file's SPACE tag";
+    if (structure.frame == core::FileFrame::Untagged) {
+        return "assumed: the file has no SPACE tag";
+    }
+    constexpr std::array<std::string_view, 6> kTagged{"STL", "PLY", "OBJ", "VTP", "VTU", "VTK"};
+    return std::any_of(kTagged.begin(), kTagged.end(),
+                       [&](std::string_view format) { return structure.format.starts_with(format); })
+               ? "the file's SPACE tag"
+               : "the file's format";
 }
 
 const char* unitName(double unit_mm)

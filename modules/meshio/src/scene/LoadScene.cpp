@@ -17,6 +17,7 @@
 #include <map>
 #include <new>
 #include <set>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <tuple>
@@ -48,6 +49,7 @@ struct Source
 struct Pending
 {
     SceneStructure description;
+    std::string format;
     FileFrame frame = FileFrame::Untagged;
     geometry::TriangleMesh mesh;
     std::optional<geometry::Staircase> voxels; ///< of a label map
@@ -254,6 +256,7 @@ void Loader::expandFiles()
                 d.surface = SurfaceKind::Smoothed;
                 d.smoothing = kLabelSmoothing;
             }
+            pending.format = file.format;
             pending.frame = file.frame;
             pending.voxels = file.voxels;
             pending.mesh = std::move(structure.mesh);
@@ -302,6 +305,7 @@ void Loader::expandScene()
                 pending.description.part = structure.name;
                 pending.description.name = structure.name;
             }
+            pending.format = file.format;
             pending.frame = file.frame;
             pending.voxels = file.voxels;
             pending.mesh = structure.mesh;
@@ -393,6 +397,7 @@ void Loader::collect()
         m_scene.scene.structures.push_back(pending.description);
         LoadedStructure& loaded = m_scene.structures.emplace_back();
         loaded.description = std::move(pending.description);
+        loaded.format = std::move(pending.format);
         loaded.frame = pending.frame;
         loaded.surface = std::move(pending.shaped.surface);
         loaded.asRead = std::move(pending.asRead);

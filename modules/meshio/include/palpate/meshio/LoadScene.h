@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace palpate::meshio {
 
@@ -27,7 +28,8 @@ struct SurfaceMap
 struct LoadedStructure
 {
     SceneStructure description;            ///< with `part` set when the mesh file contains several structures
-    FileFrame frame = FileFrame::Untagged; ///< tag of the mesh file; the user's choice is in `description.frame`
+    std::string format;                    ///< of the mesh file, as MeshFile::format; empty: not from a file
+    FileFrame frame = FileFrame::Untagged; ///< of the mesh file; the user's choice is in `description.frame`
     /// Surface for display and haptics in the world frame [mm], closed, turned and smoothed as described.
     std::shared_ptr<const geometry::RepairedMesh> surface;
     std::vector<SurfaceMap> maps{}; ///< at most one per quantity

@@ -35,9 +35,10 @@ struct MeshStructure
 struct MeshFile
 {
     std::filesystem::path path;
-    std::string format;                    ///< "STL binary", "STL ASCII", else the name in MeshFormats.h
-    FileFrame frame = FileFrame::Untagged; ///< tag of the file (`SPACE=` of 3D Slicer), regardless of the options
-    double unit_mm = 1.0;                  ///< assumed size of one file unit [mm]
+    std::string format; ///< "STL binary", "STL ASCII", else the name in MeshFormats.h
+    FileFrame frame =
+        FileFrame::Untagged; ///< from the tag `SPACE=`, the header or the format, regardless of the options
+    double unit_mm = 1.0;    ///< assumed size of one file unit [mm]
     std::vector<MeshStructure> structures;
     std::vector<core::Message> notes; ///< ignored or assumed content, one sentence per entry
     /// Voxels of a label map, whose surfaces are staircases of them; empty for a mesh.
