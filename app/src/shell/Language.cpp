@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shell/Language.h"
 
+#include <QAction>
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QLibraryInfo>

@@ -15,6 +15,8 @@
 
 #include <QApplication>
 #include <QBuffer>
+#include <QFile>
+#include <QFileDevice>
 #include <QFileInfo>
 #include <QOpenGLContext>
 #include <QPainter>

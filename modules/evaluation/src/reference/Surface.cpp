@@ -4,6 +4,7 @@
 #include "reference/Orientation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace palpate::evaluation {

@@ -8,6 +8,7 @@
 #include <palpate/device/SimulatedHand.h>
 #include <palpate/session/RecordingReader.h>
 
+#include <QAction>
 #include <QActionGroup>
 #include <QLocale>
 #include <QMenu>

@@ -5,6 +5,7 @@
 
 #include "widgets/ShownComboBox.h"
 
+#include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QKeyEvent>
+#include <QModelIndexList>
 #include <QShowEvent>
 #include <QTimer>
 

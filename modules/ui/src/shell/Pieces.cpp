@@ -4,6 +4,7 @@
 #include "palpate/ui/ActionList.h"
 #include "palpate/ui/Theme.h"
 
+#include <QAbstractSlider>
 #include <QApplication>
 #include <QGridLayout>
 #include <QKeyEvent>

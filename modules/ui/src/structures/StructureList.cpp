@@ -5,16 +5,19 @@
 
 #include <palpate/haptics/HapticScene.h>
 
+#include <QAction>
 #include <QActionGroup>
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QItemSelection>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QStyle>
+#include <QStyleOptionViewItem>
 #include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QVBoxLayout>

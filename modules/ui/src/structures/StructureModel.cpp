@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QLocale>
 #include <QPainter>
+#include <QUndoCommand>
 
 #include <algorithm>
 #include <cmath>

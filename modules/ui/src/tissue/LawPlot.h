@@ -3,6 +3,7 @@
 
 #include <palpate/haptics/ForceTable.h>
 
+#include <QPolygonF>
 #include <QWidget>
 
 #include <limits>

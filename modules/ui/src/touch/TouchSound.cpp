@@ -4,6 +4,7 @@
 #include "palpate/ui/TouchTone.h"
 
 #ifdef PALPATE_HAS_SOUND
+#include <QAudio>
 #include <QAudioDevice>
 #include <QAudioFormat>
 #include <QAudioSink>

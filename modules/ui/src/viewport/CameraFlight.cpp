@@ -2,6 +2,7 @@
 #include "palpate/ui/CameraFlight.h"
 
 #include <Eigen/Geometry>
+#include <QEasingCurve>
 
 #include <cmath>
 

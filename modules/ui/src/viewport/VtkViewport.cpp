@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 #include <QFontInfo>
+#include <QInputDevice>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>

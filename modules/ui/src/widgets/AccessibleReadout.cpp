@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/AccessibleReadout.h"
 
+#include <QAccessible>
 #include <QAccessibleWidget>
 #include <QWidget>
 

@@ -2,6 +2,7 @@
 #include "palpate/ui/ActionList.h"
 
 #include <QAction>
+#include <QKeyCombination>
 #include <QMenu>
 #include <QStringList>
 #include <QWidget>

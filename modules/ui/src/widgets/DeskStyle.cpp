@@ -9,6 +9,7 @@
 #include <QMainWindow>
 #include <QPainter>
 #include <QSlider>
+#include <QStyle>
 #include <QStyleOption>
 #include <QTabBar>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/PanelScroll.h"
 
+#include <QFrame>
 #include <QScrollBar>
 
 #include <algorithm>

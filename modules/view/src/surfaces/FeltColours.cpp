@@ -4,6 +4,7 @@
 #include "palpate/view/SurfaceColours.h"
 
 #include <vtkCellArray.h>
+#include <vtkDataObject.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
