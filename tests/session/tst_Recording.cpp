@@ -275,7 +275,7 @@ class Recording : public QObject
         int inTicks = 0;
         int elsewhere = 0;
         int atOpening = 0;
-        constexpr qsizetype kStride = 53; // bytes, to hit all kinds of positions
+        constexpr qsizetype kStride = 211; // bytes, to hit all kinds of positions
         for (qsizetype place = 0; place < good.size(); place += kStride) {
             QByteArray bad = good;
             bad[place] = static_cast<char>(bad[place] ^ (1 << (flipped % 8)));
