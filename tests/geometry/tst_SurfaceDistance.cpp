@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shapes.h"
 #include "TestRunner.h"
+#include "Trials.h"
 
 #include <palpate/geometry/SurfaceDistance.h>
 #include <palpate/geometry/SurfaceMargin.h>
@@ -133,7 +134,7 @@ class SurfaceDistance : public QObject
         QFETCH(double, width);
         QFETCH(double, apart_mm);
         std::mt19937 random(17);
-        for (int trial = 0; trial < 4; ++trial) {
+        for (int trial = 0; trial < trials(4); ++trial) {
             const auto a = indexed(scattered(random, 40, 10.0, Vec3(3, -200, 90), width));
             const auto b = indexed(scattered(random, 25, 10.0, Vec3(3 + apart_mm, -200, 90), width));
             const auto found = geometry::surfaceDistance(*a, *b);
@@ -247,7 +248,7 @@ class SurfaceDistance : public QObject
         std::uniform_real_distribution<double> place(-30.0, 30.0);
         const auto surface = indexed(bumpySphere(10, 20.0, 0.2));
         const auto triangles = trianglesOf(*surface);
-        for (int i = 0; i < 50; ++i) {
+        for (int i = 0; i < trials(48); ++i) {
             const Vec3 p(place(random), place(random), place(random));
             const RealVector q = p.cast<Real>();
             Real least = std::numeric_limits<Real>::infinity();

@@ -122,7 +122,7 @@ class SurfaceMotionTest : public QObject
         for (unsigned seed = 0; seed < 5; ++seed) {
             const auto motion = randomMotion(kBox, 20.0, 3, seed);
             double most = 0.0;
-            for (int i = 0; i < trials(20000); ++i) {
+            for (int i = 0; i < trials(8000); ++i) {
                 const Vec3 X(of(random), of(random), of(random));
                 const auto moment = motion->at(0.1 * of(random));
                 const auto F = motion->toRest(moment, motion->toWorld(moment, X), X).F;
