@@ -169,17 +169,18 @@ class Measures : public QObject
         QCOMPARE(presses.peakForce_N, 4.0);
     }
 
-    /// A square sheet of 40 mm in z = 0. 2 ticks with 3 N at its middle, 1 tick with 5 N at (10, 0), 4 mm distance:
+    /// A square sheet of 40 mm in z = 0. Two ticks at its middle, a second apart, and two at (10, 0), 4 mm distance:
     /// disjoint discs of 16 pi mm² each.
     void knowWhatWasTouched()
     {
         for (const int n : {1, 8, 80}) { // from coarse to fine meshes of the same surface
             session::TouchedSurface surface(test::sheet(20.0, n), 4.0);
             QVERIFY(std::abs(surface.area_mm2() - 1600.0) < 1e-9);
-            surface.add(Vec3(0, 0, 0), 3.0, 6.0, 1e-3);
-            surface.add(Vec3(0, 0, 0), 2.0, 7.0, 1e-3);
-            surface.add(Vec3(10, 0, 0), 5.0, 4.0, 1e-3);
-            surface.add(Vec3(0, 0, 4.5), 9.0, 9.0, 1e-3); // too far away
+            surface.add({Vec3(0, 0, 0), 3.0, 6.0, 0.0, 1e-3});
+            surface.add({Vec3(0, 0, 0), 2.0, 7.0, 1.0, 1e-3}); // a second later: another visit
+            surface.add({Vec3(10, 0, 0), 5.0, 4.0, 1.001, 1e-3});
+            surface.add({Vec3(10, 0, 0), 1.0, 0.1, 1.002, 1e-3});  // too little depth for a stiffness
+            surface.add({Vec3(0, 0, 4.5), 9.0, 9.0, 1.003, 1e-3}); // too far away
             const double exact_mm2 = 2.0 * M_PI * 16.0;
             QVERIFY2(std::abs(surface.coveredArea_mm2() - exact_mm2) < 0.25 * exact_mm2,
                      std::to_string(surface.coveredArea_mm2()).c_str());
@@ -187,13 +188,16 @@ class Measures : public QObject
                 const Vec3& p = surface.mesh().vertices[i];
                 const bool isMiddle = p.norm() <= 4.0;
                 const bool isAside = (p - Vec3(10, 0, 0)).norm() <= 4.0;
-                QCOMPARE(surface.dwell_s()[i], isMiddle ? 2e-3 : isAside ? 1e-3 : 0.0);
+                QCOMPARE(surface.dwell_s()[i], isMiddle || isAside ? 2e-3 : 0.0);
                 QCOMPARE(surface.peakForce_N()[i], isMiddle ? 3.0 : isAside ? 5.0 : 0.0);
                 QCOMPARE(surface.peakDepth_mm()[i], isMiddle ? 7.0 : isAside ? 4.0 : 0.0);
+                QCOMPARE(surface.meanForce_N()[i], isMiddle ? 2.5 : isAside ? 3.0 : 0.0);
+                QCOMPARE(surface.stiffness_N_per_mm()[i], isMiddle ? 0.5 : isAside ? 1.25 : 0.0);
+                QCOMPARE(surface.visits()[i], isMiddle ? 2u : isAside ? 1u : 0u);
             }
         }
         session::TouchedSurface fine(test::sheet(20.0, 400), 4.0);
-        fine.add(Vec3(0, 0, 0), 1.0, 1.0, 1e-3);
+        fine.add({Vec3(0, 0, 0), 1.0, 1.0, 0.0, 1e-3});
         QVERIFY(std::abs(fine.coveredArea_mm2() - M_PI * 16.0) < 0.01 * M_PI * 16.0);
     }
 

@@ -2,12 +2,14 @@
 #include "palpate/session/MeasureSession.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <set>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -28,95 +30,44 @@ double areaOf(const geometry::TriangleMesh& mesh)
     return area_mm2;
 }
 
-/// Finds the surfaces of a recording from the scene and structure of a tick.
-class Surfaces
+/// Name and surface of a structure in a recording; empty if unknown or not palpable.
+StructureKey keyOf(const RecordingReader& reader, std::uint32_t generation, std::uint32_t number)
 {
-  public:
-    Surfaces(const RecordingReader& reader, const MeshesByHash& meshes, double distance_mm)
-        : m_reader(reader)
-        , m_meshes(meshes)
-        , m_distance_mm(distance_mm)
-    {
-        for (const SceneRecord& scene : reader.scenes()) {
-            for (const StructureRecord& structure : scene.structures) {
-                if (structure.palpable) {
-                    m_places.emplace(std::pair(structure.name, structure.source.sha256), Place{});
-                }
+    const SceneRecord* scene = reader.scene(generation);
+    if (scene == nullptr || number >= scene->structures.size() || !scene->structures[number].palpable) {
+        return {};
+    }
+    return {scene->structures[number].name, scene->structures[number].source.sha256};
+}
+
+/// Fills in the measures of each palpable structure, touched or not.
+void finish(const RecordingReader& reader, const MeshesByHash& meshes, TouchedSurfaces& surfaces, SessionMeasures& out)
+{
+    std::set<StructureKey> palpable;
+    for (const SceneRecord& scene : reader.scenes()) {
+        for (const StructureRecord& structure : scene.structures) {
+            if (structure.palpable) {
+                palpable.emplace(structure.name, structure.source.sha256);
             }
         }
     }
-
-    void add(const servo::TickRecord& tick, double dt_s)
-    {
-        for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
-            const haptics::Contact& contact = tick.felt.contacts[i];
-            Last& last = m_last[i];
-            if (last.scene != tick.scene || last.structure != contact.structure) {
-                last = {tick.scene, contact.structure, surfaceOf(tick.scene, contact.structure)};
-            }
-            if (last.surface != nullptr) {
-                last.surface->add(contact.p_WG, contact.f_W.norm(), contact.depth_mm, dt_s);
-            }
+    for (const StructureKey& key : palpable) {
+        const auto mesh = meshes.find(key.second);
+        if (mesh == meshes.end()) {
+            out.unmeasured.push_back(key.first);
+            continue;
+        }
+        SurfaceMeasures& measures = out.surfaces.emplace_back();
+        measures.structure = key.first;
+        measures.area_mm2 = areaOf(mesh->second->mesh);
+        measures.surface = surfaces.take(key);
+        if (measures.surface != nullptr) {
+            measures.coveredArea_mm2 = measures.surface->coveredArea_mm2();
+            const auto& dwell_s = measures.surface->dwell_s();
+            measures.longestDwell_s = *std::max_element(dwell_s.begin(), dwell_s.end());
         }
     }
-
-    void finish(SessionMeasures& out)
-    {
-        for (auto& [which, place] : m_places) {
-            const auto mesh = m_meshes.find(which.second);
-            if (mesh == m_meshes.end()) {
-                out.unmeasured.push_back(which.first);
-                continue;
-            }
-            SurfaceMeasures& measures = out.surfaces.emplace_back();
-            measures.structure = which.first;
-            measures.area_mm2 = areaOf(mesh->second->mesh);
-            if (place.surface != nullptr) {
-                measures.coveredArea_mm2 = place.surface->coveredArea_mm2();
-                const auto& dwell_s = place.surface->dwell_s();
-                measures.longestDwell_s = *std::max_element(dwell_s.begin(), dwell_s.end());
-                measures.surface = std::move(place.surface);
-            }
-        }
-    }
-
-  private:
-    struct Place
-    {
-        std::unique_ptr<TouchedSurface> surface; ///< created at the first contact
-    };
-
-    TouchedSurface* surfaceOf(std::uint32_t generation, std::uint32_t number)
-    {
-        const SceneRecord* scene = m_reader.scene(generation);
-        if (scene == nullptr || number >= scene->structures.size()) {
-            return nullptr;
-        }
-        const StructureRecord& structure = scene->structures[number];
-        const auto mesh = m_meshes.find(structure.source.sha256);
-        const auto place = m_places.find(std::pair(structure.name, structure.source.sha256));
-        if (mesh == m_meshes.end() || place == m_places.end() || mesh->second->mesh.vertices.empty()) {
-            return nullptr;
-        }
-        if (place->second.surface == nullptr) {
-            place->second.surface = std::make_unique<TouchedSurface>(mesh->second->mesh, m_distance_mm);
-        }
-        return place->second.surface.get();
-    }
-
-    const RecordingReader& m_reader;
-    const MeshesByHash& m_meshes;
-    double m_distance_mm;
-    std::map<std::pair<std::string, std::string>, Place> m_places; ///< by name and hash
-    /// Cached lookup for one contact index.
-    struct Last
-    {
-        std::uint32_t scene = 0;
-        std::uint32_t structure = std::numeric_limits<std::uint32_t>::max(); ///< no cached structure
-        TouchedSurface* surface = nullptr;
-    };
-    std::array<Last, haptics::kMaxContacts> m_last{};
-};
+}
 
 /// Classifies the phases of each structure separately.
 class StructurePhases
@@ -185,7 +136,9 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
     PhaseAccumulator phases(dt_s);
     StructurePhases structurePhases(dt_s);
     FindingAccumulator findings(reader.events(), reader.extent().firstTick, dt_s, options.distance_mm);
-    Surfaces surfaces(reader, meshes, options.distance_mm);
+    TouchedSurfaces surfaces(
+        meshes, [&reader](std::uint32_t scene, std::uint32_t structure) { return keyOf(reader, scene, structure); },
+        options.distance_mm);
     bool isCancelled = false;
     const Status status = reader.forEach(
         std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
@@ -194,7 +147,7 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
             phases.add(tick);
             structurePhases.add(tick, reader);
             findings.add(tick);
-            surfaces.add(tick, dt_s);
+            surfaces.add(tick, static_cast<double>(tick.tick) * dt_s, dt_s);
             isCancelled = options.isCancelled != nullptr && *options.isCancelled;
             return !isCancelled;
         });
@@ -210,7 +163,7 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
     out.phases = phases.result();
     out.structurePhases = structurePhases.result();
     out.findings = findings.result();
-    surfaces.finish(out);
+    finish(reader, meshes, surfaces, out);
     out.lostTicks = reader.extent().dropped;
     out.lateTicks = reader.extent().late;
     out.damaged = reader.faults();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/TouchedSurface.h"
 
+#include <palpate/core/Finding.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -74,7 +76,11 @@ TouchedSurface::TouchedSurface(const geometry::TriangleMesh& mesh, double distan
     m_share_mm2.assign(count, 0.0);
     m_dwell_s.assign(count, 0.0);
     m_peakForce_N.assign(count, 0.0);
+    m_impulse_Ns.assign(count, 0.0);
     m_peakDepth_mm.assign(count, 0.0);
+    m_stiffness_N_per_mm.assign(count, 0.0);
+    m_last_s.assign(count, -std::numeric_limits<double>::infinity());
+    m_visits.assign(count, 0);
     for (const Triangle& t : m_mesh.triangles) {
         const Vec3& a = m_mesh.vertices[t[0]];
         const double area_mm2 = 0.5 * (m_mesh.vertices[t[1]] - a).cross(m_mesh.vertices[t[2]] - a).norm();
@@ -99,8 +105,9 @@ TouchedSurface::TouchedSurface(const geometry::TriangleMesh& mesh, double distan
     }
 }
 
-std::optional<std::uint32_t> TouchedSurface::add(const Vec3& p_WG, double force_N, double depth_mm, double dt_s)
+std::optional<std::uint32_t> TouchedSurface::add(const Touch& touch)
 {
+    const Vec3& p_WG = touch.p_WG;
     std::optional<std::uint32_t> nearest;
     if (!p_WG.allFinite()) {
         return nearest;
@@ -123,15 +130,35 @@ std::optional<std::uint32_t> TouchedSurface::add(const Vec3& p_WG, double force_
                             nearest = vertex;
                             nearest_mm2 = away_mm2;
                         }
-                        m_dwell_s[vertex] += dt_s;
-                        m_peakForce_N[vertex] = std::max(m_peakForce_N[vertex], force_N);
-                        m_peakDepth_mm[vertex] = std::max(m_peakDepth_mm[vertex], depth_mm);
+                        count(vertex, touch);
                     }
                 }
             }
         }
     }
     return nearest;
+}
+
+void TouchedSurface::count(std::uint32_t vertex, const Touch& touch)
+{
+    m_dwell_s[vertex] += touch.dt_s;
+    m_impulse_Ns[vertex] += touch.force_N * touch.dt_s;
+    m_peakForce_N[vertex] = std::max(m_peakForce_N[vertex], touch.force_N);
+    m_peakDepth_mm[vertex] = std::max(m_peakDepth_mm[vertex], touch.depth_mm);
+    if (touch.depth_mm >= core::kMinStiffnessDepth_mm) {
+        m_stiffness_N_per_mm[vertex] = std::max(m_stiffness_N_per_mm[vertex], touch.force_N / touch.depth_mm);
+    }
+    m_visits[vertex] += touch.time_s - m_last_s[vertex] > 1.5 * touch.dt_s ? 1 : 0; // not at the tick before
+    m_last_s[vertex] = touch.time_s;
+}
+
+std::vector<double> TouchedSurface::meanForce_N() const
+{
+    std::vector<double> mean_N(m_dwell_s.size(), 0.0);
+    for (std::size_t i = 0; i < mean_N.size(); ++i) {
+        mean_N[i] = m_dwell_s[i] > 0.0 ? m_impulse_Ns[i] / m_dwell_s[i] : 0.0;
+    }
+    return mean_N;
 }
 
 double TouchedSurface::coveredArea_mm2() const

@@ -124,7 +124,8 @@ class Ticks
             for (Searched& one : m_all) {
                 if (one.organ == name) {
                     const auto place =
-                        one.touched->add(contact.p_WG, contact.f_W.norm(), contact.depth_mm, m_reader.info().dt_s);
+                        one.touched->add({contact.p_WG, contact.f_W.norm(), contact.depth_mm,
+                                          static_cast<double>(tick.tick) * m_reader.info().dt_s, m_reader.info().dt_s});
                     updateRecordedChange(one, place, tick, contact, v_WH);
                 }
             }

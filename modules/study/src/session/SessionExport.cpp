@@ -139,8 +139,8 @@ Status exportPath(const session::RecordingReader& reader, const std::filesystem:
 Status exportSurface(const session::SessionMeasures& measures, const std::filesystem::path& path)
 {
     meshio::VtpFile file;
-    std::vector<double> dwell_s, peak_N, coverage;
-    std::vector<std::int32_t> ids;
+    std::vector<double> dwell_s, peak_N, mean_N, stiffness, coverage;
+    std::vector<std::int32_t> visits, ids;
     for (const session::SurfaceMeasures& one : measures.surfaces) {
         if (one.surface == nullptr) {
             continue;
@@ -152,18 +152,23 @@ Status exportSurface(const session::SessionMeasures& measures, const std::filesy
             file.triangles.push_back({first + t[0], first + t[1], first + t[2]});
             ids.push_back(static_cast<std::int32_t>(file.structureNames.size()));
         }
-        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-            dwell_s.push_back(one.surface->dwell_s()[i]);
-            peak_N.push_back(one.surface->peakForce_N()[i]);
-            coverage.push_back(one.surface->dwell_s()[i] > 0.0 ? 1.0 : 0.0);
+        const auto add = [](auto& to, const auto& values) { to.insert(to.end(), values.begin(), values.end()); };
+        add(dwell_s, one.surface->dwell_s());
+        add(peak_N, one.surface->peakForce_N());
+        add(mean_N, one.surface->meanForce_N());
+        add(stiffness, one.surface->stiffness_N_per_mm());
+        add(visits, one.surface->visits());
+        for (const double time_s : one.surface->dwell_s()) {
+            coverage.push_back(time_s > 0.0 ? 1.0 : 0.0);
         }
         file.structureNames.push_back(one.structure);
     }
     if (file.structureNames.empty()) {
         return {StatusCode::Empty, PALPATE_TEXT("%1: not written: no surface that is there was touched"), path};
     }
-    file.pointArrays = {
-        {"dwell_s", std::move(dwell_s)}, {"peak_force_N", std::move(peak_N)}, {"coverage", std::move(coverage)}};
+    file.pointArrays = {{"dwell_s", std::move(dwell_s)},     {"peak_force_N", std::move(peak_N)},
+                        {"mean_force_N", std::move(mean_N)}, {"stiffness_N_per_mm", std::move(stiffness)},
+                        {"visits", std::move(visits)},       {"coverage", std::move(coverage)}};
     file.cellArrays = {{"StructureId", std::move(ids)}};
     return write(path, file);
 }

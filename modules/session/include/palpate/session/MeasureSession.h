@@ -6,10 +6,10 @@
 #include "palpate/session/Phases.h"
 #include "palpate/session/RecordingReader.h"
 #include "palpate/session/TouchedSurface.h"
+#include "palpate/session/TouchedSurfaces.h"
 
 #include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
-#include <palpate/geometry/Repair.h>
 
 #include <atomic>
 #include <map>
@@ -19,9 +19,6 @@
 #include <vector>
 
 namespace palpate::session {
-
-/// Repaired meshes, keyed by geometryHash.
-using MeshesByHash = std::map<std::string, std::shared_ptr<const geometry::RepairedMesh>>;
 
 struct MeasureOptions
 {

@@ -33,8 +33,9 @@ using ExportProgress = std::function<bool(double share)>;
                                                      const std::filesystem::path& path,
                                                      const ExportProgress& progress = {});
 
-/// Writes the touched surfaces as VTP, in LPS and mm. Point arrays `dwell_s`, `peak_force_N`, `coverage` (0 or 1); cell
-/// array `StructureId`, an index into the field array `StructureNames`.
+/// Writes the touched surfaces as VTP, in LPS and mm. Point arrays `dwell_s`, `peak_force_N`, `mean_force_N`,
+/// `stiffness_N_per_mm`, `visits`, `coverage` (0 or 1); cell array `StructureId`, an index into the field array
+/// `StructureNames`.
 /// @return Empty if nothing was touched
 [[nodiscard]] PALPATE_EXPORT core::Status exportSurface(const session::SessionMeasures& measures,
                                                         const std::filesystem::path& path);
