@@ -23,6 +23,7 @@
 #include "touch/FingertipPart.h"
 #include "touch/RecordingPart.h"
 #include "touch/ResultsPart.h"
+#include "touch/TouchMapPart.h"
 #include "touch/TouchPart.h"
 #include "window/SceneChanges.h"
 
@@ -134,6 +135,7 @@ void MainWindow::makeParts()
     m_files = keep(new SceneFiles(core, *m_document, *progress, *m_welcome));
     m_coordinates = keep(new CoordinatesPart(core, *m_document, *m_files));
     auto* lumps = keep(new LumpsPart(core, {structures->maps(), structures->pointed(), m_files->loader(), *progress}));
+    auto* touchMap = keep(new TouchMapPart(core, structures->maps(), m_recording->playback()));
     auto* engineering = keep(new EngineeringPart(core, m_touch->panel(), m_device->hand()));
     auto* picture = keep(new PicturePart(core));
     m_view = keep(new ViewPart(core, m_touch->panel()));
@@ -144,9 +146,9 @@ void MainWindow::makeParts()
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files,       m_document,  picture,   structures,  m_touch, m_device,
-                          fingertip,     m_recording, findings,  results,     lumps,   m_view,
-                          m_coordinates, m_docks,     m_notices, engineering, m_help};
+    const Parts menuOrder{m_files,   m_document,    picture,  structures, m_touch,     m_device,
+                          fingertip, m_recording,   findings, results,    lumps,       touchMap,
+                          m_view,    m_coordinates, m_docks,  m_notices,  engineering, m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }

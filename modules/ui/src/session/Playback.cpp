@@ -181,6 +181,7 @@ void Playback::showMoment(double time_s)
     m_viewport.view().cursor().setState(state);
     m_viewport.update();
     feed(*tick, time_s);
+    Q_EMIT momentShown(time_s);
 }
 
 } // namespace palpate::ui

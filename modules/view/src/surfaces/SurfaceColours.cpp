@@ -19,11 +19,11 @@ namespace {
 constexpr double kCutShare = 0.02;  // clipped at each end
 constexpr double kLightened = 0.18; // blended with white
 
-std::array<unsigned char, 3> bytesOf(float value, const ColourRange& range)
+std::array<unsigned char, 3> bytesOf(float value, const ColourRange& range, const Colour& unknown)
 {
     const double width = range.high - range.low;
     const Colour colour =
-        !std::isfinite(value) ? kUnknownColour : surfaceColour(width > 0.0 ? (double{value} - range.low) / width : 0.5);
+        !std::isfinite(value) ? unknown : surfaceColour(width > 0.0 ? (double{value} - range.low) / width : 0.5);
     std::array<unsigned char, 3> bytes{};
     for (std::size_t c = 0; c < bytes.size(); ++c) {
         bytes[c] = static_cast<unsigned char>(std::lround(255.0 * colour[c]));
@@ -72,7 +72,8 @@ ColourRange colourRange(std::span<const float> values)
 }
 
 vtkSmartPointer<vtkPolyData> coloured(vtkPolyData& picture, const geometry::RepairedMesh& surface,
-                                      std::span<const float> values, bool isPerTriangle, const ColourRange& range)
+                                      std::span<const float> values, bool isPerTriangle, const ColourRange& range,
+                                      const Colour& unknown)
 {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     data->ShallowCopy(&picture);
@@ -83,7 +84,9 @@ vtkSmartPointer<vtkPolyData> coloured(vtkPolyData& picture, const geometry::Repa
     auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
     colours->SetName("Colours");
     colours->SetNumberOfComponents(3);
-    const auto set = [&](vtkIdType at, float value) { colours->SetTypedTuple(at, bytesOf(value, range).data()); };
+    const auto set = [&](vtkIdType at, float value) {
+        colours->SetTypedTuple(at, bytesOf(value, range, unknown).data());
+    };
     if (isPerTriangle) {
         colours->SetNumberOfTuples(static_cast<vtkIdType>(triangles.size()));
         for (std::size_t t = 0; t < triangles.size(); ++t) {

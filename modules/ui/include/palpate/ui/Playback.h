@@ -46,6 +46,8 @@ class PALPATE_EXPORT Playback : public QObject
   Q_SIGNALS:
     void stateChanged();
     void overviewReady();
+    /// Emitted when another moment is shown. @param time_s  since the first tick
+    void momentShown(double time_s);
 
   private:
     void step();

@@ -33,15 +33,15 @@ struct ColourRange
 /// {0, 1} without finite values
 [[nodiscard]] PALPATE_EXPORT ColourRange colourRange(std::span<const float> values);
 
-/// Colours a picture with `surfaceColour`; unknown values are light grey.
+/// Colours a picture with `surfaceColour`.
 /// @param picture  made from `surface` by `makeSurface`; points and triangles are shared, not copied
 /// @param values  one per vertex or one per triangle of the surface; with any other size the result has no colours
+/// @param unknown  colour of unknown values (NaN)
 /// @return a picture with colours at points or triangles
 /// @par Cost O(triangles)
 /// @par Thread Any
-[[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkPolyData> coloured(vtkPolyData& picture,
-                                                                   const geometry::RepairedMesh& surface,
-                                                                   std::span<const float> values, bool isPerTriangle,
-                                                                   const ColourRange& range);
+[[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkPolyData>
+coloured(vtkPolyData& picture, const geometry::RepairedMesh& surface, std::span<const float> values, bool isPerTriangle,
+         const ColourRange& range, const Colour& unknown = kUnknownColour);
 
 } // namespace palpate::view

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/ui/TouchSums.h"
+
+#include <palpate/core/Export.h>
+#include <palpate/servo/TickRecord.h>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace palpate::ui {
+
+class StructureModel;
+class VtkViewport;
+
+/// Quantity of a map of touch; definitions in docs/measures.md.
+enum class TouchQuantity
+{
+    None,
+    Covered,   ///< touched or not
+    Dwell,     ///< time spent
+    PeakForce, ///< largest force
+    Stiffness  ///< largest ratio of force and depth
+};
+inline constexpr int kTouchQuantities = 5;
+
+[[nodiscard]] PALPATE_EXPORT QString touchQuantityText(TouchQuantity quantity);
+
+/// Colours the touched parts of all structures by what the hand did there: in a recording up to the position of the
+/// player, else live since `restart` as a preview from the displayed ticks. Untouched parts keep their colour. Touched
+/// structures are drawn opaque.
+///
+/// @par Thread GUI thread only.
+class PALPATE_EXPORT TouchMap : public QObject
+{
+    Q_OBJECT
+  public:
+    /// Both references must outlive this object.
+    TouchMap(VtkViewport& viewport, StructureModel& model, QObject* parent = nullptr);
+    ~TouchMap() override;
+
+    void show(TouchQuantity quantity);
+    [[nodiscard]] TouchQuantity quantity() const noexcept { return m_quantity; }
+    /// Takes the sums from a recording; an empty path: live.
+    void setRecording(const std::filesystem::path& recording);
+    /// Moves the end of the sums. No effect without a recording. @param time_s  since the first tick
+    void setPosition(double time_s);
+    /// Starts live sums again. @param distance_mm  distance within which a place counts as touched, > 0
+    void restart(double distance_mm);
+    /// Adds a displayed tick to the live sums. @param dt_s  time since the last one
+    void add(const servo::TickRecord& tick, double dt_s);
+    /// The sums that are drawn; null before the first.
+    [[nodiscard]] const TouchSums* sums() const noexcept { return m_sums.get(); }
+
+  Q_SIGNALS:
+    void drawn();
+    /// Emitted before the map's colours replace others, and after they were removed.
+    void shownChanged(bool isShown);
+    /// Emitted when the recording cannot be read. @param why  one sentence
+    void failed(const QString& why);
+
+  private:
+    struct Picture
+    {
+        std::shared_ptr<const geometry::RepairedMesh> surface;
+        vtkSmartPointer<vtkPolyData> plain; ///< of a split surface
+    };
+    void read();
+    void take(std::shared_ptr<const TouchSums> sums);
+    void draw();
+    void drawLegend(double high, double all_mm2, double covered_mm2, double above_mm2);
+    void undraw();
+    [[nodiscard]] session::MeshesByHash meshes() const;
+    [[nodiscard]] vtkSmartPointer<vtkPolyData> plainPicture(int row, const TouchedStructure& touched);
+
+    VtkViewport& m_viewport;
+    StructureModel& m_model;
+    TouchQuantity m_quantity = TouchQuantity::None;
+    std::filesystem::path m_recording;
+    double m_position_s = 0.0;
+    std::size_t m_meshes = 0; ///< surfaces known to the reader
+    std::unique_ptr<RecordedTouchSums> m_reader;
+    std::unique_ptr<session::TouchedSurfaces> m_live;
+    session::MeshesByHash m_liveMeshes;
+    double m_live_s = 0.0, m_distance_mm = 5.0;
+    std::shared_ptr<const TouchSums> m_sums;
+    std::map<int, Picture> m_pictures; ///< of split surfaces, by row
+    std::vector<int> m_drawn;          ///< rows with the map's colours
+    QTimer m_redraw;                   ///< limits the rate of live updates
+};
+
+} // namespace palpate::ui

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/ui/TouchMap.h"
+
+#include "palpate/ui/StructureModel.h"
+#include "palpate/ui/Translated.h"
+#include "palpate/ui/VtkViewport.h"
+
+#include <palpate/view/SurfaceColours.h>
+#include <palpate/view/SurfaceMesh.h>
+
+#include <QAbstractItemModel>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace palpate::ui {
+
+namespace {
+
+constexpr int kRedraw_ms = 250;
+constexpr double kUpperShare = 0.98; // of the touched places lies below the end of the colours
+
+/// Values to draw: NaN where the quantity is not known.
+std::vector<float> valuesOf(const TouchedStructure& touched, TouchQuantity quantity)
+{
+    std::vector<float> values = quantity == TouchQuantity::PeakForce   ? touched.peakForce_N
+                                : quantity == TouchQuantity::Stiffness ? touched.stiffness_N_per_mm
+                                                                       : touched.dwell_s;
+    for (float& value : values) {
+        value = !(value > 0.0F)                      ? std::numeric_limits<float>::quiet_NaN()
+                : quantity == TouchQuantity::Covered ? 1.0F
+                                                     : value;
+    }
+    return values;
+}
+
+/// The smallest of 1, 2 and 5 times a power of ten that is not below a positive value.
+double roundedUp(double value)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double digit : {1.0, 2.0, 5.0}) {
+        if (value <= digit * power * (1.0 + 1e-9)) {
+            return digit * power;
+        }
+    }
+    return 10.0 * power;
+}
+
+/// End of the colours for all structures.
+double upperEnd(const std::vector<std::vector<float>>& all)
+{
+    std::vector<float> known;
+    for (const std::vector<float>& values : all) {
+        std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](float v) { return std::isfinite(v); });
+    }
+    if (known.empty()) {
+        return 1.0;
+    }
+    const auto at =
+        known.begin() + static_cast<std::ptrdiff_t>(kUpperShare * static_cast<double>(known.size() - 1) + 0.5);
+    std::nth_element(known.begin(), at, known.end());
+    return roundedUp(double{*at});
+}
+
+QString areaText(double area_mm2, double all_mm2)
+{
+    const double percent = 100.0 * area_mm2 / all_mm2;
+    return TouchMap::tr("%1 cm², %2 %")
+        .arg(QLocale().toString(0.01 * area_mm2, 'f', 1), QLocale().toString(percent, 'f', percent < 1.0 ? 1 : 0));
+}
+
+} // namespace
+
+QString touchQuantityText(TouchQuantity quantity)
+{
+    switch (quantity) {
+    case TouchQuantity::Covered:
+        return TouchMap::tr("Examined surface");
+    case TouchQuantity::Dwell:
+        return TouchMap::tr("Time spent");
+    case TouchQuantity::PeakForce:
+        return TouchMap::tr("Largest force");
+    case TouchQuantity::Stiffness:
+        return TouchMap::tr("Stiffness felt");
+    case TouchQuantity::None:
+        break;
+    }
+    return TouchMap::tr("No map");
+}
+
+TouchMap::TouchMap(VtkViewport& viewport, StructureModel& model, QObject* parent)
+    : QObject(parent)
+    , m_viewport(viewport)
+    , m_model(model)
+{
+    m_redraw.setSingleShot(true);
+    m_redraw.setInterval(kRedraw_ms);
+    connect(&m_redraw, &QTimer::timeout, this, [this] {
+        if (m_live != nullptr && m_quantity != TouchQuantity::None && m_recording.empty()) {
+            take(touchSums(*m_live, m_liveMeshes, m_live_s, m_sums.get()));
+        }
+    });
+    connect(&model, &StructureModel::edited, this, [this] {
+        if (m_reader != nullptr && meshes().size() != m_meshes) { // a surface got ready, was removed or restored
+            m_reader = nullptr;
+            read();
+        }
+    });
+    connect(&model, &QAbstractItemModel::modelReset, this, [this] { // the view has new pictures
+        m_drawn.clear();
+        m_pictures.clear();
+        m_sums = nullptr;
+        m_live = nullptr;
+        m_reader = nullptr;
+        read();
+    });
+}
+
+TouchMap::~TouchMap()
+{
+    m_reader = nullptr; // its thread posts to this object
+}
+
+void TouchMap::show(TouchQuantity quantity)
+{
+    m_quantity = quantity;
+    if (quantity == TouchQuantity::None) {
+        undraw();
+        return;
+    }
+    read();
+    draw();
+}
+
+void TouchMap::setRecording(const std::filesystem::path& recording)
+{
+    if (recording == m_recording) {
+        return;
+    }
+    undraw();
+    m_recording = recording;
+    m_position_s = 0.0;
+    m_reader = nullptr;
+    m_sums = nullptr;
+    read();
+}
+
+void TouchMap::setPosition(double time_s)
+{
+    m_position_s = time_s;
+    read();
+}
+
+void TouchMap::restart(double distance_mm)
+{
+    m_distance_mm = distance_mm;
+    m_live = nullptr;
+    m_live_s = 0.0;
+    if (m_recording.empty()) {
+        undraw();
+        m_sums = nullptr;
+    }
+}
+
+void TouchMap::add(const servo::TickRecord& tick, double dt_s)
+{
+    if (m_live == nullptr && tick.felt.contactCount == 0) {
+        return; // the surfaces may not be ready yet
+    }
+    if (m_live == nullptr) {
+        m_liveMeshes = meshes();
+        const auto keyOf = [this](std::uint32_t /*scene*/, std::uint32_t structure) {
+            const auto& rows = m_model.rows();
+            return structure < rows.size()
+                       ? session::StructureKey(rows[structure].loaded.description.name, rows[structure].sha256)
+                       : session::StructureKey();
+        };
+        m_live = std::make_unique<session::TouchedSurfaces>(m_liveMeshes, keyOf, m_distance_mm);
+    }
+    m_live_s += dt_s;
+    m_live->add(tick, m_live_s, dt_s);
+    if (m_quantity != TouchQuantity::None && m_recording.empty() && !m_redraw.isActive()) {
+        m_redraw.start();
+    }
+}
+
+session::MeshesByHash TouchMap::meshes() const
+{
+    session::MeshesByHash meshes;
+    for (const study::OpenStructure& row : m_model.rows()) {
+        if (!row.sha256.empty() && row.isThere()) {
+            meshes[row.sha256] = row.loaded.surface;
+        }
+    }
+    return meshes;
+}
+
+/// Requests the sums of the recording, once a map is shown.
+void TouchMap::read()
+{
+    if (m_quantity == TouchQuantity::None || m_recording.empty()) {
+        return;
+    }
+    if (m_reader == nullptr) {
+        m_meshes = meshes().size();
+        m_reader = std::make_unique<RecordedTouchSums>(
+            m_recording, meshes(),
+            [this](std::shared_ptr<const TouchSums> sums) {
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, sums = std::move(sums), of = m_recording] {
+                        if (of == m_recording) {
+                            take(sums);
+                        }
+                    },
+                    Qt::QueuedConnection);
+            },
+            [this](const core::Status& status) {
+                QMetaObject::invokeMethod(
+                    this, [this, status] { Q_EMIT failed(translated(status)); }, Qt::QueuedConnection);
+            });
+    }
+    m_reader->setEnd(m_position_s);
+}
+
+void TouchMap::take(std::shared_ptr<const TouchSums> sums)
+{
+    m_sums = std::move(sums);
+    draw();
+}
+
+vtkSmartPointer<vtkPolyData> TouchMap::plainPicture(int row, const TouchedStructure& touched)
+{
+    if (!touched.isSplit) {
+        return m_model.picture(row);
+    }
+    Picture& picture = m_pictures[row];
+    if (picture.surface != touched.surface) {
+        picture = {touched.surface, view::makeSurface(*touched.surface)};
+    }
+    return picture.plain;
+}
+
+void TouchMap::draw()
+{
+    if (m_quantity == TouchQuantity::None || m_sums == nullptr) {
+        return;
+    }
+    std::vector<int> rows;
+    std::vector<const TouchedStructure*> touched;
+    std::vector<std::vector<float>> values;
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        const study::OpenStructure& open = m_model.rows()[static_cast<std::size_t>(row)];
+        const auto found = m_sums->structures.find({open.loaded.description.name, open.sha256});
+        if (found != m_sums->structures.end() && open.isThere()) {
+            rows.push_back(row);
+            touched.push_back(&found->second);
+            values.push_back(valuesOf(found->second, m_quantity));
+        }
+    }
+    Q_EMIT shownChanged(true);
+    const double high = m_quantity == TouchQuantity::Covered ? 1.0 : upperEnd(values);
+    double all_mm2 = 0.0, covered_mm2 = 0.0, above_mm2 = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (std::size_t v = 0; v < values[i].size(); ++v) {
+            const double share_mm2 = touched[i]->share_mm2[v];
+            all_mm2 += share_mm2;
+            covered_mm2 += touched[i]->dwell_s[v] > 0.0F ? share_mm2 : 0.0;
+            above_mm2 += double{values[i][v]} > high ? share_mm2 : 0.0;
+        }
+        view::Appearance look = m_model.appearanceOf(rows[i]);
+        const view::Colour own = look.colour;
+        look.opacity = 1.0; // the map would mix with what lies behind it
+        m_viewport.view().setAppearance(static_cast<std::size_t>(rows[i]), look);
+        m_viewport.view().setPicture(static_cast<std::size_t>(rows[i]),
+                                     view::coloured(*plainPicture(rows[i], *touched[i]), *touched[i]->surface,
+                                                    values[i], false, {0.0, high}, own));
+    }
+    m_drawn = rows;
+    drawLegend(high, all_mm2, covered_mm2, above_mm2);
+    m_viewport.update();
+    Q_EMIT drawn();
+}
+
+void TouchMap::drawLegend(double high, double all_mm2, double covered_mm2, double above_mm2)
+{
+    QStringList lines{m_quantity == TouchQuantity::Dwell       ? tr("Time spent, s")
+                      : m_quantity == TouchQuantity::PeakForce ? tr("Largest force, N")
+                      : m_quantity == TouchQuantity::Stiffness ? tr("Stiffness felt, N/mm")
+                                                               : touchQuantityText(m_quantity)};
+    const QString until = QLocale().toString(m_sums->time_s, 'f', 1);
+    lines << (m_recording.empty() ? tr("live, %1 s (preview)").arg(until) : tr("up to %1 s").arg(until));
+    lines << (m_drawn.empty() ? tr("nothing touched yet") : tr("touched: %1").arg(areaText(covered_mm2, all_mm2)));
+    if (above_mm2 > 0.0) {
+        lines << tr("above %1: %2").arg(QLocale().toString(high), areaText(above_mm2, all_mm2));
+    }
+    view::ColourLegend::Content content;
+    content.title = lines.join(QLatin1Char('\n')).toStdString();
+    content.range = {0.0, high};
+    if (m_quantity == TouchQuantity::Covered) {
+        content.marks = {{1.0, tr("touched").toStdString()}};
+    } else {
+        for (const double value : {0.0, 0.5 * high, high}) {
+            content.marks.push_back({value, QLocale().toString(value).toStdString()});
+        }
+    }
+    m_viewport.view().legend().show(content);
+}
+
+void TouchMap::undraw()
+{
+    for (const int row : m_drawn) {
+        if (row < m_model.rowCount()) {
+            m_viewport.view().setPicture(static_cast<std::size_t>(row), m_model.picture(row));
+            m_viewport.view().setAppearance(static_cast<std::size_t>(row), m_model.appearanceOf(row));
+        }
+    }
+    m_drawn.clear();
+    m_viewport.view().legend().hide();
+    m_viewport.update();
+    Q_EMIT shownChanged(false);
+}
+
+} // namespace palpate::ui
+
+#include "palpate/ui/moc_TouchMap.cpp"
