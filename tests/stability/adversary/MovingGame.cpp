@@ -472,7 +472,8 @@ class MovingGame
             const double power = force.dot(vTissue) + motion.factorSlope(m_t) * stored;
             const double slack = near * (force.norm() * vTissue.norm() + std::abs(motion.factorSlope(m_t)) * stored) +
                                  force.norm() * motion.velocityError(m_t, one.p_WG) +
-                                 1e-15 * (std::abs(m_t) + 1.0) * double(energy(p, m_t)) / step_s + 1e-4 * stored;
+                                 1e-15 * (std::abs(m_t) + 1.0) * double(energy(p, m_t)) / step_s + 1e-4 * stored +
+                                 1e-15 * m_hip.norm() * force.norm() / step_s;
             if (!(std::abs(change - power) <= slack)) {
                 faults.push_back({"power is not the change of the energy", change - power, "mW", force, vTissue});
             }

@@ -21,10 +21,14 @@ Vec3 MovingHand::next(double t)
         m_left = m_chance.whole(50, 500);
         m_group = m_chance.below(m_scene.groups.size());
         m_mode = static_cast<Mode>(m_chance.below(3));
+        if (!m_hasStarted) {
+            m_hip = X;
+        }
         if (m_mode == Mode::Still && m_chance.is(0.7)) {
             m_hip = placed(t + m_chance.between(0.0, 1e-3 * m_left)); // where a structure will come
         }
     }
+    m_hasStarted = true;
     if (m_mode != Mode::Still) {
         m_hip = m_mode == Mode::WithTissue ? placed(t) : X;
     }

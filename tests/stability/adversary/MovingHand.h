@@ -29,6 +29,7 @@ class MovingHand
     Chance m_chance;
     Mode m_mode = Mode::InWorld;
     int m_left = 0;
+    bool m_hasStarted = false;
     std::size_t m_group = 0;
     Vec3 m_hip = Vec3::Zero();
 };
