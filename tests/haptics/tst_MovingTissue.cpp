@@ -392,6 +392,31 @@ class MovingTissue : public QObject
         }
     }
 
+    void layersOfOneShapeKeepTheirGodObjects()
+    {
+        // Two structures breathe alike, one of them later: the shape of their motions is the same.
+        const auto first = oscillation(Vec3(0, 0, 5), 1.0), second = first->withClock(0.0, 0.3, 1.0);
+        const auto at = [](double x) { return moved(sphere(8, 20.0), Vec3(x, 0, 0)); };
+        const auto scene = [&] { return HapticScene({moving(at(0), first), moving(at(90), second)}); };
+        const HapticScene before = scene(), after = scene();
+        for (const double x : {0.0, 90.0}) {
+            Palpator palpator;
+            palpator.borrowScene(&before);
+            for (int i = 0; i <= 100; ++i) {
+                (void)palpator.step(Vec3(x, 0, i == 0 ? 40.0 : 10.0), kTick_s, nullptr, i * kTick_s);
+            }
+            const haptics::PalpatorState was = palpator.state();
+            palpator.borrowScene(&after);
+            const haptics::PalpatorState is = palpator.state();
+            for (std::size_t layer = 0; layer < 2; ++layer) {
+                QVERIFY(is.layers[layer].p_WG == was.layers[layer].p_WG && is.p_RH[layer] == was.p_RH[layer]);
+            }
+            palpator.borrowScene(&after);
+            QVERIFY(palpator.state().layers[0].p_WG == was.layers[0].p_WG);
+            QCOMPARE(palpator.step(Vec3(x, 0, 10.0), kTick_s, nullptr, 0.101).structure, x == 0.0 ? 0 : 1);
+        }
+    }
+
     void restoredStateGivesTheSameBits()
     {
         const auto motion = randomMotion(core::Box(Vec3::Constant(-60), Vec3::Constant(60)), 10.0, 4, 9);

@@ -39,6 +39,16 @@ struct Numbers
     bool isMoving = false;
 };
 
+/// Returns true if a structure of a layer is in a layer of another scene as well.
+bool sharesStructure(const HapticScene& before, const HapticLayer& was, const HapticScene& after,
+                     const HapticLayer& is) noexcept
+{
+    return std::any_of(is.structures.begin(), is.structures.end(), [&](std::uint32_t structure) {
+        return std::find(was.structures.begin(), was.structures.end(), structure) != was.structures.end() &&
+               before.structures()[structure].name == after.structures()[structure].name;
+    });
+}
+
 /// Fills a contact except for its force and layer.
 /// @pre the god-object has an active constraint after its step
 PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god, const HapticScene& scene,
@@ -179,7 +189,7 @@ struct Palpator::Impl
     std::shared_ptr<const HapticScene> owned; ///< see setScene
 
     void leaveContacts(const HapticScene* after) noexcept;
-    [[nodiscard]] std::optional<std::size_t> previousLayer(std::size_t layer,
+    [[nodiscard]] std::optional<std::size_t> previousLayer(std::size_t layer, const HapticScene* before,
                                                            const std::array<Numbers, kLayers>& known) const noexcept;
     template<class HipOf>
     void feelLayer(TickResult& result, std::size_t i, const Vec3& p_H, double dt_s, SharedWork& work,
@@ -280,20 +290,29 @@ bool Palpator::setScene(const HapticScene* scene, Continuity continuity) noexcep
     return isRestored;
 }
 
-/// Finds the layer of the scene before with the same number. Layers of one number differ by their motion.
-std::optional<std::size_t> Palpator::Impl::previousLayer(std::size_t layer,
+/// Finds the layer of the scene before with the same number. Several layers of one number differ by their motion; then
+/// the structures decide, because motions that differ by clock or pulse only have the same shape.
+/// @param before  scene of the known layers; null: not available
+std::optional<std::size_t> Palpator::Impl::previousLayer(std::size_t layer, const HapticScene* before,
                                                          const std::array<Numbers, kLayers>& known) const noexcept
 {
     const HapticLayer& now = scene->layer(layer);
+    const auto hasNumber = [&now](const Numbers& one) { return one.first <= now.number && now.number <= one.last; };
     std::size_t rivals = 0; // layers of this scene with the same number
     for (std::size_t i = 0; i < scene->layerCount(); ++i) {
         rivals += scene->layer(i).number == now.number ? 1 : 0;
     }
+    const bool isAmbiguous = rivals > 1 || std::count_if(known.begin(), known.end(), hasNumber) > 1;
     std::optional<std::size_t> found;
     for (std::size_t j = 0; j < kLayers; ++j) {
-        const bool isSameNumber = known[j].first <= now.number && now.number <= known[j].last;
-        const bool isAlike = known[j].shape == shapeOf(now);
-        if (isSameNumber && (isAlike || (rivals <= 1 && !found))) {
+        if (!hasNumber(known[j])) {
+            continue;
+        }
+        if (isAmbiguous && before != nullptr) {
+            if (sharesStructure(*before, before->layer(j), *scene, now)) {
+                return j;
+            }
+        } else if (known[j].shape == shapeOf(now) || (!isAmbiguous && !found)) {
             found = j;
         }
     }
@@ -306,6 +325,7 @@ bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noex
     // Contacts follow structures from this scene; setting the same scene again moves nothing.
     const bool keeps = continuity == Continuity::Contacts && me.scene != scene;
     const HapticScene* const old = keeps ? me.scene : nullptr;
+    const HapticScene* const before = continuity == Continuity::Contacts ? me.scene : nullptr;
     if (old != nullptr) {
         me.leaveContacts(scene);
     }
@@ -314,7 +334,7 @@ bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noex
     me.isBall = scene != nullptr && scene->fingertip_mm() > 0.0;
     me.layers = scene == nullptr ? 0 : scene->layerCount();
     me.tissuePower_mW = 0.0;
-    const PalpatorState before = state();
+    const PalpatorState last = state();
     me.p_RH.fill(Vec3::Zero());
     const std::array<Numbers, kLayers> numbers = std::exchange(me.numbers, {});
     for (std::size_t i = 0; i < kLayers; ++i) {
@@ -322,10 +342,10 @@ bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noex
         if (scene != nullptr && i < scene->layerCount()) {
             const HapticLayer& layer = scene->layer(i);
             me.numbers[i] = {layer.number, layer.lastNumber, shapeOf(layer), layer.motion != nullptr};
-            Vec3 hip = before.p_WH;
-            if (const auto j = me.previousLayer(i, numbers)) {
-                kept = before.layers[*j];
-                hip = numbers[*j].isMoving ? before.p_RH[*j] : hip;
+            Vec3 hip = last.p_WH;
+            if (const auto j = me.previousLayer(i, before, numbers)) {
+                kept = last.layers[*j];
+                hip = numbers[*j].isMoving ? last.p_RH[*j] : hip;
             }
             if (old != nullptr && kept.placed != 0) {
                 kept.p_WG = internal::carryOverPosition(*old, *scene, layer, kept, hip);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Game.h"
 
-#include "LayerJudge.h"
+#include "FaultLog.h"
+#include "MovingGame.h"
 #include "RandomHand.h"
 #include "SameBits.h"
 
@@ -9,7 +10,6 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
-#include <set>
 #include <utility>
 
 namespace palpate::adversary {
@@ -33,21 +33,13 @@ struct Alone
     std::unique_ptr<LayerJudge> judge;
 };
 
-/// Seeds per family; a new family does not change the seeds of the others.
-std::uint64_t firstOf(Family family)
-{
-    const auto number = static_cast<std::uint64_t>(family);
-    return number < 4 ? number : number << 48;
-}
-
 class Game
 {
   public:
     Game(Family family, std::uint64_t seed, Tally& tally)
-        : m_family(family)
-        , m_seed(seed)
-        , m_tally(tally)
-        , m_chance(firstOf(family) + 4 * seed)
+        : m_tally(tally)
+        , m_log(family, seed, tally)
+        , m_chance(firstOf(family, seed))
         , m_scene(randomScene(family, m_chance))
         , m_isExact(m_chance.is(0.5))
         , m_hand(m_scene, m_isExact, m_chance.bits())
@@ -94,7 +86,7 @@ class Game
             m_tally.restTicks += alone.judge->restTicks();
             m_tally.energyTicks += alone.judge->energyTicks();
         }
-        m_tally.failedSeeds += m_said.empty() ? 0 : 1;
+        m_tally.failedSeeds += m_log.isEmpty() ? 0 : 1;
     }
 
   private:
@@ -240,24 +232,14 @@ class Game
 
     void say(const Fault& fault)
     {
-        if (!m_said.insert(fault.what).second) {
-            return;
-        }
-        ++m_tally.seedsByFault[fault.what];
-        char text[512];
-        std::snprintf(text, sizeof text,
-                      "adversary %s %llu: tick %lld, %s: %.4g %s, from (%.9g %.9g %.9g) to (%.9g %.9g %.9g), HIP (%.9g "
-                      "%.9g %.9g); %s, radius %g, scale %.3g, %s HIPs",
-                      nameOf(m_family), static_cast<unsigned long long>(m_seed), static_cast<long long>(m_number),
-                      fault.what.c_str(), fault.amount, fault.unit.c_str(), fault.from.x(), fault.from.y(),
-                      fault.from.z(), fault.to.x(), fault.to.y(), fault.to.z(), m_hip.x(), m_hip.y(), m_hip.z(),
-                      m_scene.name.c_str(), m_scene.fingertip_mm, m_scene.scale, m_isExact ? "exact" : "general");
-        m_tally.lines.emplace_back(text);
+        char text[256];
+        std::snprintf(text, sizeof text, "%s, radius %g, scale %.3g, %s HIPs", m_scene.name.c_str(),
+                      m_scene.fingertip_mm, m_scene.scale, m_isExact ? "exact" : "general");
+        m_log.add(fault, m_number, m_hip, text);
     }
 
-    Family m_family;
-    std::uint64_t m_seed;
     Tally& m_tally;
+    FaultLog m_log;
     Chance m_chance;
     RandomScene m_scene;
     bool m_isExact; ///< HIPs on vertices, on edges and in planes
@@ -270,7 +252,6 @@ class Game
     Vec3 m_hip = Vec3::Zero();
     bool m_hasStarted = false;
     std::int64_t m_number = 0;
-    std::set<std::string> m_said;
 };
 
 } // namespace
@@ -287,6 +268,10 @@ std::string Tally::summary() const
                   static_cast<long long>(energyTicks), static_cast<long long>(restores),
                   static_cast<long long>(switches), static_cast<long long>(failedSeeds));
     std::string result = text;
+    if (nodeTicks > 0) {
+        result += "; " + std::to_string(nodeTicks) + " moved surfaces, " + std::to_string(heldTicks) + " times held, " +
+                  std::to_string(derivedTicks) + " derivatives judged";
+    }
     for (const auto& [what, seeds] : seedsByFault) {
         result += "; " + what + ": " + std::to_string(seeds);
     }
@@ -295,6 +280,10 @@ std::string Tally::summary() const
 
 void play(Family family, std::uint64_t seed, std::int64_t ticks, Tally& tally)
 {
+    if (family == Family::Moving) {
+        playMoving(seed, ticks, tally);
+        return;
+    }
     Game game(family, seed, tally);
     for (std::int64_t i = 0; i < ticks; ++i) {
         game.tick(i);

@@ -14,6 +14,8 @@ struct Tally
 {
     std::int64_t ticks = 0, inContact = 0, atBound = 0, sheetTicks = 0, restTicks = 0, energyTicks = 0, restores = 0,
                  switches = 0;
+    /// With motion: moved surfaces, ticks with everything held, and forces compared with derivatives.
+    std::int64_t nodeTicks = 0, heldTicks = 0, derivedTicks = 0;
     std::int64_t failedSeeds = 0;
     std::map<std::string, std::int64_t> seedsByFault;
     std::vector<std::string> lines; ///< one per fault: seed, tick, description; the first of each kind in a seed

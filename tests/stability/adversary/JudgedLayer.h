@@ -29,6 +29,7 @@ class Body
     /// angles where a crossing is ambiguous. Returns nothing for a point on the surface.
     [[nodiscard]] std::optional<int> winding(const Vec3& p) const;
     [[nodiscard]] double distance_mm(const Vec3& p) const;
+    [[nodiscard]] const std::vector<std::array<Vec3, 3>>& triangles() const { return m_triangles; }
 
     bool isOneSided = true; ///< only front contacts
 

@@ -52,8 +52,8 @@ std::shared_ptr<const geometry::SurfaceIndex> indexOf(const TriangleMesh& mesh)
 
 const char* nameOf(Family family)
 {
-    static constexpr std::array<const char*, kFamilies> kNames{"closed", "open",  "layers",
-                                                               "balls",  "rough", "roughballs"};
+    static constexpr std::array<const char*, kFamilies> kNames{"closed", "open",       "layers", "balls",
+                                                               "rough",  "roughballs", "moving"};
     return kNames[static_cast<std::size_t>(family)];
 }
 

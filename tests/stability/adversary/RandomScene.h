@@ -19,8 +19,9 @@ enum class Family
     Balls,  ///< balls of 0.1 to 20 mm in the scenes above
     Rough,  ///< a point in the scenes above, with friction, laws and maps
     RoughBalls,
+    Moving, ///< all of the above, with structures that move, see MovingScene
 };
-constexpr int kFamilies = 6;
+constexpr int kFamilies = 7;
 [[nodiscard]] const char* nameOf(Family family);
 
 struct RandomStructure

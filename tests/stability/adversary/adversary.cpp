@@ -3,7 +3,7 @@
 //
 // adversary FAMILY SEED [SEEDS [TICKS [FROM TO]]]
 //
-// FAMILY: closed, open, layers, balls, rough, roughballs. Prints the ticks FROM … TO. Exit code 1 on a failure.
+// FAMILY: closed, open, layers, balls, rough, roughballs, moving. Prints the ticks FROM … TO. Exit code 1 on a failure.
 #include "Game.h"
 
 #include <cstdio>
@@ -34,6 +34,7 @@ int main(int argc, char** argv)
         std::printf("%s\n", tally.summary().c_str());
         return tally.failedSeeds > 0 ? 1 : 0;
     }
-    std::fprintf(stderr, "usage: adversary closed|open|layers|balls|rough|roughballs SEED [SEEDS [TICKS [FROM TO]]]\n");
+    std::fprintf(stderr,
+                 "usage: adversary closed|open|layers|balls|rough|roughballs|moving SEED [SEEDS [TICKS [FROM TO]]]\n");
     return 2;
 }

@@ -17,8 +17,9 @@ using core::StatusCode;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kMostCells = 40.0; ///< along an axis
-/// Weight of the harmonic part against the mean weight of the vertices: it only decides where no vertex does.
-constexpr double kHarmonic = 1e-6;
+/// Weight of the harmonic part against the mean weight of the vertices: it decides where no vertex does, and keeps the
+/// lattice from following the noise of single vertices. On smooth motions it costs some 0.01 mm (docs/motion.md).
+constexpr double kHarmonic = 1e-2;
 
 /// Unknowns are the control points of the cells; those of the rim have the values of their neighbours.
 class Unknowns

@@ -16,26 +16,48 @@ constexpr int kMaxSteps = 32;
 /// The steps end when at most this distance is left [mm], half of SurfaceMotion::kInverse_mm.
 constexpr double kEnough_mm = 5e-10;
 
-using Four = Eigen::Array<double, 4, 1>;
+using Two = Eigen::Array2d;
 
-/// Position along one axis: cell, and weights of its three control points.
+/// The coordinates of a control point in registers: x and y, z and 0.
+struct Lanes
+{
+    Two xy, z;
+};
+PALPATE_ALWAYS_INLINE Lanes operator*(const Two& w, const Lanes& a) noexcept
+{
+    return {w * a.xy, w * a.z};
+}
+PALPATE_ALWAYS_INLINE Lanes operator+(const Lanes& a, const Lanes& b) noexcept
+{
+    return {a.xy + b.xy, a.z + b.z};
+}
+PALPATE_ALWAYS_INLINE Lanes read(const std::array<double, 4>& control) noexcept
+{
+    return {Eigen::Map<const Two>(control.data()), Eigen::Map<const Two>(control.data() + 2)};
+}
+Vec3 vectorOf(const Lanes& a) noexcept
+{
+    return {a.xy[0], a.xy[1], a.z[0]};
+}
+
+/// Position along one axis: cell, and weights of its three control points, each in both lanes.
 struct Along
 {
-    std::size_t cell = 0;
-    std::array<double, 3> weight{}, slope{};
+    int cell = 0;
+    std::array<Two, 3> weight, slope;
 
     /// @param s  position in cells; outside of 0 … cells the nearest place, without slope
     Along(double s, std::uint32_t cells, double perCell) noexcept
     {
-        const double most = cells;
+        const int count = static_cast<int>(cells);
+        const double most = count;
         const bool isInside = s > 0.0 && s < most;
         const double at = isInside ? s : s >= most ? most : 0.0; // 0 for NaN
-        cell = std::min(static_cast<std::size_t>(at), std::size_t{cells} - 1);
-        const double t = at - static_cast<double>(cell), r = 1.0 - t;
-        weight = {0.5 * r * r, 0.5 + t * r, 0.5 * t * t};
-        if (isInside) {
-            slope = {-r * perCell, (r - t) * perCell, t * perCell};
-        }
+        cell = std::min(static_cast<int>(at), count - 1);
+        const double t = at - cell, r = 1.0 - t;
+        weight = {Two::Constant(0.5 * r * r), Two::Constant(0.5 + t * r), Two::Constant(0.5 * t * t)};
+        const double steep = isInside ? perCell : 0.0;
+        slope = {Two::Constant(-r * steep), Two::Constant((r - t) * steep), Two::Constant(t * steep)};
     }
 };
 
@@ -62,7 +84,8 @@ class SurfaceMotion::Patch
         const Vec3 s = perCell * (X - lattice.origin_mm);
         const Along x(s.x(), lattice.cells[0], perCell), y(s.y(), lattice.cells[1], perCell),
             z(s.z(), lattice.cells[2], perCell);
-        const std::size_t first = lattice.control(x.cell, y.cell, z.cell);
+        const std::size_t first = lattice.control(static_cast<std::size_t>(x.cell), static_cast<std::size_t>(y.cell),
+                                                  static_cast<std::size_t>(z.cell));
         const std::array<double, 4>* controls = m_motion.m_controls.data() + m_moment.frame[0] + first;
         std::size_t row = lattice.cells[0] + 2, slab = row * (lattice.cells[1] + 2);
         double scale = m_weight[0];
@@ -73,40 +96,39 @@ class SurfaceMotion::Patch
             slab = 9;
             scale = 1.0;
         }
-        Four u = Four::Zero(), alongX = Four::Zero(), alongY = Four::Zero(), alongZ = Four::Zero();
+        const auto mean = [](const std::array<Two, 3>& w, const Lanes& a, const Lanes& b, const Lanes& c) {
+            return w[0] * a + w[1] * b + w[2] * c;
+        };
+        std::array<Lanes, 3> inSlab, slabX, slabY;
         for (std::size_t k = 0; k < 3; ++k) {
-            Four inSlab = Four::Zero(), slabX = Four::Zero(), slabY = Four::Zero();
+            std::array<Lanes, 3> value, change;
             for (std::size_t j = 0; j < 3; ++j) {
                 const std::array<double, 4>* at = controls + j * row + k * slab;
-                const Four a = Eigen::Map<const Four>(at[0].data()), b = Eigen::Map<const Four>(at[1].data()),
-                           c = Eigen::Map<const Four>(at[2].data());
-                const Four value = x.weight[0] * a + x.weight[1] * b + x.weight[2] * c;
-                inSlab += y.weight[j] * value;
+                const Lanes a = read(at[0]), b = read(at[1]), c = read(at[2]);
+                value[j] = mean(x.weight, a, b, c);
                 if constexpr (kSlopes) {
-                    slabX += y.weight[j] * (x.slope[0] * a + x.slope[1] * b + x.slope[2] * c);
-                    slabY += y.slope[j] * value;
+                    change[j] = mean(x.slope, a, b, c);
                 }
             }
-            u += z.weight[k] * inSlab;
+            inSlab[k] = mean(y.weight, value[0], value[1], value[2]);
             if constexpr (kSlopes) {
-                alongX += z.weight[k] * slabX;
-                alongY += z.weight[k] * slabY;
-                alongZ += z.slope[k] * inSlab;
+                slabX[k] = mean(y.weight, change[0], change[1], change[2]);
+                slabY[k] = mean(y.slope, value[0], value[1], value[2]);
             }
         }
         Value value;
-        value.raw = u.head<3>().matrix();
+        value.raw = vectorOf(mean(z.weight, inSlab[0], inSlab[1], inSlab[2]));
         value.u = scale * value.raw;
         if constexpr (kSlopes) {
-            value.gradient.col(0) = scale * alongX.head<3>().matrix();
-            value.gradient.col(1) = scale * alongY.head<3>().matrix();
-            value.gradient.col(2) = scale * alongZ.head<3>().matrix();
+            value.gradient.col(0) = scale * vectorOf(mean(z.weight, slabX[0], slabX[1], slabX[2]));
+            value.gradient.col(1) = scale * vectorOf(mean(z.weight, slabY[0], slabY[1], slabY[2]));
+            value.gradient.col(2) = scale * vectorOf(mean(z.slope, inSlab[0], inSlab[1], inSlab[2]));
         }
         return value;
     }
 
   private:
-    /// Sums the frames at the 27 control points of a cell.
+    /// Sums the frames, of which there are four, at the 27 control points of a cell.
     void gather(std::size_t first, std::size_t row, std::size_t slab) noexcept
     {
         if (m_hasSum && first == m_first) {
@@ -114,16 +136,17 @@ class SurfaceMotion::Patch
         }
         m_hasSum = true;
         m_first = first;
+        const auto weightOf = [this](std::size_t f) { return Two(Two::Constant(m_weight[f])); };
+        const Two w0 = weightOf(0), w1 = weightOf(1), w2 = weightOf(2), w3 = weightOf(3);
+        const auto frameOf = [&](std::size_t f) { return m_motion.m_controls.data() + first + m_moment.frame[f]; };
+        const auto *f0 = frameOf(0), *f1 = frameOf(1), *f2 = frameOf(2), *f3 = frameOf(3);
         std::array<double, 4>* sum = m_sum.data();
         for (std::size_t k = 0; k < 3; ++k) {
             for (std::size_t j = 0; j < 3; ++j) {
-                const std::array<double, 4>* at = m_motion.m_controls.data() + first + j * row + k * slab;
-                for (std::size_t i = 0; i < 3; ++i, ++sum, ++at) {
-                    Four u = Four::Zero();
-                    for (std::size_t f = 0; f < m_moment.frames; ++f) {
-                        u += m_weight[f] * Eigen::Map<const Four>(at[m_moment.frame[f]].data());
-                    }
-                    Eigen::Map<Four>(sum->data()) = u;
+                for (std::size_t i = j * row + k * slab, end = i + 3; i < end; ++i, ++sum) {
+                    const Lanes u = w0 * read(f0[i]) + w1 * read(f1[i]) + w2 * read(f2[i]) + w3 * read(f3[i]);
+                    Eigen::Map<Two>(sum->data()) = u.xy;
+                    Eigen::Map<Two>(sum->data() + 2) = u.z;
                 }
             }
         }
@@ -189,6 +212,9 @@ void SurfaceMotion::applyBreath(double t, Moment& moment) const noexcept
     moment.slope[0] = m_rate * m_amplitude * now.change(m_curve);
     moment.frames = m_frames;
     moment.frame[0] = 0;
+    if (m_shift.isZero(0.0)) { // a ramp
+        return;
+    }
     const Vec3 shift = moment.turn * (moment.weight[0] * m_shift);
     moment.shift += shift;
     moment.drift += moment.spin.cross(shift) + moment.turn * (moment.slope[0] * m_shift);
