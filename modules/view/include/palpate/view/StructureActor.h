@@ -52,7 +52,7 @@ class PALPATE_EXPORT StructureActor
     [[nodiscard]] const MovedSurface& moved() const noexcept { return m_moved; }
     /// Takes a place on the surface back to the rest shape, at the time of `moveTo`. [mm]
     [[nodiscard]] Vec3 restOf(const Vec3& p_W) const;
-    /// Largest number of vertices that `follow` moves at once: about 5 ms.
+    /// Largest number of vertices that `follow` moves at once: 6 ms in a breath, 11 ms in frames.
     static constexpr vtkIdType kMostAtOnce = 40'000;
     /// Draws the surface with a dent from the next frame on, if the dent reaches the structure.
     void bend(const Dimple& dimple, const ViewFrame& frame);
