@@ -31,7 +31,8 @@ class Motion : public QObject
     [[nodiscard]] const view::StructureActor& liver() { return window().viewport().view().structure(0).picture; }
     [[nodiscard]] const meshio::LoadedStructure& loaded() { return window().model().rows()[0].loaded; }
 
-    /// Writes the breathing phantom with its lumps as layers, which saves computing how they feel from outside.
+    /// Writes the breathing phantom with its lumps as layers and the liver opaque, which saves computing how
+    /// lumps feel from outside and sorting translucent surfaces.
     [[nodiscard]] std::filesystem::path breathingPhantom() const
     {
         const std::filesystem::path phantom = std::filesystem::path(PALPATE_SOURCE_DIR) / "data" / "phantom";
@@ -39,7 +40,8 @@ class Motion : public QObject
         std::filesystem::copy_file(phantom / "phantom.vtp", m_desk.folder() / "phantom.vtp", error);
         QFile from(phantom / "phantom-breathing.palpate.json"), to(m_desk.folder() / "breathing.palpate.json");
         if (from.open(QIODevice::ReadOnly) && to.open(QIODevice::WriteOnly)) {
-            to.write(from.readAll().replace(R"("buried": "felt")", R"("buried": "layers")"));
+            QByteArray scene = from.readAll().replace(R"("buried": "felt")", R"("buried": "layers")");
+            to.write(scene.replace(R"("opacity": 0.45)", R"("opacity": 1.0)"));
         }
         return to.filesystemFileName();
     }
@@ -71,7 +73,7 @@ class Motion : public QObject
     void isDrawnHeldAndPressed()
     {
         QSettings().setValue(QStringLiteral("fingertip_mm"), 0.0); // a point
-        QVERIFY(m_desk.show({900, 640}));
+        QVERIFY(m_desk.show({720, 480}));
         auto* panel = window().findChild<QDockWidget*>(QStringLiteral("motion"));
         QVERIFY(panel != nullptr && !panel->isVisible());
         QVERIFY(!m_desk.command("hold-breath").isEnabled());
