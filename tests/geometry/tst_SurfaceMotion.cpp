@@ -205,6 +205,7 @@ class SurfaceMotionTest : public QObject
     {
         const auto random = SurfaceMotion::pulse(0.8, 0.2, randomMotion(kBox, 20.0, 3, 5)).value();
         for (const auto& motion : {random->withClock(1.5, 0.25, 0.5), random->withAmplitude(0.5),
+                                   random->changedAt(1.5, 0.3, {0.5, 2.0, 0.25})->startingAt(0.4),
                                    SurfaceMotion::breath(ramp(15.0, 100.0), kBox).value()}) {
             const auto bytes = motion->bytes();
             const auto back = SurfaceMotion::fromBytes(bytes);
@@ -248,6 +249,43 @@ class SurfaceMotionTest : public QObject
         QVERIFY(held->shape() == motion->shape() && !(*held == *motion));
         const auto half = motion->withAmplitude(0.5);
         QVERIFY((half->toWorld(half->at(2.0), X) - X - 0.5 * (motion->toWorld(motion->at(2.0), X) - X)).norm() < 1e-12);
+    }
+
+    /// Place, velocity and pulse are those of before up to the change, continuous in it, and of the new pace after it.
+    void changeOfPaceDoesNotJump()
+    {
+        constexpr double kStart_s = 1.7, kEase_s = 0.3, kStep_s = 1e-4;
+        const auto breath = SurfaceMotion::breath(ramp(15.0, 100.0), kBox).value();
+        const Vec3 X(1, 2, 30);
+        for (const auto& motion : {SurfaceMotion::pulse(0.8, 0.2, breath).value(), randomMotion(kBox, 20.0, 3, 5),
+                                   oscillation({0, 0, 8}, 1.0)}) {
+            const bool isPose = motion->period_s() == 0.0;
+            for (const SurfaceMotion::Pace pace :
+                 {SurfaceMotion::Pace{0.0, 1.0, 1.0}, {2.0, 2.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 0.5}}) {
+                const auto changed = motion->changedAt(kStart_s, kEase_s, pace);
+                QVERIFY(changed->pace() == pace && changed->shape() == motion->shape() && !(*changed == *motion));
+                QCOMPARE(changed->settled_s(), kStart_s + kEase_s);
+                for (double t = 0.0; t < 3.0; t += 0.0307) {
+                    const auto now = changed->at(t), next = changed->at(t + kStep_s), back = changed->at(t - kStep_s);
+                    const Vec3 v = (changed->toWorld(next, X) - changed->toWorld(back, X)) / (2.0 * kStep_s);
+                    QVERIFY2((changed->velocity(now, X) - v).norm() < 1e-4 * (1.0 + v.norm()),
+                             qPrintable(QString("at %1 s").arg(t)));
+                    QVERIFY(std::abs((next.factor - back.factor) / (2.0 * kStep_s) - now.factorSlope) < 1e-4);
+                    if (t <= kStart_s) {
+                        QVERIFY((changed->toWorld(now, X) - motion->toWorld(motion->at(t), X)).norm() < 1e-12);
+                        QVERIFY((changed->velocity(now, X) - motion->velocity(motion->at(t), X)).norm() < 1e-9);
+                        QVERIFY(std::abs(now.factor - motion->at(t).factor) < 1e-12);
+                    }
+                }
+                const auto a = changed->at(2.5), b = changed->at(2.9);
+                QVERIFY(pace.rate != 0.0 || changed->toWorld(a, X) == changed->toWorld(b, X));
+                QVERIFY(pace.pulseRate != 0.0 || a.factor == b.factor);
+                QVERIFY(pace.amplitude != 0.0 || isPose || changed->toWorld(a, X) == X);
+                QVERIFY(std::abs(changed->phase_s(2.9) - changed->phase_s(2.5) - 0.4 * pace.rate) < 1e-12);
+                const auto again = changed->startingAt(2.5);
+                QVERIFY((again->toWorld(again->at(0.4), X) - changed->toWorld(b, X)).norm() < 1e-9);
+            }
+        }
     }
 };
 

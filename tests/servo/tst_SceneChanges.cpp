@@ -3,6 +3,7 @@
 #include "TouchScenes.h"
 
 #include <palpate/device/DevicePresets.h>
+#include <palpate/geometry/SurfaceMotion.h>
 #include <palpate/servo/ServoCore.h>
 
 #include <algorithm>
@@ -60,7 +61,58 @@ class SceneChanges : public QObject
 {
     Q_OBJECT
 
+    /// Presses a hand of 5 mm depth at the end of inspiration on a sphere that breathes by 15 mm, with another scene
+    /// from tick 1900 on. @return the largest step of the sent force [N], beyond ease-in; negative after a fault
+    static double largestStep(const std::shared_ptr<const palpate::geometry::SurfaceMotion>& before,
+                              const std::shared_ptr<const palpate::geometry::SurfaceMotion>& after)
+    {
+        std::vector<HapticStructure> structures = palpate::test::sphereScene(30.0, 0.5)->structures();
+        structures[0].tissue.damping_Ns_per_mm = 0.001;
+        structures[0].motion = before;
+        const HapticScene plays(structures);
+        structures[0].motion = after;
+        const HapticScene changed(structures);
+        auto info = palpate::device::deviceInfo(*palpate::device::findDevicePreset("omega"));
+        info.workspaceRadius_mm = 0.0;
+        palpate::servo::ServoCore core(GateLimits::forDevice(info), 1000.0, PassivityLimits::forDevice(info));
+        core.borrowScene(&plays, 1);
+        double most_N = 0.0;
+        Vec3 last = Vec3::Zero();
+        for (std::int64_t i = 0; i < 4000; ++i) {
+            if (i == 1900) {
+                core.borrowScene(&changed, 2);
+            }
+            DeviceState state;
+            state.isPresent = true;
+            state.p_D = Vec3(0.0, 0.0, 40.0);
+            state.time_ns = 1'000'000 * i;
+            const TickRecord tick = core.tick(state, state.time_ns);
+            if (i > 1000) {
+                most_N = std::max(most_N, (tick.fSent_W - last).norm());
+            }
+            last = tick.fSent_W;
+        }
+        return core.fault().kind == palpate::servo::FaultKind::None ? most_N : -1.0;
+    }
+
   private Q_SLOTS:
+    /// Held, twice as fast or flat: the force changes no faster than the tissue can, and not at once.
+    void changeOfPaceDoesNotStepTheForce()
+    {
+        palpate::geometry::Breath breath;
+        breath.amplitude_mm = Vec3(0.0, 0.0, 15.0);
+        const auto motion =
+            palpate::geometry::SurfaceMotion::breath(breath, {Vec3::Constant(-30.0), Vec3::Constant(30.0)}).value();
+        // 15 mm in 0.3 s is 75 mm/s at most, and 0.5 N/mm of that in 1 ms; the damper adds its share.
+        constexpr double kMost_N = 0.06;
+        for (const palpate::geometry::SurfaceMotion::Pace pace :
+             {palpate::geometry::SurfaceMotion::Pace{0.0, 0.0, 1.0}, {2.0, 2.0, 1.0}, {1.0, 1.0, 0.0}}) {
+            const double step_N = largestStep(motion, motion->changedAt(2.0, 0.3, pace));
+            QVERIFY2(step_N > 0.0 && step_N < kMost_N, qPrintable(QString::number(step_N)));
+        }
+        QVERIFY(largestStep(motion, motion->withAmplitude(0.0)) > 2.0 * kMost_N); // the step that is avoided
+    }
+
     /// However the scene changes under a pressing hand, no tick's force steps by more than the bound.
     void neverStepTheForce_data()
     {

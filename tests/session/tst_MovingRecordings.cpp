@@ -28,7 +28,8 @@ struct Recorded
     std::vector<servo::TickRecord> ticks;
 };
 
-/// Presses a sphere in a random motion, which is held from tick 1500 on. The recording starts in contact at tick 700.
+/// Presses a sphere in a random motion, which is held from tick 1600 on, with half of its amplitude. The recording
+/// starts in contact at tick 700.
 Recorded palpated()
 {
     const core::Box box(Vec3::Constant(-60), Vec3::Constant(60));
@@ -46,7 +47,7 @@ Recorded palpated()
     bone.layer = 1;
     bone.surface = test::indexed(test::sphere(8, 34.0));
     const haptics::HapticScene plays({organ, bone});
-    organ.motion = organ.motion->withClock(1.5, 1.5, 0.0);
+    organ.motion = organ.motion->changedAt(1.6, 0.3, {0.0, 2.0, 0.5});
     const haptics::HapticScene holds({organ, bone});
     Recorded out;
     out.surfaces = {{"organ", organ.surface}, {"bone", bone.surface}};
@@ -129,7 +130,11 @@ class MovingRecordings : public QObject
         QVERIFY(both > 200);
         int events = 0;
         for (const session::RecordingEvent& event : reader.value()->events()) {
-            events += event.kind == "motion" ? 1 : 0;
+            if (event.kind == "motion") {
+                ++events;
+                QCOMPARE(QString::fromStdString(event.json),
+                         QStringLiteral(R"({"amplitude":0.5,"moves":true,"rate":0,"structure":"organ"})"));
+            }
         }
         QCOMPARE(events, 1);
     }

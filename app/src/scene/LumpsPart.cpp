@@ -29,7 +29,7 @@ LumpsPart::LumpsPart(const WindowCore& core, const Parts& parts)
     , m_panel(new ui::FeltPanel(*m_overlay, core.model, &core.window))
 {
     parts.pointed.setMore(
-        [this](const ui::PointedStructure::Place& place) { return m_overlay->textAt(place.row, place.p_W); });
+        [this](const ui::PointedStructure::Place& place) { return m_overlay->textAt(place.row, place.rest_W); });
     connectMaps();
 }
 

@@ -14,6 +14,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 using namespace palpate;
@@ -85,7 +86,7 @@ bool FindingsDesk::mark()
     const TouchReading& felt = m_parts.touch.reading();
     const PalpatedStructure on = palpatedStructure(felt);
     one.structure = on.name.toStdString();
-    one.p_W = touch.p_WG;
+    one.p_W = restOf(one.structure, touch.p_WG);
     one.force_N = on.force_N;
     one.depth_mm = on.depth_mm;
     for (const LayerShare& layer : felt.layers) {
@@ -102,6 +103,28 @@ bool FindingsDesk::mark()
     m_parts.document.addFinding(one);
     m_parts.panel.select(static_cast<int>(m_parts.document.findings().size()) - 1);
     return true;
+}
+
+/// Row of a structure by its name, as stored in the scene or as shown.
+std::optional<std::size_t> FindingsDesk::rowOf(const std::string& structure) const
+{
+    const auto& rows = m_parts.structures.rows();
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const std::string& name = rows[row].loaded.description.name;
+        if (name == structure || readableName(name).toStdString() == structure) {
+            return row;
+        }
+    }
+    return std::nullopt;
+}
+
+/// A place on moving tissue is kept on the rest shape, to which images, lumps and exports refer.
+core::Vec3 FindingsDesk::restOf(const std::string& structure, const core::Vec3& p_W) const
+{
+    const auto row = rowOf(structure);
+    return row && *row < m_parts.viewport.view().structureCount()
+               ? m_parts.viewport.view().structure(*row).picture.restOf(p_W)
+               : p_W;
 }
 
 void FindingsDesk::addNote(const QString& text)
@@ -244,7 +267,7 @@ void FindingsDesk::show()
     for (const core::Finding& one : m_parts.document.findings()) {
         ++number;
         if (one.hasPlace) {
-            marks.push_back({one.p_W, one.type, number, one.name});
+            marks.push_back({one.p_W, one.type, number, one.name, rowOf(one.structure)});
         }
     }
     if (m_parts.playback.recording() != nullptr) { // also draw findings of the recording that are missing in the scene
@@ -252,7 +275,7 @@ void FindingsDesk::show()
             const bool isThere = std::any_of(marks.begin(), marks.end(),
                                              [&](const view::FindingMark& mark) { return mark.p_W == one.p_W; });
             if (one.hasPlace && !isThere) {
-                marks.push_back({one.p_W, one.type, ++number, one.name});
+                marks.push_back({one.p_W, one.type, ++number, one.name, rowOf(one.structure)});
             }
         }
     }

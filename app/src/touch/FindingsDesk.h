@@ -7,13 +7,17 @@
 #include <palpate/ui/FindingsPanel.h>
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/Playback.h>
+#include <palpate/ui/StructureModel.h>
 #include <palpate/ui/TouchPanel.h>
 
 #include <QObject>
 #include <QTimer>
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <string>
 
 /// Findings in the window: marks contacts, writes notes, moves the view to findings, plays the moment of marking,
 /// exports and imports.
@@ -30,6 +34,7 @@ class FindingsDesk : public QObject
         palpate::ui::LiveTouch& live;
         palpate::ui::Playback& playback;
         palpate::ui::TouchPanel& touch;
+        const palpate::ui::StructureModel& structures;
     };
     FindingsDesk(const Parts& parts, QObject* parent);
 
@@ -65,6 +70,8 @@ class FindingsDesk : public QObject
   private:
     [[nodiscard]] const palpate::core::Finding& finding(int row) const;
     [[nodiscard]] palpate::core::Finding markedNow() const;
+    [[nodiscard]] std::optional<std::size_t> rowOf(const std::string& structure) const;
+    [[nodiscard]] palpate::core::Vec3 restOf(const std::string& structure, const palpate::core::Vec3& p_W) const;
     [[nodiscard]] std::string hashOf(const std::filesystem::path& recording) const;
 
     Parts m_parts;

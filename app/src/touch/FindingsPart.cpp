@@ -30,7 +30,8 @@ FindingsPart::FindingsPart(const WindowCore& core, DocumentPart& document, Touch
     , m_document(document)
     , m_panel(new ui::FindingsPanel(document.document().findingsModel(), &core.window))
     , m_desk(new FindingsDesk(
-          {document.document(), *m_panel, core.viewport, core.live, recording.playback(), touch.panel()}, this))
+          {document.document(), *m_panel, core.viewport, core.live, recording.playback(), touch.panel(), core.model},
+          this))
 {
     connect(m_desk, &FindingsDesk::said, this, [this](const QString& line) { m_core.notices.say(line); });
     connect(m_desk, &FindingsDesk::failed, &core.notices, &Notices::showError);

@@ -21,6 +21,7 @@
 #include "touch/EngineeringPart.h"
 #include "touch/FindingsPart.h"
 #include "touch/FingertipPart.h"
+#include "touch/MotionPart.h"
 #include "touch/RecordingPart.h"
 #include "touch/ResultsPart.h"
 #include "touch/TouchMapPart.h"
@@ -131,6 +132,7 @@ void MainWindow::makeParts()
     m_recording = keep(new RecordingPart(core, *m_document, *m_touch));
     m_device = keep(new DevicePart(core, *structures, *m_touch, *m_recording));
     auto* findings = keep(new FindingsPart(core, *m_document, *m_touch, *m_recording));
+    auto* motion = keep(new MotionPart(core, m_recording->playback(), m_touch->palpation()));
     auto* results = keep(new ResultsPart(core, m_recording->playback()));
     m_files = keep(new SceneFiles(core, *m_document, *progress, *m_welcome));
     m_coordinates = keep(new CoordinatesPart(core, *m_document, *m_files));
@@ -146,15 +148,15 @@ void MainWindow::makeParts()
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files,   m_document,    picture,  structures, m_touch,     m_device,
-                          fingertip, m_recording,   findings, results,    lumps,       touchMap,
-                          m_view,    m_coordinates, m_docks,  m_notices,  engineering, m_help};
+    const Parts menuOrder{m_files,       m_document,  picture,   structures,  m_touch, m_device, fingertip,
+                          motion,        m_recording, findings,  results,     lumps,   touchMap, m_view,
+                          m_coordinates, m_docks,     m_notices, engineering, m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }
     // The order of the tabs, of the entries in the View menu and of F6.
     for (WindowPart* part :
-         Parts{structures, m_touch, findings, m_device, m_recording, engineering, lumps, m_notices}) {
+         Parts{structures, m_touch, findings, m_device, m_recording, motion, engineering, lumps, m_notices}) {
         part->addPanel(*m_docks);
     }
     recent->refresh();

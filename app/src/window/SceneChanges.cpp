@@ -13,7 +13,6 @@
 #include "touch/RecordingPart.h"
 #include "touch/TouchPart.h"
 
-#include <palpate/geometry/SurfaceMotion.h>
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/PalpationController.h>
@@ -148,19 +147,6 @@ void SceneChanges::showProblems(const ui::OpenedScene& scene)
 {
     if (!scene.problems.isEmpty()) {
         m_core.notices.showError(scene.problems.join(QLatin1Char('\n')));
-    }
-    QStringList moving;
-    for (const study::OpenStructure& row : m_core.model.rows()) {
-        if (row.loaded.motion != nullptr && row.loaded.motion->isMoving()) {
-            moving << ui::readableName(row.loaded.description.name);
-        }
-    }
-    if (!moving.isEmpty()) {
-        m_core.notices.bar().offer(
-            tr("%1: the hand feels the motion of the scene file, but the view shows the shape at "
-               "rest.")
-                .arg(moving.join(QStringLiteral(", "))),
-            tr("OK"), [] {});
     }
 }
 

@@ -202,6 +202,32 @@ std::shared_ptr<const SurfaceMotion> SurfaceMotion::withClock(double start_s, do
     motion->m_start_s = start_s;
     motion->m_offset_s = offset_s;
     motion->m_rate = rate;
+    motion->m_pulseOffset_s = offset_s;
+    motion->m_pulseRate = rate;
+    motion->m_ease_s = 0.0;
+    motion->m_before = {};
+    return motion;
+}
+
+std::shared_ptr<const SurfaceMotion> SurfaceMotion::changedAt(double start_s, double ease_s, const Pace& pace) const
+{
+    const Course before = courseAt(start_s);
+    auto motion = std::make_shared<SurfaceMotion>(*this);
+    motion->m_start_s = start_s;
+    motion->m_offset_s = before.phase_s;
+    motion->m_rate = pace.rate;
+    motion->m_amplitude = pace.amplitude;
+    motion->m_pulseOffset_s = before.pulse_s;
+    motion->m_pulseRate = pace.pulseRate;
+    motion->m_ease_s = ease_s;
+    motion->m_before = {before.rate, before.pulseRate, before.amplitude};
+    return motion;
+}
+
+std::shared_ptr<const SurfaceMotion> SurfaceMotion::startingAt(double time_s) const
+{
+    auto motion = std::make_shared<SurfaceMotion>(*this);
+    motion->m_start_s -= time_s;
     return motion;
 }
 
@@ -209,6 +235,9 @@ std::shared_ptr<const SurfaceMotion> SurfaceMotion::withAmplitude(double share) 
 {
     auto motion = std::make_shared<SurfaceMotion>(*this);
     motion->m_amplitude = share;
+    if (motion->m_ease_s > 0.0) {
+        motion->m_before.amplitude = share;
+    }
     return motion;
 }
 
@@ -229,8 +258,8 @@ double SurfaceMotion::reach_mm() const noexcept
 bool SurfaceMotion::operator==(const SurfaceMotion& other) const noexcept
 {
     return m_shape == other.m_shape && m_start_s == other.m_start_s && m_offset_s == other.m_offset_s &&
-           m_rate == other.m_rate && m_amplitude == other.m_amplitude && m_pulse_s == other.m_pulse_s &&
-           m_pulse == other.m_pulse;
+           m_ease_s == other.m_ease_s && pace() == other.pace() && m_before == other.m_before &&
+           m_pulseOffset_s == other.m_pulseOffset_s && m_pulse_s == other.m_pulse_s && m_pulse == other.m_pulse;
 }
 
 /// Sets `m_shape` by FNV-1a over everything but clock, amplitude and pulse.

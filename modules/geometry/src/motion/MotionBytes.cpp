@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/geometry/SurfaceMotion.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -15,6 +16,7 @@ using core::StatusCode;
 namespace {
 
 constexpr double kFormat = 1.0;
+constexpr double kChangedFormat = 2.0; // with the numbers of a change of pace at the end
 
 /// Reads numbers in sequence; NaN after the last one.
 class NumberReader
@@ -65,7 +67,9 @@ static_assert(std::endian::native == std::endian::little);
 
 std::vector<std::byte> SurfaceMotion::bytes() const
 {
-    std::vector<double> out{kFormat, m_start_s, m_offset_s, m_rate, m_amplitude, m_period_s, m_pulse_s};
+    const bool isChanged = m_ease_s > 0.0;
+    std::vector<double> out{
+        isChanged ? kChangedFormat : kFormat, m_start_s, m_offset_s, m_rate, m_amplitude, m_period_s, m_pulse_s};
     const auto add = [&out](const auto& values) { out.insert(out.end(), values.begin(), values.end()); };
     const auto addCurve = [&](const std::vector<double>& curve) {
         out.push_back(static_cast<double>(curve.size()));
@@ -89,6 +93,9 @@ std::vector<std::byte> SurfaceMotion::bytes() const
     for (const std::array<double, 4>& u : m_controls) {
         out.insert(out.end(), u.begin(), u.begin() + 3);
     }
+    if (isChanged) {
+        add(std::array{m_ease_s, m_before.rate, m_before.pulseRate, m_before.amplitude, m_pulseOffset_s, m_pulseRate});
+    }
     const auto bytes = std::as_bytes(std::span(out));
     return {bytes.begin(), bytes.end()};
 }
@@ -100,7 +107,8 @@ SurfaceMotion::Made SurfaceMotion::fromBytes(std::span<const std::byte> bytes)
         PALPATE_TEXT("found %1 bytes that are no motion of this version, expected one that Palpate wrote"),
         bytes.size());
     NumberReader in(bytes);
-    if (in.next() != kFormat) {
+    const double format = in.next();
+    if (format != kFormat && format != kChangedFormat) {
         return wrong;
     }
     auto motion = std::make_shared<SurfaceMotion>();
@@ -145,6 +153,16 @@ SurfaceMotion::Made SurfaceMotion::fromBytes(std::span<const std::byte> bytes)
     for (std::array<double, 4>& u : motion->m_controls) {
         u = {in.next(), in.next(), in.next(), 0.0};
     }
+    motion->m_pulseOffset_s = motion->m_offset_s;
+    motion->m_pulseRate = motion->m_rate;
+    if (format == kChangedFormat) {
+        for (double* value : {&motion->m_ease_s, &motion->m_before.rate, &motion->m_before.pulseRate,
+                              &motion->m_before.amplitude, &motion->m_pulseOffset_s, &motion->m_pulseRate}) {
+            *value = in.next();
+            isFinite = isFinite && std::isfinite(*value);
+        }
+        isFinite = isFinite && motion->m_ease_s > 0.0;
+    }
     for (const std::vector<double>* curve : {&motion->m_curve, &motion->m_pulse}) {
         for (const double value : *curve) {
             isFinite = isFinite && std::isfinite(value);
@@ -155,7 +173,7 @@ SurfaceMotion::Made SurfaceMotion::fromBytes(std::span<const std::byte> bytes)
     const bool isOneFrame = motion->m_curve.empty() || motion->m_frames <= 1;
     const bool hasKeys = motion->m_keys.size() != 1 && (!motion->m_isPeriodic || !motion->m_keys.empty());
     if (!in.isAtEnd() || !isFinite || !hasCurve || !hasPulse || !isOneFrame || !hasKeys || motion->m_period_s < 0.0 ||
-        motion->m_pulse_s < 0.0 || !isShare(motion->m_amplitude)) {
+        motion->m_pulse_s < 0.0 || !isShare(motion->m_amplitude) || !isShare(motion->m_before.amplitude)) {
         return wrong;
     }
     if (Status status = motion->check(); !status.isOk()) {

@@ -194,22 +194,58 @@ void SurfaceMotion::applyPose(double t, Moment& moment) const noexcept
     moment.drift = slope.tail<3>();
 }
 
-/// Time factors of the displacement.
-void SurfaceMotion::applyBreath(double t, Moment& moment) const noexcept
+/// During a change of pace the rate and the amplitude follow the cubic w = s² (3 − 2 s) of the share s of its duration,
+/// and the own time its integral.
+SurfaceMotion::Course SurfaceMotion::courseAt(double time_s) const noexcept
 {
+    const double since_s = time_s - m_start_s;
+    if (m_ease_s == 0.0) {
+        return {m_offset_s + m_rate * since_s,
+                m_rate,
+                m_pulseOffset_s + m_pulseRate * since_s,
+                m_pulseRate,
+                m_amplitude,
+                0.0};
+    }
+    if (since_s >= m_ease_s) {
+        const double half_s = 0.5 * m_ease_s; // the change took this long at the rates before, and at the new ones
+        return {m_offset_s + m_before.rate * half_s + m_rate * (since_s - half_s),
+                m_rate,
+                m_pulseOffset_s + m_before.pulseRate * half_s + m_pulseRate * (since_s - half_s),
+                m_pulseRate,
+                m_amplitude,
+                0.0};
+    }
+    const double s = std::max(0.0, since_s / m_ease_s);
+    const double share = s * s * (3.0 - 2.0 * s), integral_s = m_ease_s * s * s * s * (1.0 - 0.5 * s);
+    const double rate = m_rate - m_before.rate, pulseRate = m_pulseRate - m_before.pulseRate;
+    const double amplitude = m_amplitude - m_before.amplitude;
+    return {m_offset_s + m_before.rate * since_s + rate * integral_s,
+            m_before.rate + rate * share,
+            m_pulseOffset_s + m_before.pulseRate * since_s + pulseRate * integral_s,
+            m_before.pulseRate + pulseRate * share,
+            m_before.amplitude + amplitude * share,
+            amplitude * 6.0 * s * (1.0 - s) / m_ease_s};
+}
+
+/// Time factors of the displacement.
+void SurfaceMotion::applyBreath(const Course& course, Moment& moment) const noexcept
+{
+    const double t = course.phase_s;
     if (m_curve.empty()) {
         const internal::PeriodicCubic now(t, m_period_s, m_frames);
         moment.frames = 4;
         for (std::size_t i = 0; i < 4; ++i) {
             moment.frame[i] = now.step[i] * m_lattice.controlCount();
-            moment.weight[i] = m_amplitude * now.weight[i];
-            moment.slope[i] = m_rate * m_amplitude * now.slope[i];
+            moment.weight[i] = course.amplitude * now.weight[i];
+            moment.slope[i] = course.rate * course.amplitude * now.slope[i] + course.amplitudeSlope * now.weight[i];
         }
         return;
     }
     const internal::PeriodicCubic now(t, m_period_s, m_curve.size());
-    moment.weight[0] = m_amplitude * now.value(m_curve);
-    moment.slope[0] = m_rate * m_amplitude * now.change(m_curve);
+    const double value = now.value(m_curve);
+    moment.weight[0] = course.amplitude * value;
+    moment.slope[0] = course.rate * course.amplitude * now.change(m_curve) + course.amplitudeSlope * value;
     moment.frames = m_frames;
     moment.frame[0] = 0;
     if (m_shift.isZero(0.0)) { // a ramp
@@ -227,19 +263,19 @@ SurfaceMotion::Moment SurfaceMotion::at(double time_s) const noexcept PALPATE_NO
     moment.shift.setZero();
     moment.spin.setZero();
     moment.drift.setZero();
-    const double t = phase_s(time_s);
+    const Course course = courseAt(time_s);
     if (!m_keys.empty()) {
-        applyPose(t, moment);
-        moment.spin *= m_rate;
-        moment.drift *= m_rate;
+        applyPose(course.phase_s, moment);
+        moment.spin *= course.rate;
+        moment.drift *= course.rate;
     }
     if (m_period_s > 0.0) {
-        applyBreath(t, moment);
+        applyBreath(course, moment);
     }
     if (m_pulse_s > 0.0) {
-        const internal::PeriodicCubic now(t, m_pulse_s, m_pulse.size());
+        const internal::PeriodicCubic now(course.pulse_s, m_pulse_s, m_pulse.size());
         moment.factor = now.value(m_pulse);
-        moment.factorSlope = m_rate * now.change(m_pulse);
+        moment.factorSlope = course.pulseRate * now.change(m_pulse);
     }
     return moment;
 }
@@ -283,6 +319,18 @@ SurfaceMotion::Rest SurfaceMotion::toRest(const Moment& moment, const Vec3& p_W,
 Vec3 SurfaceMotion::toWorld(const Moment& moment, const Vec3& X) const noexcept PALPATE_NONBLOCKING
 {
     const Vec3 moved = moment.frames == 0 ? X : Vec3(X + Patch(*this, moment, moment.weight).at<false>(X).u);
+    return (moment.isTurned ? Vec3(moment.turn * moved) : moved) + moment.shift;
+}
+
+Vec3 SurfaceMotion::toWorld(const Moment& moment, const Vec3& X, Mat3& F) const noexcept PALPATE_NONBLOCKING
+{
+    F = moment.turn;
+    Vec3 moved = X;
+    if (moment.frames > 0) {
+        const Value value = Patch(*this, moment, moment.weight).at<true>(X);
+        F += moment.turn * value.gradient;
+        moved += value.u;
+    }
     return (moment.isTurned ? Vec3(moment.turn * moved) : moved) + moment.shift;
 }
 

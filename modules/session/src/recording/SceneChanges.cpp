@@ -60,6 +60,10 @@ std::vector<RecordingEvent> sceneChanges(std::int64_t tick, const SceneRecord& b
         if (!isSameMotion) {
             QJsonObject json = which;
             json["moves"] = is.motion != nullptr;
+            if (is.motion != nullptr) {
+                json["rate"] = is.motion->pace().rate;
+                json["amplitude"] = is.motion->pace().amplitude;
+            }
             events.push_back(event(tick, "motion", json));
         }
         if (was.layer != is.layer) {

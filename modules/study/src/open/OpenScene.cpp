@@ -217,6 +217,11 @@ void OpenScene::setTouch(std::size_t structure, std::shared_ptr<const geometry::
     refreshTouchMaps(one);
 }
 
+void OpenScene::setMotion(std::size_t structure, std::shared_ptr<const geometry::SurfaceMotion> motion)
+{
+    m_structures[structure].loaded.motion = std::move(motion);
+}
+
 bool OpenScene::setMaps(std::size_t structure, const std::optional<std::vector<core::TissueMapping>>& of,
                         std::vector<meshio::SurfaceMap> maps, std::vector<core::Message> problems)
 {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/PalpationController.h"
 
+#include "palpate/ui/DrawnMotion.h"
 #include "palpate/ui/LumpAtContact.h"
+
 #include <palpate/core/Clock.h>
 #include <palpate/haptics/ForceTable.h>
 
@@ -125,7 +127,7 @@ void PalpationController::updateEffortDepth(double now_s)
     const view::Ray press{*m_hand.hoverPoint(), m_hand.direction()};
     std::vector<study::PressedSurface> inTheWay;
     if (m_live.scene() != nullptr) {
-        inTheWay = surfacesAlongPress(*m_live.scene(), press);
+        inTheWay = surfacesAlongPress(*m_live.scene(), press, m_live.time_s());
     }
     // Without a surface in the way, e.g. beyond a rim, nothing resists: the hand stays at surface height.
     m_hand.setAim(inTheWay.empty() ? 0.0
@@ -198,6 +200,20 @@ void PalpationController::followCamera()
 {
     if (m_isByKeys && !isPressing() && m_hand.surfacePoint()) {
         point(m_viewport.rayAt(m_viewport.placeOf(*m_hand.surfacePoint())));
+    }
+}
+
+/// Keeps a hovering hand over the place of the pointer while the tissue moves.
+void PalpationController::followTissue()
+{
+    const auto& rows = m_model.rows();
+    if (std::none_of(rows.begin(), rows.end(), [](const auto& row) { return row.loaded.motion != nullptr; })) {
+        return;
+    }
+    if (m_isByKeys) {
+        followCamera();
+    } else if (const auto ray = m_viewport.pointerRay()) {
+        point(*ray);
     }
 }
 
@@ -363,7 +379,11 @@ void PalpationController::step()
     if (phase == PointerHand::Phase::Hovering) {
         // A hovering hand is reported to the device as absent, so its ticks contain no position. Show the hover point
         // instead.
+        if (now_ns - m_shown_ns >= kFrame_ns) {
+            followTissue();
+        }
         servo::TickRecord hover;
+        hover.tick = m_live.newest().tick;
         hover.p_WH = *m_hand.hoverPoint();
         hover.felt.p_WG = hover.p_WH;
         show(hover, now_ns);
@@ -410,6 +430,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     const core::Tissue* tissue = isTouching && tick.felt.structure < m_model.rowCount()
                                      ? &m_model.structure(tick.felt.structure).tissue
                                      : nullptr;
+    drawMotion(m_viewport.view(), m_model, m_live.timeOf_s(tick));
     view::TouchState state = touchState(tick, f_W, m_live.fingertip_mm(), reading.layers, tissue);
     state.isPresent = true; // including hovering, which the device does not know
     state.hasCrosshair = m_isByKeys;
@@ -433,7 +454,9 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         reading.force_N = f_W.norm();
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
         reading.constraints = tick.felt.constraints;
-        addLump(m_model, tick.felt.structure, tick.felt.p_WG, reading);
+        const auto& touched = m_model.rows()[static_cast<std::size_t>(tick.felt.structure)].loaded;
+        addLump(m_model, tick.felt.structure, restOf(touched.motion.get(), m_live.timeOf_s(tick), tick.felt.p_WG),
+                reading);
     }
     Q_EMIT touched(reading);
 }

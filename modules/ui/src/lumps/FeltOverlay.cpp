@@ -200,7 +200,7 @@ bool FeltOverlay::showBestPlace(std::size_t organ, std::size_t lump)
     const Vec3 usual = std::abs(n_W.z()) < 0.9 ? Vec3(Vec3::UnitZ()) : Vec3(-Vec3::UnitY());
     pose.up_W = (usual - usual.dot(n_W) * n_W).normalized();
     m_flight.flyTo(pose);
-    m_viewport.view().placeRing().show(p_W + kOff_mm * n_W, n_W, felt.radius_mm);
+    m_viewport.view().placeRing().show(p_W + kOff_mm * n_W, n_W, felt.radius_mm, organs()[organ]->organ.organ.organ);
     m_viewport.update();
     return true;
 }

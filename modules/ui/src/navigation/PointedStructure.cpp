@@ -68,7 +68,7 @@ std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place
         const auto triangle =
             std::lower_bound(source.begin(), source.end(), one.touchable->sourceTriangle(pick->hit.triangle));
         found = Place{static_cast<int>(pick->structure), static_cast<std::size_t>(triangle - source.begin()),
-                      pick->hit.p_W};
+                      pick->hit.rest_W};
         nearest_mm = pick->hit.distance_mm;
     }
     // The pick above covers palpable structures only: intersect the other visible meshes directly.
@@ -78,7 +78,13 @@ std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place
             continue;
         }
         const geometry::RepairedMesh& surface = *m_model.rows()[i].loaded.surface;
-        const auto hit = view::firstHit(surface.mesh, surface.report.bounds, ray);
+        // These cannot be touched, so that their displacement in the middle is exact enough.
+        const core::Vec3 middle = surface.report.bounds.center();
+        const view::MovedSurface& moved = view.structure(i).picture.moved();
+        const core::Vec3 shift = moved.motion == nullptr
+                                     ? core::Vec3(core::Vec3::Zero())
+                                     : core::Vec3(moved.motion->toWorld(moved.moment, middle) - middle);
+        const auto hit = view::firstHit(surface.mesh, surface.report.bounds, {ray.p_W - shift, ray.d_W});
         if (hit && hit->distance_mm < nearest_mm) {
             found = Place{static_cast<int>(i), hit->triangle, hit->p_W};
             nearest_mm = hit->distance_mm;
@@ -90,7 +96,7 @@ std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place
 QString PointedStructure::textOf(const Place& place) const
 {
     const QString name = readableName(m_model.structure(place.row).name);
-    const QString number = m_maps.textAt(place.row, place.triangle, place.p_W);
+    const QString number = m_maps.textAt(place.row, place.triangle, place.rest_W);
     const QString first = number.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, number);
     const QString more = m_more ? m_more(place) : QString();
     return more.isEmpty() ? first : first + QLatin1Char('\n') + more;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/Playback.h"
 
+#include "palpate/ui/DrawnMotion.h"
 #include "palpate/ui/LumpAtContact.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace palpate::ui {
 
@@ -145,9 +148,16 @@ void Playback::addLump(TouchReading& reading, const servo::TickRecord& tick) con
         if (m_model.structure(row).name != name) {
             continue;
         }
-        ui::addLump(m_model, row, tick.felt.p_WG, reading);
+        const auto motion = motionOf(tick, row);
+        ui::addLump(m_model, row, restOf(motion.get(), m_recording->timeOf_s(tick), tick.felt.p_WG), reading);
         return;
     }
+}
+
+std::shared_ptr<const geometry::SurfaceMotion> Playback::motionOf(const servo::TickRecord& tick, int row) const
+{
+    return m_recording->motion(tick, m_model.structure(row).name,
+                               m_model.rows()[static_cast<std::size_t>(row)].loaded.motion);
 }
 
 void Playback::feed(const servo::TickRecord& tick, double time_s)
@@ -178,6 +188,11 @@ void Playback::showMoment(double time_s)
     }
     const view::TouchState state = touchState(*tick, tick->felt.f_W, m_recording->fingertip_mm(*tick), layersOf(*tick),
                                               m_recording->tissue(*tick));
+    std::vector<std::shared_ptr<const geometry::SurfaceMotion>> motions;
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        motions.push_back(motionOf(*tick, row));
+    }
+    m_viewport.view().moveTo(motions, m_recording->timeOf_s(*tick));
     m_viewport.view().cursor().setState(state);
     m_viewport.update();
     feed(*tick, time_s);

@@ -72,6 +72,31 @@ double RecordedTouch::fingertip_mm(const servo::TickRecord& tick) const
     return scene != nullptr ? scene->fingertip_mm : 0.0;
 }
 
+double RecordedTouch::timeOf_s(const servo::TickRecord& tick) const
+{
+    return static_cast<double>(tick.tick) * (1.0 / m_reader->info().rate_Hz);
+}
+
+std::shared_ptr<const geometry::SurfaceMotion>
+RecordedTouch::motion(const servo::TickRecord& tick, const std::string& structure,
+                      const std::shared_ptr<const geometry::SurfaceMotion>& own) const
+{
+    const session::SceneRecord* scene = m_reader->scene(tick.scene);
+    if (scene == nullptr) {
+        return own;
+    }
+    std::shared_ptr<const geometry::SurfaceMotion> found = own;
+    for (const session::StructureRecord& one : scene->structures) {
+        if (one.name == structure && one.palpable) {
+            return one.motion;
+        }
+        if (own != nullptr && one.motion != nullptr && one.motion->shape() == own->shape()) {
+            found = one.motion;
+        }
+    }
+    return found;
+}
+
 const core::Tissue* RecordedTouch::tissue(const servo::TickRecord& tick) const
 {
     const session::SceneRecord* scene = m_reader->scene(tick.scene);

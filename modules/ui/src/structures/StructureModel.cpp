@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace palpate::ui {
 
@@ -184,6 +185,26 @@ std::uint32_t StructureModel::layerWithin(int row) const
 void StructureModel::setTransmittedMaps(const std::vector<TransmittedMap>& maps)
 {
     announce(m_scene.setTransmittedMaps(maps));
+}
+
+void StructureModel::changeMotions(const ChangeOfMotion& change)
+{
+    using Motion = std::shared_ptr<const geometry::SurfaceMotion>;
+    std::map<Motion, Motion> changed;
+    for (const study::OpenStructure& row : rows()) {
+        if (const Motion& motion = row.loaded.motion; motion != nullptr && !changed.contains(motion)) {
+            changed[motion] = change(motion);
+        }
+    }
+    if (std::all_of(changed.begin(), changed.end(), [](const auto& one) { return one.first == one.second; })) {
+        return;
+    }
+    for (std::size_t i = 0; i < rows().size(); ++i) {
+        if (const Motion motion = rows()[i].loaded.motion; motion != nullptr) {
+            m_scene.setMotion(i, changed[motion]);
+        }
+    }
+    Q_EMIT motionsChanged();
 }
 
 void StructureModel::addRows(std::vector<StructureRow> rows, const QString& text)

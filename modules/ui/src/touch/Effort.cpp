@@ -37,7 +37,8 @@ double Effort::force_N(double now_s) const noexcept
     return m_share ? *m_share * m_most_N : std::min(m_most_N, kRise_N_per_s * (now_s - *m_touches_s));
 }
 
-std::vector<study::PressedSurface> surfacesAlongPress(const haptics::HapticScene& scene, const view::Ray& press)
+std::vector<study::PressedSurface> surfacesAlongPress(const haptics::HapticScene& scene, const view::Ray& press,
+                                                      double time_s)
 {
     constexpr double kFlattest = 0.05; // limits the correction for surfaces seen edge-on
     std::vector<study::PressedSurface> found;
@@ -45,18 +46,17 @@ std::vector<study::PressedSurface> surfacesAlongPress(const haptics::HapticScene
         std::optional<study::PressedSurface> first;
         for (const std::uint32_t number : scene.layer(i).structures) {
             const haptics::HapticStructure& one = scene.structures()[number];
-            const auto hit = view::firstHit(*one.surface, press);
+            const auto hit = one.motion == nullptr
+                                 ? view::firstHit(*one.surface, press)
+                                 : view::firstHit(*one.surface, *one.motion, one.motion->at(time_s), press);
             if (!hit) {
                 continue;
             }
-            const geometry::Triangle t = one.surface->triangle(hit->triangle);
-            const core::Vec3& a = one.surface->vertex(t[0]);
-            const core::Vec3 out = (one.surface->vertex(t[1]) - a).cross(one.surface->vertex(t[2]) - a);
-            const bool isFromInside = out.dot(press.d_W) > 0.0 && !one.surface->isTwoSided(hit->triangle);
+            const bool isFromInside = hit->isBehind && !one.surface->isTwoSided(hit->triangle);
             const double slant = std::max(kFlattest, -hit->n_W.dot(press.d_W));
             const double entry_mm = hit->distance_mm - scene.fingertip_mm() / slant;
             if (!isFromInside && (!first || entry_mm < first->entry_mm)) {
-                first = study::PressedSurface{&one, hit->triangle, hit->p_W, entry_mm, slant};
+                first = study::PressedSurface{&one, hit->triangle, hit->rest_W, entry_mm, slant};
             }
         }
         if (first) {

@@ -37,6 +37,11 @@ LiveTouch::LiveTouch(StructureModel& model, QObject* parent)
             m_handOver.start();
         }
     });
+    connect(&model, &StructureModel::motionsChanged, &m_handOver, qOverload<>(&QTimer::start));
+    connect(&model, &QAbstractItemModel::modelReset, this, [this] {
+        // The motions of a new scene begin when it opens, while the loop goes on counting.
+        m_model.changeMotions([this](const auto& motion) { return motion->startingAt(-time_s()); });
+    });
     connect(&model, &QAbstractItemModel::modelReset, &m_handOver, qOverload<>(&QTimer::start));
     m_meter.setInterval(500);
     connect(&m_meter, &QTimer::timeout, this, &LiveTouch::measure);
@@ -98,6 +103,7 @@ core::Status LiveTouch::setLoop(double rate_Hz, int cpu)
     if (core::Status allowed = servo::checkCpu(cpu); !allowed.isOk()) {
         return allowed;
     }
+    carryMotions();
     m_options.rate_Hz = rate_Hz;
     m_options.cpu = cpu;
     core::Status status;
@@ -149,6 +155,7 @@ core::Status LiveTouch::start()
         return {};
     }
     m_delayTicks = 1;
+    carryMotions();
     handOverScene();
     core::Status status = m_session.start(usesPointer() ? m_pointer : *m_device, m_options);
     if (!status.isOk() && !usesPointer()) {
@@ -197,6 +204,17 @@ void LiveTouch::stop()
 {
     m_meter.stop();
     m_session.stop();
+    m_newest = {};
+}
+
+/// A loop that starts counts its ticks from 0: tissue goes on from where it is.
+void LiveTouch::carryMotions()
+{
+    const double last_s = time_s();
+    m_newest = {};
+    if (last_s > 0.0) {
+        m_model.changeMotions([last_s](const auto& motion) { return motion->startingAt(last_s); });
+    }
 }
 
 void LiveTouch::handOverScene()

@@ -64,15 +64,26 @@ void PlaceRing::addTo(vtkRenderer& overlay)
     }
 }
 
-void PlaceRing::show(const core::Vec3& p_W, const core::Vec3& n_W, double radius_mm)
+void PlaceRing::show(const core::Vec3& p_W, const core::Vec3& n_W, double radius_mm, std::size_t structure)
+{
+    m_place_W = p_W;
+    m_normal_W = n_W;
+    m_radius_mm = radius_mm;
+    m_structure = structure;
+    moveTo(p_W, n_W);
+    for (const auto& one : m_rings) {
+        one->VisibilityOn();
+    }
+}
+
+void PlaceRing::moveTo(const core::Vec3& p_W, const core::Vec3& n_W)
 {
     constexpr double kOff = 0.02; // in radii: lifts the bright ring above the dark one
     constexpr std::array<std::array<double, 2>, 2> kRadii{{{0.94, 1.26}, {1.0, 1.2}}};
     for (std::size_t i = 0; i < m_rings.size(); ++i) {
-        const core::Vec3 at = p_W + kOff * static_cast<double>(i) * radius_mm * n_W;
+        const core::Vec3 at = p_W + kOff * static_cast<double>(i) * m_radius_mm * n_W;
         vtkPolyDataMapper::SafeDownCast(m_rings[i]->GetMapper())
-            ->SetInputData(ring(at, n_W, kRadii[i][0] * radius_mm, kRadii[i][1] * radius_mm));
-        m_rings[i]->VisibilityOn();
+            ->SetInputData(ring(at, n_W, kRadii[i][0] * m_radius_mm, kRadii[i][1] * m_radius_mm));
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/view/SceneView.h"
 
+#include <Eigen/LU>
+
 #include <vtkLightKit.h>
 #include <vtkMapper.h>
 #include <vtkNew.h>
@@ -131,6 +133,44 @@ void SceneView::setTouchable(std::size_t i, std::shared_ptr<const geometry::Surf
     ++m_tissueRevision;
 }
 
+void SceneView::moveTo(const std::vector<std::shared_ptr<const geometry::SurfaceMotion>>& motions, double time_s)
+{
+    for (std::size_t i = 0; i < m_structures.size(); ++i) {
+        m_structures[i].picture.moveTo(i < motions.size() ? motions[i] : nullptr, time_s);
+    }
+}
+
+/// Findings and ring move with their structures.
+bool SceneView::follow()
+{
+    bool hasMoved = false;
+    for (ViewStructure& one : m_structures) {
+        hasMoved = one.picture.follow() || hasMoved;
+    }
+    m_tissueRevision += hasMoved ? 1 : 0;
+    const auto movedOf = [this](std::size_t i) {
+        return i < m_structures.size() && m_structures[i].picture.moved().motion != nullptr
+                   ? &m_structures[i].picture.moved()
+                   : nullptr;
+    };
+    for (std::size_t i = 0; i < m_findings.marks().size(); ++i) {
+        const auto structure = m_findings.marks()[i].structure;
+        const MovedSurface* moved = structure ? movedOf(*structure) : nullptr;
+        const Vec3& rest_W = m_findings.rest_W(i);
+        m_findings.move(i, moved == nullptr ? rest_W : moved->motion->toWorld(moved->moment, rest_W));
+    }
+    if (m_placeRing.isShown()) {
+        Vec3 p_W = m_placeRing.place_W(), n_W = m_placeRing.normal_W();
+        if (const MovedSurface* moved = movedOf(m_placeRing.structure())) {
+            geometry::Mat3 F;
+            p_W = moved->motion->toWorld(moved->moment, p_W, F);
+            n_W = (F.inverse().transpose() * n_W).normalized();
+        }
+        m_placeRing.moveTo(p_W, n_W);
+    }
+    return hasMoved;
+}
+
 void SceneView::setBackground(const Colour& bottom, const Colour& top, const Colour& text)
 {
     m_solid->SetBackground(bottom[0], bottom[1], bottom[2]);
@@ -184,7 +224,9 @@ std::optional<ScenePick> SceneView::pick(const Ray& ray) const
         if (one.touchable == nullptr || !one.picture.appearance().isVisible) {
             continue;
         }
-        const auto hit = firstHit(*one.touchable, ray);
+        const MovedSurface& moved = one.picture.moved();
+        const auto hit = moved.motion == nullptr ? firstHit(*one.touchable, ray)
+                                                 : firstHit(*one.touchable, *moved.motion, moved.moment, ray);
         if (hit && (!best || hit->distance_mm < best->hit.distance_mm)) {
             best = ScenePick{i, *hit};
         }
@@ -281,6 +323,7 @@ void SceneView::bendTissue(const ViewFrame& frame)
 
 void SceneView::prepareFrame(double pixelRatio)
 {
+    (void)follow();
     ViewFrame frame = ViewFrame::of(*m_solid, pixelRatio);
     frame.text = m_text;
     if (m_window != nullptr) {

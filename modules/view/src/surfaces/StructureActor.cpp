@@ -6,14 +6,27 @@
 #include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 namespace palpate::view {
 
 namespace {
+
+vtkSmartPointer<vtkFloatArray> pointsOf(vtkPolyData& surface)
+{
+    return vtkFloatArray::SafeDownCast(surface.GetPoints()->GetData());
+}
+
+vtkSmartPointer<vtkFloatArray> normalsOf(vtkPolyData& surface)
+{
+    return vtkFloatArray::SafeDownCast(surface.GetPointData()->GetNormals());
+}
 
 constexpr double kAmbient = 0.06, kHighlight = 0.30; // ambient share of the colour
 
@@ -40,12 +53,85 @@ StructureActor::StructureActor(vtkPolyData* surface, const Appearance& appearanc
 void StructureActor::setPicture(vtkPolyData* surface)
 {
     auto* mapper = vtkPolyDataMapper::SafeDownCast(m_actor->GetMapper());
+    m_rest = surface;
+    m_drawn = nullptr;
     mapper->SetInputData(surface);
+    if (m_moved.motion != nullptr && m_moved.points->GetNumberOfTuples() == surface->GetNumberOfPoints()) {
+        showMoved(); // another colouring of the same surface
+    } else {
+        m_moved = {};
+    }
     const bool hasColours =
         surface->GetPointData()->GetScalars() != nullptr || surface->GetCellData()->GetScalars() != nullptr;
     mapper->SetScalarVisibility(hasColours);
     mapper->SetColorModeToDirectScalars();
     drawPalpabilityContours(*m_actor, *surface);
+}
+
+void StructureActor::moveTo(std::shared_ptr<const geometry::SurfaceMotion> motion, double time_s)
+{
+    m_motion = motion != nullptr && motion->isMoving() ? std::move(motion) : nullptr;
+    m_time_s = time_s;
+}
+
+/// Returns true if the picture is where `moveTo` wants it.
+bool StructureActor::isInPlace() const
+{
+    if (m_motion == nullptr || m_moved.motion == nullptr) {
+        return m_motion == m_moved.motion;
+    }
+    return m_motion->shape() == m_moved.motion->shape() && isSamePlace(m_motion->at(m_time_s), m_moved.moment);
+}
+
+bool StructureActor::follow()
+{
+    bool hasChanged = false;
+    if (m_next.valid()) {
+        if (m_next.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+            return false;
+        }
+        MovedSurface next = m_next.get();
+        if (next.points->GetNumberOfTuples() == m_rest->GetNumberOfPoints()) { // else of a picture before
+            m_moved = std::move(next);
+            showMoved();
+            hasChanged = true;
+        }
+    }
+    if (isInPlace()) {
+        return hasChanged;
+    }
+    if (m_motion == nullptr) {
+        m_moved = {};
+        m_drawn = nullptr;
+        vtkPolyDataMapper::SafeDownCast(m_actor->GetMapper())->SetInputData(m_rest);
+        return true;
+    }
+    if (m_rest->GetNumberOfPoints() > kMostAtOnce) {
+        m_next =
+            std::async(std::launch::async, movedSurface, m_motion, m_time_s, pointsOf(*m_rest), normalsOf(*m_rest));
+        return hasChanged;
+    }
+    m_moved = movedSurface(m_motion, m_time_s, pointsOf(*m_rest), normalsOf(*m_rest));
+    showMoved();
+    return true;
+}
+
+void StructureActor::showMoved()
+{
+    if (m_drawn == nullptr) {
+        m_drawn = vtkSmartPointer<vtkPolyData>::New();
+        m_drawn->ShallowCopy(m_rest);
+        m_drawn->SetPoints(vtkNew<vtkPoints>());
+        vtkPolyDataMapper::SafeDownCast(m_actor->GetMapper())->SetInputData(m_drawn);
+    }
+    m_drawn->GetPoints()->SetData(m_moved.points);
+    m_drawn->GetPointData()->SetNormals(m_moved.normals);
+    m_drawn->Modified();
+}
+
+Vec3 StructureActor::restOf(const Vec3& p_W) const
+{
+    return m_motion == nullptr ? p_W : m_motion->toRest(m_motion->at(m_time_s), p_W, p_W).X;
 }
 
 void StructureActor::bend(const Dimple& dimple, const ViewFrame& frame)

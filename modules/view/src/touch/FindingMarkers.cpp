@@ -253,11 +253,24 @@ void FindingMarkers::set(std::vector<FindingMark> marks)
 {
     std::erase_if(marks, [](const FindingMark& one) { return !one.p_W.allFinite(); });
     m_marks = std::move(marks);
+    m_rest_W.clear();
+    for (const FindingMark& one : m_marks) {
+        m_rest_W.push_back(one.p_W);
+    }
     m_isHidden.assign(m_marks.size(), false);
     m_labels.assign(m_marks.size(), {});
     ++m_revision;
     m_pixelRatio = 0.0;
     m_placed.reset();
+}
+
+void FindingMarkers::move(std::size_t i, const Vec3& p_W)
+{
+    if (m_marks[i].p_W != p_W) {
+        m_marks[i].p_W = p_W;
+        ++m_revision;
+        m_placed.reset();
+    }
 }
 
 void FindingMarkers::select(std::size_t number)

@@ -75,7 +75,7 @@ struct RecordedMoment
 struct Finding
 {
     std::string name{};
-    Vec3 p_W = Vec3::Zero();          ///< god-object position at the time of marking [mm]; unused without `hasPlace`
+    Vec3 p_W = Vec3::Zero();          ///< marked god-object, at rest if tissue moves [mm]; unused without `hasPlace`
     std::string note{};               ///< free text of the user
     std::string structure{};          ///< name of the touched structure; may be empty
     std::optional<double> force_N{};  ///< contact force

@@ -104,8 +104,29 @@ class PALPATE_EXPORT SurfaceMotion
     [[nodiscard]] std::shared_ptr<const SurfaceMotion> withClock(double start_s, double offset_s, double rate) const;
     /// Returns the motion with a part of its displacement. @pre 0 <= share <= 1
     [[nodiscard]] std::shared_ptr<const SurfaceMotion> withAmplitude(double share) const;
-    /// Returns the motion's own time at time t [s].
-    [[nodiscard]] double phase_s(double time_s) const noexcept { return m_offset_s + m_rate * (time_s - m_start_s); }
+    /// Rates and amplitude that a motion can be given while it is felt.
+    struct Pace
+    {
+        double rate = 1.0;      ///< of displacement and poses; 0 holds them
+        double pulseRate = 1.0; ///< of the pulse; 0 holds it
+        double amplitude = 1.0; ///< share of the displacement, 0 to 1
+
+        friend bool operator==(const Pace&, const Pace&) = default;
+    };
+    /// Returns a motion that agrees with this one up to start_s and then changes to another pace smoothly, within
+    /// ease_s: place and velocity of the tissue do not jump, whichever tick the new motion takes effect at, if that is
+    /// not after start_s.
+    /// @param start_s  at or after the end of an earlier change of this motion
+    /// @param ease_s  > 0; typical 0.3
+    [[nodiscard]] std::shared_ptr<const SurfaceMotion> changedAt(double start_s, double ease_s, const Pace& pace) const;
+    /// Returns the motion that is at time 0 where this one is at `time_s`, for a servo loop that starts to count again.
+    [[nodiscard]] std::shared_ptr<const SurfaceMotion> startingAt(double time_s) const;
+    /// Returns the rates and the amplitude after the last change.
+    [[nodiscard]] Pace pace() const noexcept { return {m_rate, m_pulseRate, m_amplitude}; }
+    /// Returns the time at which the last change has ended [s].
+    [[nodiscard]] double settled_s() const noexcept { return m_start_s + m_ease_s; }
+    /// Returns the motion's own time at time t, of displacement and poses [s].
+    [[nodiscard]] double phase_s(double time_s) const noexcept { return courseAt(time_s).phase_s; }
 
     /// Everything that depends on the time only. Make one per tick with `at`.
     struct Moment
@@ -145,6 +166,8 @@ class PALPATE_EXPORT SurfaceMotion
     /// Returns where a rest position is now [mm].
     /// @par Real-time Wait-free, no allocation.
     [[nodiscard]] Vec3 toWorld(const Moment& moment, const Vec3& X) const noexcept PALPATE_NONBLOCKING;
+    /// As above, and sets F = ∂φ/∂X there.
+    [[nodiscard]] Vec3 toWorld(const Moment& moment, const Vec3& X, Mat3& F) const noexcept PALPATE_NONBLOCKING;
     /// Returns the velocity of the material at a rest position [mm/s].
     /// @par Real-time Wait-free, no allocation.
     [[nodiscard]] Vec3 velocity(const Moment& moment, const Vec3& X) const noexcept PALPATE_NONBLOCKING;
@@ -187,8 +210,14 @@ class PALPATE_EXPORT SurfaceMotion
     [[nodiscard]] core::Status check();
     [[nodiscard]] core::Status checkStrain();
     void setShape() noexcept;
+    /// Own times with their rates, and the share of the displacement with its change [1/s], at a time.
+    struct Course
+    {
+        double phase_s, rate, pulse_s, pulseRate, amplitude, amplitudeSlope;
+    };
+    [[nodiscard]] Course courseAt(double time_s) const noexcept;
     void applyPose(double t, Moment& moment) const noexcept;
-    void applyBreath(double t, Moment& moment) const noexcept;
+    void applyBreath(const Course& course, Moment& moment) const noexcept;
 
     double m_period_s = 0.0;
     std::vector<double> m_curve; ///< share of the displacement at equal steps of the period; empty: frames
@@ -201,6 +230,9 @@ class PALPATE_EXPORT SurfaceMotion
     double m_pulse_s = 0.0;                        ///< period of the pulse; 0: none
     std::vector<double> m_pulse;                   ///< factor at equal steps of that period
     double m_start_s = 0.0, m_offset_s = 0.0, m_rate = 1.0, m_amplitude = 1.0;
+    double m_pulseOffset_s = 0.0, m_pulseRate = 1.0;
+    double m_ease_s = 0.0; ///< duration of the change to these from `m_before`; 0: they hold at all times
+    Pace m_before;
     double m_strain = 0.0;
     double m_bend = 0.0; ///< bound on the change of the displacement gradient per length [1/mm]
     std::uint64_t m_shape = 0;

@@ -6,6 +6,7 @@
 #include <palpate/core/Export.h>
 #include <palpate/core/Message.h>
 #include <palpate/geometry/SurfaceIndex.h>
+#include <palpate/geometry/SurfaceMotion.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/session/Recording.h>
@@ -111,6 +112,8 @@ class PALPATE_EXPORT OpenScene
     void setNesting(const std::vector<std::optional<std::size_t>>& in);
     /// Sets a structure's haptic copy; null removes the copy.
     void setTouch(std::size_t structure, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256);
+    /// Sets how a structure moves, for a change of pace. Not an edit: the description stays.
+    void setMotion(std::size_t structure, std::shared_ptr<const geometry::SurfaceMotion> motion);
     /// Takes the maps computed by `meshio::resolveMaps`.
     /// @param of  mappings used for the computation
     /// @return false if the mappings have changed since; nothing is taken

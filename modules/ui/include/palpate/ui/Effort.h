@@ -53,9 +53,10 @@ class PALPATE_EXPORT Effort
 
 /// Finds the surfaces on a straight press: for each layer the first surface that is touchable from this side.
 /// @param press  starts at the hand's position; distances are measured from there
+/// @param time_s  of the newest tick, for surfaces that move
 /// @return surfaces with pointers into `scene`
 /// @par Cost O(log triangles) per structure.
-[[nodiscard]] PALPATE_EXPORT std::vector<study::PressedSurface> surfacesAlongPress(const haptics::HapticScene& scene,
-                                                                                   const view::Ray& press);
+[[nodiscard]] PALPATE_EXPORT std::vector<study::PressedSurface>
+surfacesAlongPress(const haptics::HapticScene& scene, const view::Ray& press, double time_s = 0.0);
 
 } // namespace palpate::ui

@@ -62,6 +62,13 @@ class PALPATE_EXPORT LiveTouch : public QObject
     bool fetch(servo::TickRecord& tick);
     /// The tick of the last successful `fetch`, by any caller.
     [[nodiscard]] const servo::TickRecord& newest() const noexcept { return m_newest; }
+    /// Time of the newest tick, at which its moving tissue is. [s]
+    [[nodiscard]] double time_s() const { return timeOf_s(m_newest); }
+    /// Time of a tick of the running loop. [s]
+    [[nodiscard]] double timeOf_s(const servo::TickRecord& tick) const
+    {
+        return static_cast<double>(tick.tick) * (1.0 / rate_Hz());
+    }
     [[nodiscard]] servo::TimingReport timing() const { return m_session.loop().timing(); }
     /// Rate of the running loop, or of the next start. [Hz]
     [[nodiscard]] double rate_Hz() const;
@@ -105,6 +112,7 @@ class PALPATE_EXPORT LiveTouch : public QObject
 
   private:
     void handOverScene();
+    void carryMotions();
     void reportSoftenedStructure();
     void measure();
     void setDelay(int ticks);

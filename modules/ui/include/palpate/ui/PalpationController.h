@@ -85,6 +85,7 @@ class PALPATE_EXPORT PalpationController : public QObject
     [[nodiscard]] bool isPressing() const;
     void turnEffort(double notches);
     void updateEffortDepth(double now_s);
+    void followTissue();
     void emitDepth(bool isWithin, bool isDeeper);
     void updatePressState(const servo::TickRecord& tick, TouchReading& reading);
     void refreshText();

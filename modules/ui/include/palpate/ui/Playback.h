@@ -52,6 +52,7 @@ class PALPATE_EXPORT Playback : public QObject
   private:
     void step();
     void showMoment(double time_s);
+    [[nodiscard]] std::shared_ptr<const geometry::SurfaceMotion> motionOf(const servo::TickRecord& tick, int row) const;
     void addLump(TouchReading& reading, const servo::TickRecord& tick) const;
     void feed(const servo::TickRecord& tick, double time_s);
     [[nodiscard]] LayerStyle lookOf(const servo::TickRecord& tick, std::uint32_t number) const;

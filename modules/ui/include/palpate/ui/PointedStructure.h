@@ -32,8 +32,8 @@ class PALPATE_EXPORT PointedStructure : public QObject
     struct Place
     {
         int row = 0;
-        std::size_t triangle = 0; ///< index in the structure's repaired mesh
-        core::Vec3 p_W = core::Vec3::Zero();
+        std::size_t triangle = 0;               ///< index in the structure's repaired mesh
+        core::Vec3 rest_W = core::Vec3::Zero(); ///< of a moving structure: on the rest shape
     };
 
     /// All references must outlive this object.

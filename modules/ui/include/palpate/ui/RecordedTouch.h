@@ -5,6 +5,7 @@
 
 #include <palpate/core/Export.h>
 #include <palpate/core/Finding.h>
+#include <palpate/geometry/SurfaceMotion.h>
 #include <palpate/session/RecordingReader.h>
 
 #include <QObject>
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -38,6 +40,14 @@ class PALPATE_EXPORT RecordedTouch : public QObject
     [[nodiscard]] std::string structureName(const servo::TickRecord& tick, std::uint32_t number) const;
     /// Radius of the probe sphere; 0: a point. [mm]
     [[nodiscard]] double fingertip_mm(const servo::TickRecord& tick) const;
+    /// Time of a tick, at which its moving tissue was. [s]
+    [[nodiscard]] double timeOf_s(const servo::TickRecord& tick) const;
+    /// How a structure of the open scene moved at a tick.
+    /// @param own  its motion in the scene. A structure that could not be touched has none in the recording: it moves
+    /// like one of the same shape of motion, else by its own
+    [[nodiscard]] std::shared_ptr<const geometry::SurfaceMotion>
+    motion(const servo::TickRecord& tick, const std::string& structure,
+           const std::shared_ptr<const geometry::SurfaceMotion>& own) const;
     /// Tissue of the structure reported by a tick; null in free space or when the tick's scene is unknown.
     [[nodiscard]] const core::Tissue* tissue(const servo::TickRecord& tick) const;
     /// Stiffness at the recorded contact of a tick.

@@ -4,6 +4,7 @@
 #include <palpate/core/Export.h>
 #include <palpate/geometry/Holes.h>
 #include <palpate/geometry/SurfaceIndex.h>
+#include <palpate/geometry/SurfaceMotion.h>
 #include <palpate/haptics/HapticScene.h>
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/session/Recording.h>
@@ -14,6 +15,7 @@
 #include <QColor>
 #include <QUndoStack>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -109,6 +111,10 @@ class PALPATE_EXPORT StructureModel : public QAbstractTableModel
     /// Position of a structure with its current layer, or "through liver" in transmitted mode.
     [[nodiscard]] QString touchOrderText(int row) const;
     [[nodiscard]] QUndoStack& undoStack() noexcept { return m_undo; }
+    /// Replaces each motion of the scene, for a change of pace. Structures that share a motion still do. Not an edit.
+    using ChangeOfMotion = std::function<std::shared_ptr<const geometry::SurfaceMotion>(
+        const std::shared_ptr<const geometry::SurfaceMotion>& motion)>;
+    void changeMotions(const ChangeOfMotion& change);
     /// Sets a structure's haptic copy; null removes the copy.
     void setTouch(int row, std::shared_ptr<const geometry::SurfaceIndex> touch, std::string sha256);
     /// Takes the maps computed by `meshio::resolveMaps` on a worker thread.
@@ -176,6 +182,8 @@ class PALPATE_EXPORT StructureModel : public QAbstractTableModel
     /// Emitted when a surface must be rebuilt from `loaded.asRead` according to the description; `setSurface` delivers
     /// the result. The old surface stays in use until then.
     void surfaceWanted(int row);
+    /// Emitted when `changeMotions` changed any.
+    void motionsChanged();
     /// Emitted after a surface was replaced together with picture, haptic copy and maps.
     void surfaceReplaced(int row);
 

@@ -9,6 +9,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,8 +23,9 @@ struct FindingMark
 {
     Vec3 p_W = Vec3::Zero(); ///< not drawn unless finite
     core::FindingType type = core::FindingType::Other;
-    std::size_t number = 0; ///< shown beside the marker
-    std::string name{};     ///< shown after the number while the finding is selected
+    std::size_t number = 0;                 ///< shown beside the marker
+    std::string name{};                     ///< shown after the number while the finding is selected
+    std::optional<std::size_t> structure{}; ///< index in the view; if it moves, `p_W` is on its rest shape
 };
 
 /// Markers of findings: a shape and colour per finding type, of constant size on screen, with the finding's number.
@@ -48,6 +50,10 @@ class PALPATE_EXPORT FindingMarkers
     /// Adds the actors to a renderer. @param overlay  drawn over the tissue; must outlive this
     void addTo(vtkRenderer& overlay);
     void set(std::vector<FindingMark> marks);
+    /// Moves a mark, to where its place on the rest shape is now.
+    void move(std::size_t i, const Vec3& p_W);
+    /// The place of a mark as given to `set`.
+    [[nodiscard]] const Vec3& rest_W(std::size_t i) const { return m_rest_W[i]; }
     /// Shows the name of one finding. @param number  number of the mark; 0: deselect
     void select(std::size_t number);
     void setVisible(bool isVisible);
@@ -81,6 +87,7 @@ class PALPATE_EXPORT FindingMarkers
     [[nodiscard]] bool overlapsAny(const std::vector<Eigen::AlignedBox2d>& taken) const;
 
     std::vector<FindingMark> m_marks;
+    std::vector<Vec3> m_rest_W;      ///< per mark: place as given to `set`
     std::vector<bool> m_isHidden;    ///< per mark
     std::vector<DiscLabel> m_labels; ///< per mark; sizes are valid for m_pixelRatio and m_textStyle
     std::unique_ptr<Picture> m_picture;

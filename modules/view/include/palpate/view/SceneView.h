@@ -64,6 +64,12 @@ class PALPATE_EXPORT SceneView
     /// Replaces a structure: surface, appearance and picking surface.
     void setStructure(std::size_t i, ViewStructure structure);
     void setTouchable(std::size_t i, std::shared_ptr<const geometry::SurfaceIndex> surface);
+    /// Sets where the structures are from the next frame on. Findings and the ring of a structure move along.
+    /// @param motions  one per structure, null: at rest; structures beyond the list rest
+    /// @param time_s  time of the servo tick that the cursor shows
+    void moveTo(const std::vector<std::shared_ptr<const geometry::SurfaceMotion>>& motions, double time_s);
+    /// Moves the pictures to the places of `moveTo`, as `prepareFrame` does. Returns true if a new frame would differ.
+    bool follow();
     void setBackground(const Colour& bottom, const Colour& top, const Colour& text);
     /// Sets the style of all texts, from the next frame on.
     void setTextStyle(const TextStyle& style) { m_text = style; }

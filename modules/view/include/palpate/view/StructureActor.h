@@ -3,6 +3,7 @@
 
 #include "palpate/view/ColourMap.h"
 #include "palpate/view/Dimple.h"
+#include "palpate/view/MovedSurface.h"
 
 #include <palpate/core/Export.h>
 
@@ -10,6 +11,9 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+
+#include <future>
+#include <memory>
 
 namespace palpate::view {
 
@@ -36,17 +40,40 @@ class PALPATE_EXPORT StructureActor
     /// Replaces the picture of the same surface. Colours from `coloured` or `palpabilityColoured`, if any, replace the
     /// structure's own.
     void setPicture(vtkPolyData* surface);
+    /// Sets where the surface is from the next `follow` on. @param motion  null: at rest
+    void moveTo(std::shared_ptr<const geometry::SurfaceMotion> motion, double time_s);
+    /// Moves the picture to the place of `moveTo`. A picture with more than kMostAtOnce vertices is moved on another
+    /// thread and shown by the first call after that, so that the caller never waits. Returns true if the picture has
+    /// changed.
+    bool follow();
+    /// Time of `moveTo`. [s]
+    [[nodiscard]] double time_s() const noexcept { return m_time_s; }
+    /// The displayed place; its motion is null at rest.
+    [[nodiscard]] const MovedSurface& moved() const noexcept { return m_moved; }
+    /// Takes a place on the surface back to the rest shape, at the time of `moveTo`. [mm]
+    [[nodiscard]] Vec3 restOf(const Vec3& p_W) const;
+    /// Largest number of vertices that `follow` moves at once: 6 ms in a breath, 11 ms in frames.
+    static constexpr vtkIdType kMostAtOnce = 40'000;
     /// Draws the surface with a dent from the next frame on, if the dent reaches the structure.
     void bend(const Dimple& dimple, const ViewFrame& frame);
     /// Brightens the structure slightly, in its own colour.
     void setHighlighted(bool isOn);
     [[nodiscard]] const Appearance& appearance() const noexcept { return m_appearance; }
-    /// Positions of the vertices without a dent, world frame [mm].
+    /// Displayed positions of the vertices without a dent, world frame [mm].
     [[nodiscard]] vtkPoints& points() const;
     [[nodiscard]] vtkActor* actor() const noexcept { return m_actor; }
 
   private:
+    [[nodiscard]] bool isInPlace() const;
+    void showMoved();
+
     vtkSmartPointer<vtkActor> m_actor;
+    vtkSmartPointer<vtkPolyData> m_rest;                     ///< picture of the rest shape
+    vtkSmartPointer<vtkPolyData> m_drawn;                    ///< the same with moved points; null until moved
+    std::shared_ptr<const geometry::SurfaceMotion> m_motion; ///< of `moveTo`
+    double m_time_s = 0.0;
+    MovedSurface m_moved;
+    std::future<MovedSurface> m_next; ///< being computed
     Appearance m_appearance;
     bool m_isClosed = false;
     bool m_isBent = false;
