@@ -32,12 +32,12 @@ ReportTable conditionTable(const ReportFacts& facts)
     const auto add = [&table](core::MessageText<> name, MessageArgument value) {
         table.rows.push_back({Message(name), std::move(value)});
     };
-    add(PALPATE_TEXT("Device"), info.device.name);
+    const MessageArgument unknown(Message(PALPATE_TEXT("not stated")));
+    add(PALPATE_TEXT("Device"), info.device.name.empty() ? unknown : info.device.name);
     add(PALPATE_TEXT("Force limit of the device"), Message(PALPATE_TEXT("%1 N"), info.device.maxForce_N));
     add(PALPATE_TEXT("Rate"), Message(PALPATE_TEXT("%1 Hz"), info.rate_Hz));
     add(PALPATE_TEXT("Ticks"), Count(extent.ticks));
-    add(PALPATE_TEXT("Late ticks"),
-        extent.late ? MessageArgument(Count(*extent.late)) : MessageArgument(Message(PALPATE_TEXT("not stated"))));
+    add(PALPATE_TEXT("Late ticks"), extent.late ? MessageArgument(Count(*extent.late)) : unknown);
     add(PALPATE_TEXT("Lost ticks"), Count(extent.dropped));
     add(PALPATE_TEXT("Fingertip"), fingertipText(reader));
     add(PALPATE_TEXT("Distance that counts as touched"),

@@ -38,6 +38,14 @@ QString headingText(const core::Message& heading)
     return withUnits(reportText(heading)).replace(QStringLiteral(" ["), QStringLiteral("\n["));
 }
 
+/// Returns the text of a cell; numbers are not broken into lines.
+QString cellText(const study::ReportTable& table, std::size_t row, std::size_t column)
+{
+    QString text = reportText(table.rows[row][column]);
+    return !isFacts(table) && table.columns[column].isNumber ? text.replace(QLatin1Char(' '), QChar(QChar::Nbsp))
+                                                             : text;
+}
+
 std::size_t columnCount(const study::ReportTable& table)
 {
     return isFacts(table) ? 2 : table.columns.size();
@@ -85,9 +93,6 @@ QStringList ReportPages::linesOf(const QString& text, const QFont& font, double 
             lines << part.mid(line.textStart(), line.textLength()).trimmed();
         }
         layout.endLayout();
-        if (part.isEmpty()) {
-            lines << QString();
-        }
     }
     return lines;
 }
@@ -177,7 +182,7 @@ std::vector<double> ReportPages::columnWidths(const study::ReportTable& table) c
             take(headingText(table.columns[i].heading), bold, true);
         }
         for (std::size_t row = 0; row < std::min(kMeasured, table.rows.size()); ++row) {
-            take(reportText(table.rows[row][i]), isFacts(table) && i == 0 ? bold : plain, false);
+            take(cellText(table, row, i), isFacts(table) && i == 0 ? bold : plain, false);
         }
         natural[i] = std::min(natural[i] + m_unit, std::max(kMostNatural_pt * m_unit, least[i]));
         least[i] = std::min(least[i] + m_unit, natural[i]);
@@ -269,10 +274,10 @@ void ReportPages::operator()(const study::ReportTable& table)
         m_y += 2.0 * m_unit;
     }
     addHead();
-    for (const std::vector<core::MessageArgument>& cells : table.rows) {
+    for (std::size_t number = 0; number < table.rows.size(); ++number) {
         std::vector<QString> texts;
-        for (const core::MessageArgument& cell : cells) {
-            texts.push_back(reportText(cell));
+        for (std::size_t i = 0; i < widths_px.size(); ++i) {
+            texts.push_back(cellText(table, number, i));
         }
         const Row row = brokenRow(texts, table, widths_px, m_small);
         const std::size_t page = m_pages.size();

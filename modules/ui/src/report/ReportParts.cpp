@@ -45,7 +45,7 @@ class CurvePicture
         : m_painter(painter)
         , m_force(force)
         , m_unit(unit)
-        , m_plot(in.adjusted(34.0 * unit, 14.0 * unit, -6.0 * unit, -26.0 * unit))
+        , m_plot(in.adjusted(34.0 * unit, 26.0 * unit, -6.0 * unit, -26.0 * unit))
         , m_in(in)
     {
         for (const study::ForceCurve::Span& span : force.spans) {
@@ -127,7 +127,7 @@ class CurvePicture
     void drawMarks()
     {
         const QFontMetricsF metrics(m_painter.font());
-        double free = m_plot.left() + 40.0 * m_unit; // right of the title of the axis
+        double free = m_in.left();
         for (const study::ForceCurve::Mark& mark : m_force.marks) {
             const double at = x(std::clamp(mark.time_s, 0.0, m_duration_s));
             m_painter.setPen(QPen(kMark, 0.7 * m_unit));
@@ -135,7 +135,7 @@ class CurvePicture
             const QString number = QLocale().toString(static_cast<qulonglong>(mark.number));
             const double half = 0.5 * metrics.horizontalAdvance(number) + 1.5 * m_unit;
             if (at - half >= free) {
-                m_painter.drawText(QRectF(at - half, m_in.top(), 2.0 * half, m_plot.top() - m_in.top()),
+                m_painter.drawText(QRectF(at - half, m_plot.top() - 12.0 * m_unit, 2.0 * half, 12.0 * m_unit),
                                    Qt::AlignHCenter | Qt::AlignBottom, number);
                 free = at + half;
             }
