@@ -22,6 +22,7 @@
 #include "touch/FindingsPart.h"
 #include "touch/FingertipPart.h"
 #include "touch/RecordingPart.h"
+#include "touch/ReportPart.h"
 #include "touch/ResultsPart.h"
 #include "touch/TouchPart.h"
 #include "window/SceneChanges.h"
@@ -131,6 +132,7 @@ void MainWindow::makeParts()
     m_device = keep(new DevicePart(core, *structures, *m_touch, *m_recording));
     auto* findings = keep(new FindingsPart(core, *m_document, *m_touch, *m_recording));
     auto* results = keep(new ResultsPart(core, m_recording->playback()));
+    auto* report = keep(new ReportPart(core, m_recording->playback()));
     m_files = keep(new SceneFiles(core, *m_document, *progress, *m_welcome));
     m_coordinates = keep(new CoordinatesPart(core, *m_document, *m_files));
     auto* lumps = keep(new LumpsPart(core, {structures->maps(), structures->pointed(), m_files->loader(), *progress}));
@@ -144,9 +146,9 @@ void MainWindow::makeParts()
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files,       m_document,  picture,   structures,  m_touch, m_device,
-                          fingertip,     m_recording, findings,  results,     lumps,   m_view,
-                          m_coordinates, m_docks,     m_notices, engineering, m_help};
+    const Parts menuOrder{m_files,  m_document,    picture,     report,    structures,  m_touch,
+                          m_device, fingertip,     m_recording, findings,  results,     lumps,
+                          m_view,   m_coordinates, m_docks,     m_notices, engineering, m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }
