@@ -12,9 +12,11 @@
 #include <CLI/CLI.hpp>
 
 #include <QGuiApplication>
+#include <QImage>
 #include <QLocale>
 
 #include <clocale>
+#include <filesystem>
 #include <memory>
 #include <vector>
 

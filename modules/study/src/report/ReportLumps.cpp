@@ -3,7 +3,6 @@
 
 #include "palpate/study/StiffnessRatio.h"
 
-#include <array>
 #include <utility>
 
 namespace palpate::study::internal {

@@ -39,7 +39,7 @@ QString headingText(const core::Message& heading)
 }
 
 /// Returns the text of a cell; numbers are not broken into lines.
-QString cellText(const study::ReportTable& table, std::size_t row, std::size_t column)
+QString textOfCell(const study::ReportTable& table, std::size_t row, std::size_t column)
 {
     QString text = reportText(table.rows[row][column]);
     return !isFacts(table) && table.columns[column].isNumber ? text.replace(QLatin1Char(' '), QChar(QChar::Nbsp))
@@ -182,7 +182,7 @@ std::vector<double> ReportPages::columnWidths(const study::ReportTable& table) c
             take(headingText(table.columns[i].heading), bold, true);
         }
         for (std::size_t row = 0; row < std::min(kMeasured, table.rows.size()); ++row) {
-            take(cellText(table, row, i), isFacts(table) && i == 0 ? bold : plain, false);
+            take(textOfCell(table, row, i), isFacts(table) && i == 0 ? bold : plain, false);
         }
         natural[i] = std::min(natural[i] + m_unit, std::max(kMostNatural_pt * m_unit, least[i]));
         least[i] = std::min(least[i] + m_unit, natural[i]);
@@ -277,7 +277,7 @@ void ReportPages::operator()(const study::ReportTable& table)
     for (std::size_t number = 0; number < table.rows.size(); ++number) {
         std::vector<QString> texts;
         for (std::size_t i = 0; i < widths_px.size(); ++i) {
-            texts.push_back(cellText(table, number, i));
+            texts.push_back(textOfCell(table, number, i));
         }
         const Row row = brokenRow(texts, table, widths_px, m_small);
         const std::size_t page = m_pages.size();

@@ -15,6 +15,7 @@
 #include <vtkOpenGLState.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
