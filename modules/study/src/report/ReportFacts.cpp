@@ -37,11 +37,11 @@ class Gathering
     {
         for (Status (Gathering::*step)() : {&Gathering::checkFile, &Gathering::readSurfaces, &Gathering::resimulate,
                                             &Gathering::measure, &Gathering::searchLumps, &Gathering::reduceForce}) {
-            if (isCancelled()) {
-                return Status(StatusCode::Cancelled, PALPATE_TEXT("the report was cancelled"));
-            }
             if (Status status = (this->*step)(); !status.isOk()) {
                 return status;
+            }
+            if (isCancelled()) {
+                return Status(StatusCode::Cancelled, PALPATE_TEXT("the report was cancelled"));
             }
         }
         listMissing();
@@ -187,32 +187,32 @@ class Gathering
         show(0.95, step);
         const session::RecordingExtent& extent = reader().extent();
         ForceCurve& force = m_facts.force;
-        force.duration_s = extent.duration_s;
-        const std::int64_t all = extent.lastTick - extent.firstTick + 1;
-        if (all > 0) {
-            force.spans.resize(static_cast<std::size_t>(std::min<std::int64_t>(all, ForceCurve::kSpans)));
-        }
-        std::int64_t ticks = 0;
-        const Status status = reader().forEach(
-            std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
-            [&](const servo::TickRecord& tick) {
-                const double at = static_cast<double>(tick.tick - extent.firstTick) / static_cast<double>(all);
-                const auto number = static_cast<std::size_t>(std::clamp(
-                    at * static_cast<double>(force.spans.size()), 0.0, static_cast<double>(force.spans.size()) - 1.0));
-                ForceCurve::Span& span = force.spans[number];
-                const auto force_N = static_cast<float>(tick.felt.f_W.norm());
-                span.least_N = span.isRecorded ? std::min(span.least_N, force_N) : force_N;
-                span.greatest_N = std::max(span.greatest_N, force_N);
-                span.isRecorded = true;
-                return ++ticks % kPolled != 0 || !isCancelled();
-            });
         std::size_t number = 0;
         for (const session::FindingMeasures& one : m_facts.measures.findings) {
             if (one.finding.hasPlace) {
                 force.marks.push_back({one.marked_s, ++number});
             }
         }
-        return status;
+        const std::int64_t all = extent.lastTick - extent.firstTick + 1;
+        if (all <= 0) {
+            return {};
+        }
+        force.duration_s = static_cast<double>(all) * reader().info().dt_s; // with the ticks that are missing
+        force.spans.resize(static_cast<std::size_t>(std::min<std::int64_t>(all, ForceCurve::kSpans)));
+        std::int64_t ticks = 0;
+        return reader().forEach(
+            std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
+            [&](const servo::TickRecord& tick) {
+                const double at = static_cast<double>(tick.tick - extent.firstTick) / static_cast<double>(all);
+                const auto i = static_cast<std::size_t>(std::clamp(at * static_cast<double>(force.spans.size()), 0.0,
+                                                                   static_cast<double>(force.spans.size()) - 1.0));
+                ForceCurve::Span& span = force.spans[i];
+                const auto force_N = static_cast<float>(tick.felt.f_W.norm());
+                span.least_N = span.isRecorded ? std::min(span.least_N, force_N) : force_N;
+                span.greatest_N = std::max(span.greatest_N, force_N);
+                span.isRecorded = true;
+                return ++ticks % kPolled != 0 || !isCancelled();
+            });
     }
 
     void lose(const Message& loss) { m_facts.missing.push_back(loss); }
