@@ -26,6 +26,7 @@ void addFeltCommand(CLI::App& app, Chosen& chosen);
 void addFindingsCommand(CLI::App& app, Chosen& chosen);
 void addInfoCommand(CLI::App& app, Chosen& chosen);
 void addReplayCommand(CLI::App& app, Chosen& chosen);
+void addReportCommand(CLI::App& session, Chosen& chosen); ///< a subcommand of `session`
 void addSessionCommand(CLI::App& app, Chosen& chosen);
 void addStabilityCommand(CLI::App& app, Chosen& chosen);
 

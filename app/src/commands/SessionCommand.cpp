@@ -274,6 +274,7 @@ void addSessionCommand(CLI::App& app, Chosen& chosen)
     exporter->add_option("--vtp", options->vtp,
                          "Write the path as VTP, and the touched surface beside it as NAME-surface.vtp");
     addSurfaceOptions(exporter);
+    addReportCommand(*command, chosen);
 }
 
 } // namespace palpate::app

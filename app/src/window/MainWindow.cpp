@@ -23,6 +23,7 @@
 #include "touch/FingertipPart.h"
 #include "touch/MotionPart.h"
 #include "touch/RecordingPart.h"
+#include "touch/ReportPart.h"
 #include "touch/ResultsPart.h"
 #include "touch/TouchMapPart.h"
 #include "touch/TouchPart.h"
@@ -134,6 +135,7 @@ void MainWindow::makeParts()
     auto* findings = keep(new FindingsPart(core, *m_document, *m_touch, *m_recording));
     auto* motion = keep(new MotionPart(core, m_recording->playback(), m_touch->palpation()));
     auto* results = keep(new ResultsPart(core, m_recording->playback()));
+    auto* report = keep(new ReportPart(core, m_recording->playback()));
     m_files = keep(new SceneFiles(core, *m_document, *progress, *m_welcome));
     m_coordinates = keep(new CoordinatesPart(core, *m_document, *m_files));
     auto* lumps = keep(new LumpsPart(core, {structures->maps(), structures->pointed(), m_files->loader(), *progress}));
@@ -148,9 +150,9 @@ void MainWindow::makeParts()
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files,       m_document,  picture,   structures,  m_touch, m_device, fingertip,
-                          motion,        m_recording, findings,  results,     lumps,   touchMap, m_view,
-                          m_coordinates, m_docks,     m_notices, engineering, m_help};
+    const Parts menuOrder{m_files,   m_document,    picture,     report,    structures,  m_touch, m_device,
+                          fingertip, motion,        m_recording, findings,  results,     lumps,   touchMap,
+                          m_view,    m_coordinates, m_docks,     m_notices, engineering, m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }

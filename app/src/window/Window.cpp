@@ -3,6 +3,7 @@
 
 #include "shared/Console.h"
 #include "shared/Devices.h"
+#include "shared/QtSetup.h"
 #include "shell/Language.h"
 #include "window/MainWindow.h"
 
@@ -25,13 +26,9 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
-#include <clocale>
 #include <cstdio>
 #include <filesystem>
-#include <langinfo.h>
 #include <memory>
-#include <string_view>
-#include <unistd.h>
 
 using namespace palpate;
 
@@ -146,30 +143,6 @@ class ScreenshotRun : public QObject
     QPointF m_place;
 };
 
-/// Private runtime folder. Qt and its libraries expect a folder for sockets in XDG_RUNTIME_DIR. If the folder is
-/// missing or belongs to another user, they print a warning and use a folder that anyone may have created. Deleted
-/// with the object.
-class RuntimeFolder
-{
-  public:
-    RuntimeFolder()
-    {
-        const QFileInfo given(qEnvironmentVariable("XDG_RUNTIME_DIR"));
-        constexpr auto kOfOthers = QFileDevice::ReadGroup | QFileDevice::WriteGroup | QFileDevice::ExeGroup |
-                                   QFileDevice::ReadOther | QFileDevice::WriteOther | QFileDevice::ExeOther;
-        if (given.isDir() && given.ownerId() == ::getuid() && (given.permissions() & kOfOthers) == 0) {
-            return;
-        }
-        m_own = std::make_unique<QTemporaryDir>(); // accessible to this user only
-        if (m_own->isValid()) {
-            qputenv("XDG_RUNTIME_DIR", QFile::encodeName(m_own->path()));
-        }
-    }
-
-  private:
-    std::unique_ptr<QTemporaryDir> m_own;
-};
-
 /// Temporary settings folder. Used if the settings file is a pipe, on which Qt would block forever, or a link, whose
 /// target Qt would write to. Deleted with the object.
 class SettingsFolder
@@ -200,20 +173,6 @@ class SettingsFolder
     std::unique_ptr<QTemporaryDir> m_own;
 };
 
-/// Selects a UTF-8 encoding. With any other encoding in the locale, Qt prints a warning and switches to C.UTF-8.
-/// Setting only LC_CTYPE here keeps the user's number and date formats.
-void useUtf8()
-{
-    if (std::setlocale(LC_CTYPE, "") != nullptr && std::string_view(::nl_langinfo(CODESET)) == "UTF-8") {
-        return;
-    }
-    if (!qEnvironmentVariableIsEmpty("LC_ALL")) { // LC_ALL would override LC_CTYPE
-        qputenv("LANG", qgetenv("LC_ALL"));
-        qunsetenv("LC_ALL");
-    }
-    qputenv("LC_CTYPE", "C.UTF-8");
-}
-
 /// Returns whether the environment offers a display; without a display, Qt aborts the program.
 bool hasDisplay()
 {
@@ -234,8 +193,8 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
                                      "draws without"));
         return app::kFailed;
     }
-    useUtf8();
-    const RuntimeFolder runtimeFolder;
+    app::useUtf8();
+    const app::RuntimeFolder runtimeFolder;
     QSurfaceFormat::setDefaultFormat(ui::VtkViewport::surfaceFormat());
     QApplication application(argc, argv);
     if (!QOpenGLContext().create()) { // without OpenGL, an OpenGL widget crashes

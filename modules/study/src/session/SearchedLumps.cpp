@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/SearchedLumps.h"
 
-#include "palpate/study/BuriedLumps.h"
 #include "palpate/study/RecordedScale.h"
 
 #include <palpate/core/Finding.h>
@@ -186,11 +185,16 @@ Result<std::vector<LumpSearch>> searchedLumps(const session::RecordingReader& re
                                               double distance_mm, const std::function<bool(double)>& progress)
 {
     auto organs = computePalpability(scene, {}, nullptr, progress);
-    if (!organs.isOk()) {
-        return organs.status();
-    }
+    return organs.isOk() ? searchedLumps(reader, scene, distance_mm, std::move(organs).value(), progress)
+                         : organs.status();
+}
+
+Result<std::vector<LumpSearch>> searchedLumps(const session::RecordingReader& reader, const meshio::LoadedScene& scene,
+                                              double distance_mm, std::vector<OrganPalpability> organs,
+                                              const std::function<bool(double)>& progress)
+{
     std::vector<Searched> all;
-    for (OrganPalpability& organ : organs.value()) {
+    for (OrganPalpability& organ : organs) {
         auto touched = std::make_unique<session::TouchedSurface>(organ.felt.surface, distance_mm);
         const std::size_t lumps = organ.felt.lumps.size();
         all.push_back({scene.structures[organ.organ.organ].description.name, std::move(organ.felt), std::move(touched),

@@ -25,36 +25,56 @@ std::string localized(const std::string& english)
     return out;
 }
 
+std::string translatedBytes(const core::Message& message);
+
+std::string translatedBytes(const core::MessageArgument& argument)
+{
+    switch (argument.kind) {
+    case core::MessageArgument::Kind::Name:
+        return argument.english;
+    case core::MessageArgument::Kind::Number:
+        return localized(argument.english);
+    case core::MessageArgument::Kind::Message:
+        break;
+    }
+    return translatedBytes(*argument.message);
+}
+
 std::string translatedBytes(const core::Message& message)
 {
     std::vector<std::string> parts;
     for (const core::MessageArgument& argument : message.arguments()) {
-        switch (argument.kind) {
-        case core::MessageArgument::Kind::Name:
-            parts.push_back(argument.english);
-            break;
-        case core::MessageArgument::Kind::Number:
-            parts.push_back(localized(argument.english));
-            break;
-        case core::MessageArgument::Kind::Message:
-            parts.push_back(translatedBytes(*argument.message));
-            break;
-        }
+        parts.push_back(translatedBytes(argument));
     }
     return core::filled(QCoreApplication::translate(kMessageContext, message.text().c_str()).toStdString(), parts);
+}
+
+/// Text that marks an English sentence in another language; empty in an English window.
+QString englishMark()
+{
+    const char* const marked = kInEnglish.text().data();
+    const QString mark = QCoreApplication::translate(kMessageContext, marked);
+    return mark == QLatin1String(marked) ? QString() : mark;
 }
 
 } // namespace
 
 QString translated(const core::Message& message)
 {
-    const char* const marked = kInEnglish.text().data();
-    const QString mark = QCoreApplication::translate(kMessageContext, marked);
-    if (message.isEmpty() || mark == QLatin1String(marked)) {
+    const QString mark = englishMark();
+    if (message.isEmpty() || mark.isEmpty()) {
         return QString::fromStdString(message.english()); // English window
     }
     const QString text = QString::fromStdString(translatedBytes(message));
     return message.isTranslatable() ? text : QString(mark).replace(QStringLiteral("%1"), text);
+}
+
+QString translated(const core::MessageArgument& argument)
+{
+    if (argument.kind == core::MessageArgument::Kind::Message) {
+        return translated(*argument.message);
+    }
+    return QString::fromStdString(englishMark().isEmpty() ? argument.english : translatedBytes(argument));
 }
 
 } // namespace palpate::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/study/BuriedLumps.h"
+
 #include <palpate/core/Export.h>
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/session/MeasureSession.h>
@@ -21,5 +23,10 @@ namespace palpate::study {
 [[nodiscard]] PALPATE_EXPORT core::Result<std::vector<session::LumpSearch>>
     PALPATE_EXPORT searchedLumps(const session::RecordingReader& reader, const meshio::LoadedScene& scene,
                                  double distance_mm, const std::function<bool(double)>& progress = {});
+/// Same with known results for the lumps of the scene. @param organs  from `computePalpability`
+[[nodiscard]] PALPATE_EXPORT core::Result<std::vector<session::LumpSearch>>
+    PALPATE_EXPORT searchedLumps(const session::RecordingReader& reader, const meshio::LoadedScene& scene,
+                                 double distance_mm, std::vector<OrganPalpability> organs,
+                                 const std::function<bool(double)>& progress = {});
 
 } // namespace palpate::study

@@ -15,6 +15,8 @@ namespace palpate::ui {
 ///
 /// @par Thread Any thread except the servo thread.
 [[nodiscard]] PALPATE_EXPORT QString translated(const core::Message& message);
+/// Same for a name, a number or a message.
+[[nodiscard]] PALPATE_EXPORT QString translated(const core::MessageArgument& argument);
 /// Same for the message of a status.
 [[nodiscard]] inline QString translated(const core::Status& status)
 {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shared/QtSetup.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+#include <clocale>
+#include <string_view>
+
+#include <langinfo.h>
+#include <unistd.h>
+
+namespace palpate::app {
+
+RuntimeFolder::RuntimeFolder()
+{
+    const QFileInfo given(qEnvironmentVariable("XDG_RUNTIME_DIR"));
+    constexpr auto kOfOthers = QFileDevice::ReadGroup | QFileDevice::WriteGroup | QFileDevice::ExeGroup |
+                               QFileDevice::ReadOther | QFileDevice::WriteOther | QFileDevice::ExeOther;
+    if (given.isDir() && given.ownerId() == ::getuid() && (given.permissions() & kOfOthers) == 0) {
+        return;
+    }
+    m_own = std::make_unique<QTemporaryDir>(); // accessible to this user only
+    if (m_own->isValid()) {
+        qputenv("XDG_RUNTIME_DIR", QFile::encodeName(m_own->path()));
+    }
+}
+
+void useUtf8()
+{
+    if (std::setlocale(LC_CTYPE, "") != nullptr && std::string_view(::nl_langinfo(CODESET)) == "UTF-8") {
+        return;
+    }
+    if (!qEnvironmentVariableIsEmpty("LC_ALL")) { // LC_ALL would override LC_CTYPE
+        qputenv("LANG", qgetenv("LC_ALL"));
+        qunsetenv("LC_ALL");
+    }
+    qputenv("LC_CTYPE", "C.UTF-8");
+}
+
+} // namespace palpate::app

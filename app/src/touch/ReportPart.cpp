@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "touch/ReportPart.h"
+
+#include "shared/Console.h"
+#include "shared/Paths.h"
+#include "shell/Notices.h"
+#include "touch/ReportDialog.h"
+#include "touch/ReportRun.h"
+
+#include <palpate/ui/ActionList.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/ReportFile.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/Translated.h>
+
+#include <QAction>
+#include <QFileDialog>
+#include <QMainWindow>
+
+#include <memory>
+#include <utility>
+
+namespace palpate::app {
+
+using ui::ActionGroup;
+
+namespace {
+
+constexpr int kShown_ms = 15000;
+
+/// Returns the open scene, for recordings whose own scene is no longer available.
+std::shared_ptr<const meshio::LoadedScene> openedScene(const ui::StructureModel& model)
+{
+    auto scene = std::make_shared<meshio::LoadedScene>();
+    for (const study::OpenStructure& row : model.rows()) {
+        if (!row.isRemoved) {
+            scene->structures.push_back(row.loaded);
+            scene->scene.structures.push_back(row.loaded.description);
+        }
+    }
+    return scene;
+}
+
+} // namespace
+
+ReportPart::ReportPart(const WindowCore& core, const ui::Playback& playback)
+    : WindowPart(&core.window)
+    , m_core(core)
+    , m_playback(playback)
+{
+}
+
+void ReportPart::addActions()
+{
+    connect(m_core.actions.add("report", ActionGroup::File, tr("Report…"),
+                               tr("Write a report of the recording as PDF or web page"),
+                               {QKeySequence(Qt::CTRL | Qt::Key_P)}),
+            &QAction::triggered, this, &ReportPart::ask);
+}
+
+void ReportPart::showState(const WindowState& state)
+{
+    m_core.actions.at("report").setEnabled(state.hasRecording && !state.isRecording);
+}
+
+void ReportPart::ask()
+{
+    auto* dialog = new ReportDialog(&m_core.window);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { choose(dialog->caseText(), dialog->examiner()); });
+    dialog->open();
+}
+
+void ReportPart::choose(const QString& caseText, const QString& examiner)
+{
+    if (m_playback.recording() == nullptr) {
+        return;
+    }
+    std::filesystem::path suggested = m_playback.recording()->path();
+    suggested.replace_extension(".pdf");
+    const QString pages = tr("PDF for printing (*.pdf)"), web = tr("Web page, for screen readers too (*.html)");
+    QString filter = pages;
+    const QString chosen = QFileDialog::getSaveFileName(&m_core.window, tr("Report"), toText(suggested),
+                                                        pages + QStringLiteral(";;") + web, &filter);
+    if (!chosen.isEmpty()) {
+        write(toPath(chosen), filter == web ? QStringLiteral(".html") : QStringLiteral(".pdf"), caseText, examiner);
+    }
+}
+
+void ReportPart::write(std::filesystem::path out, const QString& ending, const QString& caseText,
+                       const QString& examiner)
+{
+    if (m_playback.recording() == nullptr) {
+        return;
+    }
+    Notices& notices = m_core.notices;
+    std::error_code error;
+    if (out.extension().empty()) {
+        out += ending.toStdString();
+        if (std::filesystem::exists(out, error)) { // the file dialog confirmed a different name
+            notices.showError(
+                tr("Nothing was written: %1 already exists. Enter the full file name to replace the file.")
+                    .arg(toText(out)));
+            return;
+        }
+    }
+    if (!ui::reportFormatOf(out)) {
+        notices.showError(tr("Nothing was written: %1 must end in .pdf or .html.").arg(toText(out.filename())));
+        return;
+    }
+    const std::filesystem::path recording = m_playback.recording()->path();
+    if (const core::Status allowed = checkOutputs({recording}, {out}); !allowed.isOk()) {
+        notices.showError(ui::translated(allowed));
+        return;
+    }
+    study::ReportOptions options;
+    options.opened = openedScene(m_core.model);
+    options.caseText = caseText.toStdString();
+    options.examiner = examiner.toStdString();
+    auto* run = new ReportRun(recording, std::move(options), out, &m_core.window);
+    connect(run, &ReportRun::written, this, [this, out](const QStringList& missing) {
+        m_core.notices.warn(missing);
+        m_core.notices.say(missing.isEmpty() ? tr("Report written to %1").arg(toText(out))
+                                             : tr("Report written to %1; it states what is missing").arg(toText(out)),
+                           kShown_ms);
+    });
+    connect(run, &ReportRun::failed, this, [this](const QString& line) { m_core.notices.showError(line); });
+    connect(run, &ReportRun::cancelled, this, [this] { m_core.notices.say(tr("Report cancelled")); });
+}
+
+} // namespace palpate::app
+
+#include "moc_ReportPart.cpp"

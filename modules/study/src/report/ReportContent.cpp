@@ -1,0 +1,551 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/study/Report.h"
+
+#include "report/ReportSections.h"
+
+#include <palpate/core/Finding.h>
+
+#include <QDateTime>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <utility>
+
+namespace palpate::study {
+
+namespace internal {
+
+core::MessageArgument fixed(double value, int decimals)
+{
+    std::array<char, 400> text{}; // the greatest double has 309 digits
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals).ptr;
+    core::MessageArgument number{std::string(text.data(), end)};
+    number.kind = core::MessageArgument::Kind::Number;
+    return number;
+}
+
+core::MessageArgument dash()
+{
+    return {"–"};
+}
+
+core::MessageArgument percent(const std::optional<double>& value)
+{
+    if (!value) {
+        return dash();
+    }
+    return *value < 0.0 ? core::Message(PALPATE_TEXT("%1 %"), core::Rounded{*value, 3})
+                        : core::Message(PALPATE_TEXT("+%1 %"), core::Rounded{*value, 3});
+}
+
+} // namespace internal
+
+namespace {
+
+using core::Count;
+using core::Message;
+using core::MessageArgument;
+using core::Rounded;
+using internal::column;
+using internal::dash;
+using internal::fixed;
+using internal::paragraph;
+using session::Phase;
+
+MessageArgument optional(const std::optional<double>& value, int digits)
+{
+    return value ? MessageArgument(Rounded{*value, digits}) : dash();
+}
+
+MessageArgument nameOrDash(const std::string& name)
+{
+    return name.empty() ? dash() : MessageArgument(name);
+}
+
+/// "2026-11-28T05:18:01Z" as "2026-11-28 05:18:01 UTC"; other texts unchanged.
+std::string readableTime(const std::string& utc)
+{
+    const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
+    return time.isValid() && utc.ends_with('Z')
+               ? time.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss 'UTC'")).toStdString()
+               : utc;
+}
+
+Message typeText(core::FindingType type)
+{
+    switch (type) {
+    case core::FindingType::Lump:
+        return {PALPATE_TEXT("lump")};
+    case core::FindingType::HardArea:
+        return {PALPATE_TEXT("hard area")};
+    case core::FindingType::SoftArea:
+        return {PALPATE_TEXT("soft area")};
+    case core::FindingType::Landmark:
+        return {PALPATE_TEXT("landmark")};
+    case core::FindingType::KeepAway:
+        return {PALPATE_TEXT("keep away")};
+    case core::FindingType::Other:
+        break;
+    }
+    return {PALPATE_TEXT("other")};
+}
+
+/// Composes the sections that need no more than the facts.
+class Composition
+{
+  public:
+    explicit Composition(const ReportFacts& facts)
+        : m_facts(facts)
+        , m_measures(facts.measures)
+    {
+        for (const session::FindingMeasures& one : m_measures.findings) {
+            if (one.finding.hasPlace) {
+                m_places.push_back(&one);
+            }
+        }
+    }
+
+    Report run(const Message& unpictured)
+    {
+        m_hasPictures = m_facts.scene != nullptr && unpictured.isEmpty();
+        m_report.title = {PALPATE_TEXT("Palpation report")};
+        m_report.notice = {PALPATE_TEXT("Research, training and planning rehearsal. Not a medical device.")};
+        m_report.subject = m_facts.caseText.empty() ? m_facts.recording->path().filename().string() : m_facts.caseText;
+        for (const session::FindingMeasures* one : m_places) {
+            m_report.places.push_back(one->finding);
+        }
+        add(head(unpictured));
+        add(views());
+        add(findings());
+        add(notes());
+        add(internal::lumpSection(m_facts));
+        add(distances());
+        add(sizes());
+        add(touch());
+        add(force());
+        add(internal::methodSection(m_facts));
+        add(internal::dataSection(m_facts));
+        return std::move(m_report);
+    }
+
+  private:
+    void add(ReportSection section)
+    {
+        if (!section.blocks.empty()) {
+            m_report.sections.push_back(std::move(section));
+        }
+    }
+
+    std::size_t addView(ReportView view)
+    {
+        m_report.views.push_back(view);
+        return m_report.views.size() - 1;
+    }
+
+    ReportSection head(const Message& unpictured) const
+    {
+        ReportSection section;
+        ReportTable table;
+        const auto row = [&table](core::MessageText<> name, MessageArgument value) {
+            table.rows.push_back({Message(name), std::move(value)});
+        };
+        const session::RecordingReader& reader = *m_facts.recording;
+        const auto stated = [](const std::string& text) {
+            return text.empty() ? MessageArgument(Message(PALPATE_TEXT("not stated"))) : MessageArgument(text);
+        };
+        row(PALPATE_TEXT("Case"), stated(m_facts.caseText));
+        row(PALPATE_TEXT("Examiner"), stated(m_facts.examiner));
+        row(PALPATE_TEXT("Recording"), reader.path().filename());
+        row(PALPATE_TEXT("Recorded"), stated(readableTime(reader.info().startedUtc)));
+        row(PALPATE_TEXT("Report made"),
+            readableTime(QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()));
+        section.blocks.emplace_back(std::move(table));
+
+        const session::ContactMeasures& contact = m_measures.sums.contact;
+        section.blocks.emplace_back(ReportText{
+            {PALPATE_TEXT("The hand was in contact for %1 s of %2 s. The greatest force was %3 N, the median "
+                          "%4 N. Marked findings: %5."),
+             fixed(contact.time_s, 3), fixed(m_measures.sums.duration_s, 3), Rounded{contact.peakForce_N, 4},
+             Rounded{contact.medianForce_N, 4}, Count(m_places.size())},
+            false});
+        std::vector<Message> missing = m_facts.missing;
+        if (!unpictured.isEmpty()) {
+            missing.push_back({PALPATE_TEXT("This report has no pictures: %1."), unpictured});
+        }
+        for (const Message& one : missing) {
+            section.blocks.emplace_back(ReportText{one, true});
+        }
+        return section;
+    }
+
+    ReportSection views()
+    {
+        ReportSection section{{PALPATE_TEXT("Views")}, {}};
+        if (!m_hasPictures) {
+            return {};
+        }
+        const Count count(m_places.size());
+        ReportPictures both;
+        both.pictures.push_back({addView({ReportView::From::Front}),
+                                 {PALPATE_TEXT("From the front")},
+                                 {PALPATE_TEXT("The scene from the front with %1 findings and a scale bar."), count}});
+        both.pictures.push_back({addView({ReportView::From::Left}),
+                                 {PALPATE_TEXT("From the patient's left")},
+                                 {PALPATE_TEXT("The scene from the left with %1 findings and a scale bar."), count}});
+        section.blocks.emplace_back(std::move(both));
+        section.blocks.emplace_back(
+            paragraph(PALPATE_TEXT("The scale bar holds at the depth of the middle of the picture. Numbers are those "
+                                   "of the findings.")));
+        return section;
+    }
+
+    ReportTable findingTable() const
+    {
+        ReportTable table;
+        table.caption = {PALPATE_TEXT("Findings as marked by the examiner; force and depth at the time of marking")};
+        table.columns = {column(PALPATE_TEXT("No.")),
+                         column(PALPATE_TEXT("Name")),
+                         column(PALPATE_TEXT("Type")),
+                         column(PALPATE_TEXT("On")),
+                         column(PALPATE_TEXT("Place (x y z) [mm]"), true),
+                         column(PALPATE_TEXT("Size [mm]"), true),
+                         column(PALPATE_TEXT("Force [N]"), true),
+                         column(PALPATE_TEXT("Depth [mm]"), true),
+                         column(PALPATE_TEXT("Marked at [s]"), true)};
+        for (std::size_t i = 0; i < m_places.size(); ++i) {
+            const core::Finding& one = m_places[i]->finding;
+            const core::Vec3& p_W = one.p_W;
+            table.rows.push_back(
+                {Count(i + 1), nameOrDash(one.name), typeText(one.type), nameOrDash(one.structure),
+                 Message(PALPATE_TEXT("%1 %2 %3"), fixed(p_W.x(), 1), fixed(p_W.y(), 1), fixed(p_W.z(), 1)),
+                 optional(one.size_mm, 4), optional(one.force_N, 4), optional(one.depth_mm, 4),
+                 fixed(m_places[i]->marked_s, 1)});
+        }
+        return table;
+    }
+
+    ReportTable visitTable() const
+    {
+        ReportTable table;
+        table.caption = {PALPATE_TEXT("How the findings were examined: contact within %1 mm of the place"),
+                         Rounded{m_measures.distance_mm, 3}};
+        table.columns = {column(PALPATE_TEXT("No.")),
+                         column(PALPATE_TEXT("Name")),
+                         column(PALPATE_TEXT("Time in contact [s]"), true),
+                         column(PALPATE_TEXT("Visits"), true),
+                         column(PALPATE_TEXT("Mean force [N]"), true),
+                         column(PALPATE_TEXT("Peak force [N]"), true)};
+        for (std::size_t i = 0; i < m_places.size(); ++i) {
+            const session::FindingMeasures& one = *m_places[i];
+            table.rows.push_back({Count(i + 1), nameOrDash(one.finding.name), fixed(one.dwell_s, 3), Count(one.visits),
+                                  Rounded{one.meanForce_N, 4}, Rounded{one.peakForce_N, 4}});
+        }
+        return table;
+    }
+
+    /// Force of each layer at the findings that were felt through several.
+    ReportTable layerTable() const
+    {
+        ReportTable table;
+        table.caption = {PALPATE_TEXT("Findings felt through several layers, at the time of marking")};
+        table.columns = {column(PALPATE_TEXT("No.")), column(PALPATE_TEXT("Structure")),
+                         column(PALPATE_TEXT("Force [N]"), true), column(PALPATE_TEXT("Depth [mm]"), true)};
+        for (std::size_t i = 0; i < m_places.size(); ++i) {
+            for (const core::FindingLayer& layer : m_places[i]->finding.layers) {
+                table.rows.push_back(
+                    {Count(i + 1), layer.structure, Rounded{layer.force_N, 4}, Rounded{layer.depth_mm, 4}});
+            }
+        }
+        return table;
+    }
+
+    ReportSection findings()
+    {
+        ReportSection section{{PALPATE_TEXT("Findings")}, {}};
+        if (m_places.empty()) {
+            section.blocks.emplace_back(paragraph(PALPATE_TEXT("No findings were marked.")));
+            return section;
+        }
+        section.blocks.emplace_back(findingTable());
+        if (m_hasPictures) {
+            ReportPictures pictures;
+            for (std::size_t i = 0; i < std::min(m_places.size(), kReportedPictures); ++i) {
+                const core::Finding& one = m_places[i]->finding;
+                pictures.pictures.push_back(
+                    {addView({ReportView::From::Finding, i}),
+                     {PALPATE_TEXT("%1. %2"), Count(i + 1), nameOrDash(one.name)},
+                     {PALPATE_TEXT("The place of finding %1, %2, with a scale bar."), Count(i + 1), one.name}});
+            }
+            section.blocks.emplace_back(std::move(pictures));
+        }
+        if (m_hasPictures && m_places.size() > kReportedPictures) {
+            section.blocks.emplace_back(ReportText{{PALPATE_TEXT("Pictures are shown of the first %1 of %2 findings."),
+                                                    Count(kReportedPictures), Count(m_places.size())},
+                                                   false});
+        }
+        section.blocks.emplace_back(visitTable());
+        if (ReportTable layers = layerTable(); !layers.rows.empty()) {
+            section.blocks.emplace_back(std::move(layers));
+        }
+        return section;
+    }
+
+    /// Free texts of the examiner, with and without a place.
+    ReportSection notes() const
+    {
+        ReportSection section{{PALPATE_TEXT("Notes")}, {}};
+        ReportTable table;
+        table.caption = {PALPATE_TEXT("Notes of the examiner")};
+        table.columns = {column(PALPATE_TEXT("Finding")), column(PALPATE_TEXT("Note")),
+                         column(PALPATE_TEXT("Written at [s]"), true)};
+        std::size_t number = 0;
+        for (const session::FindingMeasures& one : m_measures.findings) {
+            number += one.finding.hasPlace ? 1 : 0;
+            if (!one.finding.note.empty()) {
+                table.rows.push_back(
+                    {one.finding.hasPlace
+                         ? MessageArgument(Message(PALPATE_TEXT("%1. %2"), Count(number), nameOrDash(one.finding.name)))
+                         : dash(),
+                     one.finding.note, fixed(one.marked_s, 1)});
+            }
+        }
+        if (!table.rows.empty()) {
+            section.blocks.emplace_back(std::move(table));
+        }
+        return section;
+    }
+
+    /// Position of two structures beyond their distance.
+    Message relationText(const PairDistance& pair) const
+    {
+        const std::string &first = m_facts.distances->sizes[pair.first].name,
+                          &second = m_facts.distances->sizes[pair.second].name;
+        const Rounded surface_mm{pair.found.surface_mm, 4};
+        switch (pair.found.relation) {
+        case geometry::Relation::Crossing:
+            return {PALPATE_TEXT("they cross or touch")};
+        case geometry::Relation::Inside:
+            return {PALPATE_TEXT("%1 lies inside, %2 mm from the surface"), first, surface_mm};
+        case geometry::Relation::Around:
+            return {PALPATE_TEXT("%1 lies inside, %2 mm from the surface"), second, surface_mm};
+        case geometry::Relation::Apart:
+            break;
+        }
+        return {PALPATE_TEXT("apart")};
+    }
+
+    ReportTable pairTable() const
+    {
+        const DistanceTable& distances = *m_facts.distances;
+        ReportTable table;
+        table.caption = {PALPATE_TEXT("Least distances")};
+        table.columns = {column(PALPATE_TEXT("From")), column(PALPATE_TEXT("To")),
+                         column(PALPATE_TEXT("Distance [mm]"), true), column(PALPATE_TEXT("Position"))};
+        for (const PairDistance& pair : distances.pairs) {
+            const bool isApart = pair.found.relation == geometry::Relation::Apart;
+            table.rows.push_back({distances.sizes[pair.first].name, distances.sizes[pair.second].name,
+                                  Rounded{isApart ? pair.found.surface_mm : 0.0, 4}, relationText(pair)});
+        }
+        return table;
+    }
+
+    ReportTable marginTable() const
+    {
+        const DistanceTable& distances = *m_facts.distances;
+        const std::vector<double>& limits_mm = distances.limits_mm;
+        ReportTable table;
+        table.caption = {PALPATE_TEXT("Margins: share of the lump's surface by its distance to the structure [%]")};
+        table.columns = {column(PALPATE_TEXT("Lump")), column(PALPATE_TEXT("Structure"))};
+        for (std::size_t i = 0; i <= limits_mm.size() && !limits_mm.empty(); ++i) {
+            const Message band = i == 0 ? Message(PALPATE_TEXT("< %1 mm"), limits_mm[0])
+                                 : i < limits_mm.size()
+                                     ? Message(PALPATE_TEXT("%1 to %2 mm"), limits_mm[i - 1], limits_mm[i])
+                                     : Message(PALPATE_TEXT("> %1 mm"), limits_mm[i - 1]);
+            table.columns.push_back({band, true});
+        }
+        table.columns.push_back(column(PALPATE_TEXT("Inside"), true));
+        for (const LumpMargin& margin : distances.margins) {
+            std::vector<MessageArgument> row{distances.sizes[margin.lump].name, distances.sizes[margin.structure].name};
+            for (const double share : margin.found.shares) {
+                row.emplace_back(Rounded{100.0 * share, 3});
+            }
+            row.emplace_back(Rounded{100.0 * margin.found.insideShare, 3});
+            table.rows.push_back(std::move(row));
+        }
+        return table;
+    }
+
+    ReportSection distances() const
+    {
+        ReportSection section{{PALPATE_TEXT("Distances and margins")}, {}};
+        if (!m_facts.distances) {
+            section.blocks.emplace_back(
+                paragraph(PALPATE_TEXT("Distances were not measured, because the scene is missing.")));
+            return section;
+        }
+        if (m_facts.distances->pairs.empty()) {
+            section.blocks.emplace_back(paragraph(PALPATE_TEXT("There are no two structures to measure between.")));
+        } else {
+            section.blocks.emplace_back(pairTable());
+        }
+        if (!m_facts.distances->margins.empty()) {
+            section.blocks.emplace_back(marginTable());
+        }
+        return section;
+    }
+
+    ReportSection sizes() const
+    {
+        ReportSection section{{PALPATE_TEXT("Volumes and areas")}, {}};
+        if (!m_facts.distances) {
+            section.blocks.emplace_back(
+                paragraph(PALPATE_TEXT("Sizes were not measured, because the scene is missing.")));
+            return section;
+        }
+        ReportTable table;
+        table.caption = {PALPATE_TEXT("Sizes of the structures")};
+        table.columns = {column(PALPATE_TEXT("Structure")), column(PALPATE_TEXT("Volume [ml]"), true),
+                         column(PALPATE_TEXT("Ball of equal volume [mm]"), true),
+                         column(PALPATE_TEXT("Area [cm²]"), true), column(PALPATE_TEXT("Extent x × y × z [mm]"), true)};
+        std::vector<ReportText> remarks;
+        for (const StructureSize& size : m_facts.distances->sizes) {
+            const auto volume_ml = size.volume_mm3 ? std::optional(*size.volume_mm3 / 1000.0) : std::nullopt;
+            table.rows.push_back({size.name, optional(volume_ml, 4), optional(size.ballDiameter_mm(), 4),
+                                  Rounded{size.area_mm2 / 100.0, 4},
+                                  Message(PALPATE_TEXT("%1 × %2 × %3"), Rounded{size.extent_mm.x(), 4},
+                                          Rounded{size.extent_mm.y(), 4}, Rounded{size.extent_mm.z(), 4})});
+            if (!size.note.isEmpty()) {
+                remarks.push_back({{PALPATE_TEXT("%1: %2"), size.name, size.note}, false});
+            }
+        }
+        section.blocks.emplace_back(std::move(table));
+        section.blocks.insert(section.blocks.end(), remarks.begin(), remarks.end());
+        return section;
+    }
+
+    ReportTable contactTable() const
+    {
+        ReportTable table;
+        table.caption = {PALPATE_TEXT("Contact with each structure; forces are those of its own layer")};
+        table.columns = {column(PALPATE_TEXT("Structure")),
+                         column(PALPATE_TEXT("Contact [s]"), true),
+                         column(PALPATE_TEXT("Presses"), true),
+                         column(PALPATE_TEXT("Mean force [N]"), true),
+                         column(PALPATE_TEXT("95th percentile [N]"), true),
+                         column(PALPATE_TEXT("Peak force [N]"), true),
+                         column(PALPATE_TEXT("Peak depth [mm]"), true),
+                         column(PALPATE_TEXT("Covered [%]"), true),
+                         column(PALPATE_TEXT("Longest dwell [s]"), true)};
+        std::map<std::string, const session::SurfaceMeasures*> surfaces;
+        for (const session::SurfaceMeasures& surface : m_measures.surfaces) {
+            surfaces[surface.structure] = &surface;
+        }
+        for (const auto& [name, part] : m_measures.sums.structures) {
+            const auto phases = m_measures.structurePhases.find(name);
+            const std::int64_t presses = phases == m_measures.structurePhases.end()
+                                             ? 0
+                                             : session::summary(phases->second, Phase::Kind::Press).phases;
+            const auto surface = surfaces.find(name);
+            const bool isMeasured = surface != surfaces.end();
+            table.rows.push_back(
+                {name, fixed(part.time_s, 3), Count(presses), Rounded{part.meanForce_N, 4}, Rounded{part.p95Force_N, 4},
+                 Rounded{part.peakForce_N, 4}, Rounded{part.peakDepth_mm, 4},
+                 isMeasured ? MessageArgument(Rounded{100.0 * surface->second->coverage(), 3}) : dash(),
+                 isMeasured ? fixed(surface->second->longestDwell_s, 3) : dash()});
+        }
+        return table;
+    }
+
+    ReportTable phaseTable() const
+    {
+        ReportTable table;
+        table.caption = {PALPATE_TEXT("Searching (the contact moves faster than 10 mm/s) and pressing (slower)")};
+        table.columns = {column(PALPATE_TEXT("Hand")), column(PALPATE_TEXT("Phases"), true),
+                         column(PALPATE_TEXT("Time [s]"), true), column(PALPATE_TEXT("Mean force [N]"), true),
+                         column(PALPATE_TEXT("Peak force [N]"), true)};
+        for (const auto kind : {Phase::Kind::Search, Phase::Kind::Press}) {
+            const session::PhaseSummary sum = session::summary(m_measures.phases, kind);
+            table.rows.push_back(
+                {kind == Phase::Kind::Search ? Message(PALPATE_TEXT("searching")) : Message(PALPATE_TEXT("pressing")),
+                 Count(sum.phases), fixed(sum.time_s, 3), Rounded{sum.meanForce_N, 4}, Rounded{sum.peakForce_N, 4}});
+        }
+        return table;
+    }
+
+    ReportTable sumTable() const
+    {
+        const session::Measures& sums = m_measures.sums;
+        const session::ContactMeasures& all = sums.contact;
+        ReportTable table;
+        table.caption = {PALPATE_TEXT("Whole session")};
+        const auto row = [&table](core::MessageText<> name, Message value) {
+            table.rows.push_back({Message(name), std::move(value)});
+        };
+        row(PALPATE_TEXT("Duration"), {PALPATE_TEXT("%1 s"), fixed(sums.duration_s, 3)});
+        row(PALPATE_TEXT("In contact"),
+            {PALPATE_TEXT("%1 s, contacts: %2"), fixed(all.time_s, 3), Count(all.contacts)});
+        row(PALPATE_TEXT("Path of the hand"), {PALPATE_TEXT("%1 mm"), Rounded{sums.pathLength_mm, 4}});
+        row(PALPATE_TEXT("Path on the surface"), {PALPATE_TEXT("%1 mm"), Rounded{sums.contactPath_mm, 4}});
+        row(PALPATE_TEXT("Force in contact"),
+            {PALPATE_TEXT("peak %1 N, mean %2 N, median %3 N, 95th percentile %4 N"), Rounded{all.peakForce_N, 4},
+             Rounded{all.meanForce_N, 4}, Rounded{all.medianForce_N, 4}, Rounded{all.p95Force_N, 4}});
+        row(PALPATE_TEXT("Depth in contact"),
+            {PALPATE_TEXT("peak %1 mm, mean %2 mm, 95th percentile %3 mm"), Rounded{all.peakDepth_mm, 4},
+             Rounded{all.meanDepth_mm, 4}, Rounded{all.p95Depth_mm, 4}});
+        return table;
+    }
+
+    ReportSection touch() const
+    {
+        ReportSection section{{PALPATE_TEXT("Touch")}, {}};
+        section.blocks.emplace_back(sumTable());
+        if (m_measures.sums.structures.empty()) {
+            section.blocks.emplace_back(paragraph(PALPATE_TEXT("Nothing was touched.")));
+            return section;
+        }
+        section.blocks.emplace_back(contactTable());
+        section.blocks.emplace_back(
+            ReportText{{PALPATE_TEXT("Covered: share of the surface within %1 mm of the contact. 95th percentile: the "
+                                     "force stayed below this value for 95 % of the contact time."),
+                        Rounded{m_measures.distance_mm, 3}},
+                       false});
+        section.blocks.emplace_back(phaseTable());
+        return section;
+    }
+
+    ReportSection force() const
+    {
+        ReportSection section{{PALPATE_TEXT("Force over time")}, {}};
+        if (m_facts.force.spans.empty()) {
+            section.blocks.emplace_back(paragraph(PALPATE_TEXT("The recording contains no ticks.")));
+            return section;
+        }
+        section.blocks.emplace_back(
+            ReportCurve{m_facts.force,
+                        {PALPATE_TEXT("Smallest and greatest force of each of %1 spans of time; the numbers mark when "
+                                      "the findings were marked"),
+                         Count(m_facts.force.spans.size())},
+                        {PALPATE_TEXT("Curve of the force over %1 s, at most %2 N, with %3 findings."),
+                         fixed(m_facts.force.duration_s, 3), Rounded{m_measures.sums.contact.peakForce_N, 4},
+                         Count(m_places.size())}});
+        return section;
+    }
+
+    const ReportFacts& m_facts;
+    const session::SessionMeasures& m_measures;
+    std::vector<const session::FindingMeasures*> m_places; ///< findings with a place, by number
+    bool m_hasPictures = false;
+    Report m_report;
+};
+
+} // namespace
+
+Report composeReport(const ReportFacts& facts, const Message& unpictured)
+{
+    return Composition(facts).run(unpictured);
+}
+
+} // namespace palpate::study

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/study/ReportFacts.h"
+
+#include "palpate/study/RecordedScene.h"
+#include "palpate/study/SearchedLumps.h"
+#include "palpate/study/StructureSources.h"
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace palpate::study {
+
+namespace {
+
+using core::Message;
+using core::Result;
+using core::Status;
+using core::StatusCode;
+
+constexpr std::int64_t kPolled = 20000; // ticks between two polls of the cancellation
+
+/// Computes the facts step by step.
+class Gathering
+{
+  public:
+    Gathering(std::unique_ptr<session::RecordingReader> recording, const ReportOptions& options)
+        : m_options(options)
+    {
+        m_facts.recording = std::move(recording);
+        m_facts.caseText = options.caseText;
+        m_facts.examiner = options.examiner;
+    }
+
+    Result<ReportFacts> run()
+    {
+        for (Status (Gathering::*step)() : {&Gathering::checkFile, &Gathering::readSurfaces, &Gathering::resimulate,
+                                            &Gathering::measure, &Gathering::searchLumps, &Gathering::reduceForce}) {
+            if (Status status = (this->*step)(); !status.isOk()) {
+                return status;
+            }
+            if (isCancelled()) {
+                return Status(StatusCode::Cancelled, PALPATE_TEXT("the report was cancelled"));
+            }
+        }
+        listMissing();
+        return std::move(m_facts);
+    }
+
+  private:
+    bool isCancelled() const { return m_options.isCancelled != nullptr && *m_options.isCancelled; }
+    void show(double share, const Message& step) const
+    {
+        if (m_options.progress) {
+            m_options.progress(share, step);
+        }
+    }
+    const session::RecordingReader& reader() const { return *m_facts.recording; }
+    /// Returns the part of the recording before a tick, 0 to 1.
+    double shareAt(std::int64_t tick) const
+    {
+        const session::RecordingExtent& extent = reader().extent();
+        return static_cast<double>(tick - extent.firstTick) /
+               static_cast<double>(std::max<std::int64_t>(1, extent.lastTick - extent.firstTick));
+    }
+
+    Status checkFile()
+    {
+        show(0.0, {PALPATE_TEXT("Checking the recording")});
+        m_facts.sha256 = meshio::fileHash(reader().path());
+        m_facts.verification.checksums = reader().verify();
+        return {};
+    }
+
+    /// Finds the surfaces and the scene of the recording.
+    Status readSurfaces()
+    {
+        show(0.15, {PALPATE_TEXT("Reading the surfaces")});
+        auto surfaces = recordedSurfaces(reader(), m_options.scene);
+        auto scene = m_options.scene.empty() ? sceneOfRecording(reader().path()) : openScene(m_options.scene);
+        if (!m_options.scene.empty()) {
+            for (const Status& status : {surfaces.status(), scene.status()}) {
+                if (!status.isOk()) {
+                    return status;
+                }
+            }
+        }
+        if (surfaces.isOk()) {
+            m_surfaces = std::move(surfaces).value();
+        } else if (m_options.opened != nullptr && hasAll(meshesByHash(*m_options.opened))) {
+            m_surfaces = meshesByHash(*m_options.opened);
+        } else {
+            m_noSurfaces = surfaces.status().text();
+        }
+        if (scene.isOk()) {
+            m_facts.scene = std::make_shared<const meshio::LoadedScene>(std::move(scene).value());
+        } else if (m_noSurfaces.isEmpty() && m_options.opened != nullptr) {
+            m_facts.scene = m_options.opened;
+        } else {
+            m_noScene = scene.status().text();
+        }
+        return {};
+    }
+
+    bool hasAll(const session::MeshesByHash& meshes) const
+    {
+        const auto& scenes = reader().scenes();
+        return !scenes.empty() && std::all_of(scenes.begin(), scenes.end(), [&](const session::SceneRecord& scene) {
+            return std::all_of(scene.structures.begin(), scene.structures.end(), [&](const auto& structure) {
+                return !structure.palpable || meshes.contains(structure.source.sha256);
+            });
+        });
+    }
+
+    Status resimulate()
+    {
+        const Message step(PALPATE_TEXT("Computing the recording again"));
+        show(0.25, step);
+        Verification& verification = m_facts.verification;
+        if (!m_noSurfaces.isEmpty()) {
+            verification.notResimulated = m_noSurfaces;
+            return {};
+        }
+        std::int64_t ticks = 0;
+        auto result = session::resimulate(reader(), indexedByHash(m_surfaces), [&](const servo::TickRecord& tick) {
+            if (++ticks % kPolled == 0) {
+                show(0.25 + 0.25 * shareAt(tick.tick), step);
+            }
+            return !isCancelled();
+        });
+        if (result.isOk()) {
+            verification.resimulated = std::move(result).value();
+        } else {
+            verification.notResimulated = result.status().text();
+        }
+        return {};
+    }
+
+    Status measure()
+    {
+        show(0.5, {PALPATE_TEXT("Measuring")});
+        session::MeasureOptions how;
+        how.distance_mm = defaultDistance_mm(reader(), m_surfaces);
+        how.isCancelled = m_options.isCancelled;
+        auto measures = session::measureSession(reader(), m_surfaces, how);
+        if (!measures.isOk()) {
+            return measures.status();
+        }
+        m_facts.measures = std::move(measures).value();
+        return {};
+    }
+
+    Status searchLumps()
+    {
+        if (m_facts.scene == nullptr) {
+            return {};
+        }
+        const auto shown = [this](double from, double to, const Message& step) {
+            return [this, from, to, step](double share) {
+                show(from + (to - from) * share, step);
+                return !isCancelled();
+            };
+        };
+        const meshio::LoadedScene& scene = *m_facts.scene;
+        auto organs = computePalpability(scene, {}, &m_facts.lumpNotes,
+                                         shown(0.65, 0.8, {PALPATE_TEXT("Computing what can be felt of lumps")}));
+        if (!organs.isOk()) {
+            return organs.status();
+        }
+        m_facts.lumps = std::move(organs).value();
+        auto searched = searchedLumps(reader(), scene, m_facts.measures.distance_mm, m_facts.lumps,
+                                      shown(0.8, 0.9, {PALPATE_TEXT("Evaluating the search for lumps")}));
+        if (!searched.isOk()) {
+            return searched.status();
+        }
+        m_facts.measures.lumps = std::move(searched).value();
+        show(0.9, {PALPATE_TEXT("Measuring distances")});
+        m_facts.distances = measureDistances(scene, {});
+        return {};
+    }
+
+    /// Reads the force once and keeps the extremes of each span, so that memory is independent of the duration.
+    Status reduceForce()
+    {
+        const Message step(PALPATE_TEXT("Reading the force"));
+        show(0.95, step);
+        const session::RecordingExtent& extent = reader().extent();
+        ForceCurve& force = m_facts.force;
+        std::size_t number = 0;
+        for (const session::FindingMeasures& one : m_facts.measures.findings) {
+            if (one.finding.hasPlace) {
+                force.marks.push_back({one.marked_s, ++number});
+            }
+        }
+        const std::int64_t all = extent.lastTick - extent.firstTick + 1;
+        if (all <= 0) {
+            return {};
+        }
+        force.duration_s = static_cast<double>(all) * reader().info().dt_s; // with the ticks that are missing
+        force.spans.resize(static_cast<std::size_t>(std::min<std::int64_t>(all, ForceCurve::kSpans)));
+        std::int64_t ticks = 0;
+        return reader().forEach(
+            std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
+            [&](const servo::TickRecord& tick) {
+                const double at = static_cast<double>(tick.tick - extent.firstTick) / static_cast<double>(all);
+                const auto i = static_cast<std::size_t>(std::clamp(at * static_cast<double>(force.spans.size()), 0.0,
+                                                                   static_cast<double>(force.spans.size()) - 1.0));
+                ForceCurve::Span& span = force.spans[i];
+                const auto force_N = static_cast<float>(tick.felt.f_W.norm());
+                span.least_N = span.isRecorded ? std::min(span.least_N, force_N) : force_N;
+                span.greatest_N = std::max(span.greatest_N, force_N);
+                span.isRecorded = true;
+                return ++ticks % kPolled != 0 || !isCancelled();
+            });
+    }
+
+    void lose(const Message& loss) { m_facts.missing.push_back(loss); }
+
+    void listMissing()
+    {
+        const session::RecordingExtent& extent = reader().extent();
+        const Verification& verification = m_facts.verification;
+        if (extent.end != session::RecordingEnd::Closed) {
+            lose({PALPATE_TEXT("The recording was interrupted: %1."), session::endingText(extent)});
+        }
+        if (extent.dropped > 0) {
+            lose({PALPATE_TEXT("Ticks missing in the recording: %1."), core::Count(extent.dropped)});
+        }
+        if (!m_facts.measures.damaged.empty()) {
+            lose({PALPATE_TEXT("The recording is damaged, or was changed after it was made. Damaged places: %1. Ticks "
+                               "that do not match their checksum are left out of all numbers."),
+                  core::Count(m_facts.measures.damaged.size())});
+        } else if (!verification.checksums.isOk()) {
+            lose({PALPATE_TEXT("The recording is damaged, or was changed after it was made: %1."),
+                  verification.checksums.text()});
+        }
+        if (!verification.resimulated) {
+            lose({PALPATE_TEXT("The recording was not computed again, so its forces are not verified: %1."),
+                  verification.notResimulated});
+        } else if (!verification.resimulated->isWithinRounding()) {
+            lose({PALPATE_TEXT("Computing the recording again gives other forces, so they are not verified: %1."),
+                  verification.resimulated->beyond});
+        }
+        if (!m_facts.measures.unmeasured.empty()) {
+            std::string names;
+            for (const std::string& name : m_facts.measures.unmeasured) {
+                names.append(names.empty() ? "" : ", ").append(name);
+            }
+            lose({PALPATE_TEXT("Surfaces not available, so without coverage: %1."), names});
+        }
+        if (m_facts.scene == nullptr) {
+            lose({PALPATE_TEXT("The scene is not available, so pictures, sizes, distances and lumps are missing: %1."),
+                  m_noScene});
+        } else {
+            for (const Message& loss : m_facts.scene->losses) {
+                lose(loss);
+            }
+        }
+    }
+
+    const ReportOptions& m_options;
+    ReportFacts m_facts;
+    session::MeshesByHash m_surfaces;
+    Message m_noSurfaces; ///< why the surfaces are missing; empty: they are not
+    Message m_noScene;    ///< as m_noSurfaces, for the scene
+};
+
+} // namespace
+
+Result<ReportFacts> gatherReport(const std::filesystem::path& recording, const ReportOptions& options)
+{
+    auto opened = session::RecordingReader::open(recording);
+    return opened.isOk() ? Gathering(std::move(opened).value(), options).run() : opened.status();
+}
+
+} // namespace palpate::study
