@@ -47,6 +47,9 @@ PointedStructure::PointedStructure(VtkViewport& viewport, const StructureModel& 
         m_name->hide();
     });
     connect(&viewport, &VtkViewport::clicked, this, [this](const QPointF& place, Qt::KeyboardModifiers modifiers) {
+        if (m_taker && m_taker(place)) {
+            return;
+        }
         const auto found = at(place);
         Q_EMIT clicked(found ? found->row : -1, modifiers);
     });
@@ -55,6 +58,11 @@ PointedStructure::PointedStructure(VtkViewport& viewport, const StructureModel& 
 
 std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place) const
 {
+    return at(place, 0.0);
+}
+
+std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place, double opacity) const
+{
     const view::Ray ray = m_viewport.rayAt(place);
     view::SceneView& view = m_viewport.view();
     if (view.structureCount() != m_model.rows().size()) {
@@ -62,34 +70,39 @@ std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place
     }
     std::optional<Place> found;
     double nearest_mm = std::numeric_limits<double>::infinity();
-    if (const auto pick = view.pick(ray)) {
-        const view::ViewStructure& one = view.structure(pick->structure);
-        const std::vector<std::uint32_t>& source = m_model.rows()[pick->structure].loaded.surface->source;
-        const auto triangle =
-            std::lower_bound(source.begin(), source.end(), one.touchable->sourceTriangle(pick->hit.triangle));
-        found = Place{static_cast<int>(pick->structure), static_cast<std::size_t>(triangle - source.begin()),
-                      pick->hit.p_W};
-        nearest_mm = pick->hit.distance_mm;
-    }
-    // The pick above covers palpable structures only: intersect the other visible meshes directly.
     for (std::size_t i = 0; i < view.structureCount(); ++i) {
-        const view::Appearance& look = view.structure(i).picture.appearance();
-        if (view.structure(i).touchable != nullptr || !look.isVisible || !(look.opacity > 0.0)) {
+        const view::ViewStructure& one = view.structure(i);
+        const view::Appearance& look = one.picture.appearance();
+        if (!look.isVisible || !(look.opacity > 0.0) || look.opacity < opacity) {
             continue;
         }
         const geometry::RepairedMesh& surface = *m_model.rows()[i].loaded.surface;
-        const auto hit = view::firstHit(surface.mesh, surface.report.bounds, ray);
-        if (hit && hit->distance_mm < nearest_mm) {
-            found = Place{static_cast<int>(i), hit->triangle, hit->p_W};
-            nearest_mm = hit->distance_mm;
+        const auto hit = one.touchable != nullptr ? view::firstHit(*one.touchable, ray)
+                                                  : view::firstHit(surface.mesh, surface.report.bounds, ray);
+        if (!hit || !(hit->distance_mm < nearest_mm)) {
+            continue;
         }
+        nearest_mm = hit->distance_mm;
+        std::size_t triangle = hit->triangle;
+        if (one.touchable != nullptr) {
+            const std::vector<std::uint32_t>& source = surface.source;
+            triangle = static_cast<std::size_t>(
+                std::lower_bound(source.begin(), source.end(), one.touchable->sourceTriangle(hit->triangle)) -
+                source.begin());
+        }
+        found = Place{static_cast<int>(i), triangle, hit->p_W};
     }
     return found;
 }
 
+QString PointedStructure::nameOf(const Place& place) const
+{
+    return readableName(m_model.structure(place.row).name);
+}
+
 QString PointedStructure::textOf(const Place& place) const
 {
-    const QString name = readableName(m_model.structure(place.row).name);
+    const QString name = nameOf(place);
     const QString number = m_maps.textAt(place.row, place.triangle, place.p_W);
     const QString first = number.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, number);
     const QString more = m_more ? m_more(place) : QString();
