@@ -15,10 +15,12 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
+#include <QTableView>
 #include <QTableWidget>
 #include <QUndoStack>
 
@@ -40,7 +42,10 @@ class Tapes : public QObject
     ui::VtkViewport& viewport() { return m_desk->window().viewport(); }
     QTableWidget& table() { return *m_desk->window().findChild<QTableWidget*>("distanceTable"); }
     QString detail() { return m_desk->window().findChild<QLabel*>("distanceDetail")->text(); }
-    ui::TapesModel& tapes() { return *m_desk->window().findChild<ui::TapesModel*>(); }
+    ui::TapesModel& tapes()
+    {
+        return dynamic_cast<ui::TapesModel&>(*m_desk->window().findChild<QTableView*>("tapes")->model());
+    }
     void click(const QPoint& place) { QTest::mouseClick(&viewport(), Qt::LeftButton, {}, place); }
   private Q_SLOTS:
     void initTestCase()
@@ -159,8 +164,8 @@ class Tapes : public QObject
         QCOMPARE(tapes().rowCount(), 1);
 
         // The next end snaps to a finding a few pixels away.
-        auto* findings = m_desk->window().findChild<ui::FindingsModel*>();
-        findings->add({{.name = "hard", .p_W = q}}, "test");
+        auto* table = m_desk->window().findChild<QAbstractItemView*>("findingsTable");
+        dynamic_cast<ui::FindingsModel&>(*table->model()).add({{.name = "hard", .p_W = q}}, "test");
         QCoreApplication::processEvents();
         viewport().grabFramebuffer();
         m_desk->pressKeyOf("tape");
