@@ -4,6 +4,8 @@
 #include "Shapes.h"
 #include "TestRunner.h"
 
+#include <palpate/meshio/SceneFile.h>
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -93,6 +95,21 @@ class Distances : public QObject
         QCOMPARE(margin["inside_share"].toDouble(), 1.0);
         QCOMPARE(margin["area_shares"].toArray().size(), 3);
         QCOMPARE(table["margins"].toArray().size(), 2);
+    }
+
+    void tapesOfASceneAreListed()
+    {
+        meshio::SceneFile scene;
+        scene.structures.resize(1);
+        scene.structures[0].mesh = m_folder.path("tumour.stl");
+        scene.structures[0].name = "tumour";
+        scene.tapes = {{"Tape 1", Vec3(0, 0, 0), Vec3(3, 4, 0), "tumour", {}, {}}};
+        QVERIFY(meshio::writeScene(m_folder.path("case.palpate.json"), scene).isOk());
+        const Outcome outcome = run({"info", "--distances", "case.palpate.json"});
+        QVERIFY2(outcome.out.contains("  tape: Tape 1: 5 mm, from tumour at (0, 0, 0) to (3, 4, 0)\n"),
+                 outcome.out.constData());
+        const QJsonObject table = distances({"case.palpate.json"});
+        QCOMPARE(table["tapes"].toArray().at(0).toObject()["length_mm"].toDouble(), 5.0);
     }
 
     void withoutLumpsEachTwoAreMeasured()

@@ -52,11 +52,13 @@ void SceneFile::givesBackWhatWasWritten()
     scene.camera = meshio::SceneCamera{{{1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 25.0}, {}};
     scene.shownMap = meshio::ShownMap{"left lobe", "felt:stiffness"};
     scene.findings = {{"lump", {7, 8, 9.25}, "hard", "left lobe", 1.75, 0.0}, {"bare", {1, 0, 0}}};
+    scene.tapes = {{"Tape 1", {1, 2, 3.125}, {4, 5, 1.0 / 3.0}, "left lobe", "lump", {}}};
     const auto path = folder.path("a.palpate.json");
     QVERIFY(meshio::writeScene(path, scene).isOk());
     const auto back = meshio::readScene(path);
     QVERIFY2(back.isOk(), back.status().message().c_str());
     QCOMPARE(back.value().structures.size(), std::size_t{1});
+    QVERIFY(back.value().tapes == scene.tapes);
     const meshio::SceneStructure& b = back.value().structures[0];
     QCOMPARE(b.mesh, s.mesh);
     QCOMPARE(b.part, s.part);
@@ -94,7 +96,7 @@ void SceneFile::keepsFieldsThatItDoesNotKnow()
     const test::Folder folder;
     const auto path = folder.write("a.json", R"({"version": 1, "author": {"name": "ä"}, "structures":
         [{"mesh": "a.stl", "breathing": [0.5, 1]}], "camera": {"lens": 2},
-        "findings": [{"name": "a", "size": 3}]})");
+        "findings": [{"name": "a", "size": 3}], "tapes": [{"from": [0, 0, 0], "to": [0, 0, 1], "along": true}]})");
     const auto scene = meshio::readScene(path);
     QVERIFY2(scene.isOk(), scene.status().message().c_str());
     QVERIFY(meshio::writeScene(path, scene.value()).isOk());
@@ -106,6 +108,7 @@ void SceneFile::keepsFieldsThatItDoesNotKnow()
     QCOMPARE(again.value().structures[0].extra, scene.value().structures[0].extra);
     QCOMPARE(again.value().camera->extra, std::string("{\"lens\":2}"));
     QCOMPARE(again.value().findings[0].extra, std::string("{\"size\":3}"));
+    QCOMPARE(again.value().tapes[0].extra, std::string("{\"along\":true}"));
 }
 
 void SceneFile::absentFieldsHaveDefaults()
@@ -200,6 +203,9 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     whole(R"({"version": 1, "findings": [{"position": [0, 0, "x"]}]})", "a.json: findings[0].position[2]: found \"x\"");
     whole(R"({"version": 1, "findings": [{"position": [0, 0, 0], "force_N": -1}]})",
           "a.json: findings[0].force_N: found -1");
+    whole(R"({"version": 1, "tapes": [{"from": [0, 0, 0]}]})", "a.json: tapes[0].to: found nothing, expected a place");
+    whole(R"({"version": 1, "tapes": [{"from": [0, 0], "to": [0, 0, 0]}]})",
+          "a.json: tapes[0].from: found an array of 2");
     const auto finding = [&whole](const char* text, const char* message) {
         const std::string json = R"({"version": 1, "findings": [{"name": "a"}, {)" + std::string(text) + "}]}";
         whole(json.c_str(), ("a.json: findings[1]." + std::string(message)).c_str());

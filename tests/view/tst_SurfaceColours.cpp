@@ -4,12 +4,22 @@
 #include "Balls.h"
 #include "TestRunner.h"
 
+#include <palpate/view/MarginColours.h>
 #include <palpate/view/SurfaceColours.h>
 #include <palpate/view/SurfaceMesh.h>
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -107,6 +117,58 @@ class SurfaceColours : public QObject
         const auto picture = view::makeSurface(cube);
         const auto coloured = view::coloured(*picture, cube, std::vector<float>{1, 2, 3}, false, {});
         QVERIFY(coloured->GetPointData()->GetScalars() == nullptr && coloured->GetNumberOfPolys() == 12);
+    }
+
+    /// A split picture keeps its shape, and its values lie on the triangles.
+    void splitPicturesKeepShapeAndArea()
+    {
+        vtkNew<vtkPoints> points;
+        for (const core::Vec3& p :
+             {core::Vec3(0, 0, 0), core::Vec3(10, 0, 0), core::Vec3(0, 10, 0), core::Vec3(1, 1, 5)}) {
+            points->InsertNextPoint(p.data());
+        }
+        vtkNew<vtkCellArray> cells;
+        for (const auto& corners : {std::array<vtkIdType, 3>{0, 2, 1}, std::array<vtkIdType, 3>{0, 1, 3}}) {
+            cells->InsertNextCell(3, corners.data());
+        }
+        vtkNew<vtkPolyData> picture;
+        picture->SetPoints(points);
+        picture->SetPolys(cells);
+        const auto areaOf = [](vtkPolyData& of) {
+            double area = 0.0, longest = 0.0;
+            vtkNew<vtkIdList> cell;
+            for (vtkIdType i = 0; i < of.GetPolys()->GetNumberOfCells(); ++i) {
+                of.GetPolys()->GetCellAtId(i, cell);
+                const core::Vec3 a(of.GetPoint(cell->GetId(0))), b(of.GetPoint(cell->GetId(1))),
+                    c(of.GetPoint(cell->GetId(2)));
+                area += 0.5 * (b - a).cross(c - a).norm();
+                longest = std::max({longest, (b - a).norm(), (c - b).norm(), (a - c).norm()});
+            }
+            return std::pair(area, longest);
+        };
+        const auto fine = view::refinedPicture(*picture, 1.0);
+        QVERIFY(std::abs(areaOf(*fine).first - areaOf(*picture).first) < 1e-4);
+        QVERIFY(areaOf(*fine).second <= 1.0 + 1e-6);
+        QCOMPARE(view::refinedPicture(*picture, 100.0).Get(), picture.Get());
+        QVERIFY(view::refinedPicture(*picture, 0.01, 500)->GetPolys()->GetNumberOfCells() <= 500);
+    }
+    void bandsHaveColoursThatDarken()
+    {
+        vtkNew<vtkPolyData> picture;
+        vtkNew<vtkPoints> points;
+        points->SetNumberOfPoints(3);
+        picture->SetPoints(points);
+        const std::vector<float> distances{4.9F, 5.0F, 11.0F};
+        const auto shown = view::marginColoured(*picture, distances, std::vector<double>{5.0, 10.0});
+        for (std::size_t band = 0; band < 3; ++band) {
+            QVERIFY(isNear(colourAt(shown->GetPointData()->GetScalars(), static_cast<vtkIdType>(band)),
+                           view::marginColour(band, 3)));
+            const view::Colour colour = view::marginColour(band, 3);
+            const double light = 0.3 * colour[0] + 0.6 * colour[1] + 0.1 * colour[2];
+            const view::Colour next = view::marginColour(std::min<std::size_t>(2, band + 1), 3);
+            QVERIFY(band == 2 || light > 0.3 * next[0] + 0.6 * next[1] + 0.1 * next[2] + 0.1);
+        }
+        QCOMPARE(picture->GetPointData()->GetScalars(), static_cast<vtkDataArray*>(nullptr));
     }
 };
 

@@ -44,13 +44,19 @@ void catchAlert(QAccessibleEvent* event)
     }
 }
 
-/// Returns whether a panel, or a widget inside, is behind another panel's tab: Qt then places the panel outside the
-/// window.
+/// Returns whether a panel is in the window: Qt places a panel behind another panel's tab outside the window.
+bool isInWindow(const QDockWidget& dock)
+{
+    const QWidget* window = dock.window();
+    return dock.isVisible() && window->rect().intersects(QRect(dock.mapTo(window, QPoint()), dock.size()));
+}
+
+/// Returns whether a panel, or a widget inside, is behind another panel's tab.
 bool isBehindATab(QMainWindow& window, const QWidget* widget)
 {
     for (const QWidget* one = widget; one != nullptr; one = one->parentWidget()) {
         const auto* dock = qobject_cast<const QDockWidget*>(one);
-        if (dock != nullptr && dock->visibleRegion().isEmpty() &&
+        if (dock != nullptr && !isInWindow(*dock) &&
             !window.tabifiedDockWidgets(const_cast<QDockWidget*>(dock)).isEmpty()) {
             return true;
         }
@@ -236,7 +242,7 @@ class Shell : public QObject
     void f6GoesRoundAndTabLeavesTheView()
     {
         window().viewport().setFocus();
-        const auto isSeen = [&](const char* dock) { return !the<QDockWidget>(dock).visibleRegion().isEmpty(); };
+        const auto isSeen = [&](const char* dock) { return isInWindow(the<QDockWidget>(dock)); };
         QVERIFY(isSeen("touch") && !isSeen("findings") && !isSeen("device"));
         std::set<const QWidget*> been;
         std::set<QString> panels; // visible and with keyboard focus inside

@@ -155,6 +155,7 @@ void compareFiles(std::vector<Examined>& files, const std::vector<std::size_t>& 
         together.structures.insert(together.structures.end(), one.structures.begin(), one.structures.end());
         together.scene.structures.insert(together.scene.structures.end(), one.scene.structures.begin(),
                                          one.scene.structures.end());
+        together.scene.tapes.insert(together.scene.tapes.end(), one.scene.tapes.begin(), one.scene.tapes.end());
         structures.insert(structures.end(), files[i].felt->structures().begin(), files[i].felt->structures().end());
     }
     auto felt = std::make_shared<const haptics::HapticScene>(std::move(structures));

@@ -44,6 +44,9 @@ void printDistances(const study::DistanceTable& table)
         print("  margin: %s to %s: %s of its area\n", table.sizes[margin.lump].name.c_str(),
               table.sizes[margin.structure].name.c_str(), bands.c_str());
     }
+    for (const core::Tape& tape : table.tapes) {
+        print("  tape: %s\n", study::sentence(tape).english().c_str());
+    }
 }
 
 } // namespace palpate::app

@@ -196,6 +196,37 @@ std::vector<ResultTable> resultTables(const session::SessionMeasures& measures, 
     return tables;
 }
 
+QString summaryOf(const session::SessionMeasures& measures)
+{
+    QStringList examined;
+    for (const session::SurfaceMeasures& surface : measures.surfaces) {
+        if (surface.coverage() > 0.0) {
+            examined << ResultTexts::tr("%1 % of the surface of %2")
+                            .arg(number(100.0 * surface.coverage(), 1), ui::readableName(surface.structure));
+        }
+    }
+    const QString peak = number(measures.sums.contact.peakForce_N);
+    const QString first = examined.isEmpty()
+                              ? ResultTexts::tr("The hand was in contact for %1 min, with a peak force of %2 N.")
+                                    .arg(ui::clockText(measures.sums.contact.time_s), peak)
+                              : ResultTexts::tr("Examined: %1, with a peak force of %2 N.")
+                                    .arg(examined.join(QStringLiteral(", ")), peak);
+    int palpable = 0, pressed = 0;
+    for (const session::LumpSearch& lump : measures.lumps) {
+        palpable += lump.share() ? 1 : 0;
+        pressed += lump.share().value_or(0.0) > 0.0 ? 1 : 0;
+    }
+    const QString second =
+        measures.lumps.empty()
+            ? ResultTexts::tr("%n finding(s) were marked.", nullptr, static_cast<int>(measures.findings.size()))
+            : ResultTexts::tr("Of %1 lumps, %2 are palpable by a trained hand; %3 of these were pressed hard enough to "
+                              "feel.")
+                  .arg(measures.lumps.size())
+                  .arg(palpable)
+                  .arg(pressed);
+    return first + QLatin1Char(' ') + second;
+}
+
 QString toHtml(const std::vector<ResultTable>& tables)
 {
     QString html;

@@ -19,6 +19,8 @@ struct ResultTable
 /// @param isFingertip  true: the coverage distance equals the fingertip radius
 [[nodiscard]] std::vector<ResultTable> resultTables(const palpate::session::SessionMeasures& measures,
                                                     bool isFingertip);
+/// Summarises the results in two sentences.
+[[nodiscard]] QString summaryOf(const palpate::session::SessionMeasures& measures);
 [[nodiscard]] QString toHtml(const std::vector<ResultTable>& tables);
 /// Converts to tab-separated rows for spreadsheets, with an empty line between tables.
 [[nodiscard]] QString toTsv(const std::vector<ResultTable>& tables);

@@ -44,6 +44,7 @@ SceneDocument::SceneDocument(ui::StructureModel& model, QObject* parent)
     : QObject(parent)
     , m_model(model)
     , m_findings(model.undoStack())
+    , m_tapes(model.undoStack())
 {
     connect(&m_findings, &ui::FindingsModel::changed, this, &SceneDocument::findingsChanged);
     connect(&m_findings, &ui::FindingsModel::marked, this, &SceneDocument::marked);
@@ -72,6 +73,8 @@ void SceneDocument::take(const ui::OpenedScene& scene)
     m_rest = scene.scene;
     m_rest.structures.clear();
     m_rest.findings.clear();
+    m_rest.tapes.clear();
+    m_tapes.reset(scene.scene.tapes);
     m_findings.reset(scene.scene.findings); // before writing a copy of unsaved changes, which includes the findings
     m_unopened = scene.unopened;
     const bool isScene = scene.files.size() == 1 && meshio::isSceneFile(scene.files.front());
@@ -105,6 +108,7 @@ void SceneDocument::add(const ui::OpenedScene& scene)
     for (const core::Finding& finding : scene.scene.findings) {
         addFinding(finding);
     }
+    m_tapes.add(scene.scene.tapes);
     m_unopened.insert(m_unopened.end(), scene.unopened.begin(), scene.unopened.end());
 }
 
@@ -144,6 +148,7 @@ meshio::SceneFile SceneDocument::content() const
 {
     meshio::SceneFile scene = m_model.scene().sceneFile(m_rest);
     scene.findings = m_findings.findings();
+    scene.tapes = m_tapes.tapes();
     scene.structures.insert(scene.structures.end(), m_unopened.begin(), m_unopened.end());
     return scene;
 }
@@ -154,27 +159,37 @@ bool SceneDocument::isFileChanged() const
     return !now.empty() && now != m_rest.sha256;
 }
 
+/// Rotation of places on a structure for other mesh axes. A name that no structure has rotates with the first one.
+core::Transform SceneDocument::turnOf(const std::string& structure, core::FileFrame frame) const
+{
+    const auto& rows = m_model.rows();
+    const auto named = std::find_if(rows.begin(), rows.end(), [&structure](const study::OpenStructure& row) {
+        return row.loaded.description.name == structure ||
+               ui::readableName(row.loaded.description.name).toStdString() == structure;
+    });
+    const meshio::LoadedStructure& on = (named == rows.end() ? rows.front() : *named).loaded;
+    core::Transform turn = on.description.X_WM;
+    turn.rotate(core::lpsRotation(frame) *
+                core::lpsRotation(core::resolvedFrame(on.description.frame, on.frame)).transpose());
+    return turn * on.description.X_WM.inverse();
+}
+
 meshio::SceneFile SceneDocument::inFrame(core::FileFrame frame) const
 {
     meshio::SceneFile scene = content();
     scene.camera.reset();
     for (core::Finding& finding : scene.findings) {
-        const auto& rows = m_model.rows();
-        const auto named = std::find_if(rows.begin(), rows.end(), [&](const study::OpenStructure& row) {
-            return row.loaded.description.name == finding.structure ||
-                   ui::readableName(row.loaded.description.name).toStdString() == finding.structure;
-        });
-        const meshio::LoadedStructure& on = (named == rows.end() ? rows.front() : *named).loaded;
-        core::Transform turn = on.description.X_WM;
-        turn.rotate(core::lpsRotation(frame) *
-                    core::lpsRotation(core::resolvedFrame(on.description.frame, on.frame)).transpose());
-        turn = turn * on.description.X_WM.inverse();
+        const core::Transform turn = turnOf(finding.structure, frame);
         finding.p_W = turn * finding.p_W;
         if (finding.camera) {
             finding.camera->position_W = turn * finding.camera->position_W;
             finding.camera->focus_W = turn * finding.camera->focus_W;
             finding.camera->up_W = turn.linear() * finding.camera->up_W;
         }
+    }
+    for (core::Tape& tape : scene.tapes) {
+        tape.from_W = turnOf(tape.fromOn, frame) * tape.from_W;
+        tape.to_W = turnOf(tape.toOn, frame) * tape.to_W;
     }
     for (meshio::SceneStructure& structure : scene.structures) {
         structure.frame = frame;

@@ -4,6 +4,7 @@
 #include <palpate/ui/FindingsModel.h>
 #include <palpate/ui/SceneLoader.h>
 #include <palpate/ui/StructureModel.h>
+#include <palpate/ui/TapesModel.h>
 
 #include <QLockFile>
 #include <QObject>
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 /// Document of the open scene: contents of the scene file other than structures, modification state, saving, and a
@@ -26,7 +28,7 @@ class SceneDocument : public QObject
 
     /// Takes over a scene that was just opened; the model already has the rows.
     void take(const palpate::ui::OpenedScene& scene);
-    /// Adds the findings (undoable) and the unopened structures of a scene that was added to this one.
+    /// Adds the findings and tapes (undoable) and the unopened structures of a scene that was added to this one.
     void add(const palpate::ui::OpenedScene& scene);
     /// Scene file that was opened or last saved; empty if none.
     [[nodiscard]] const std::filesystem::path& file() const noexcept { return m_file; }
@@ -36,12 +38,14 @@ class SceneDocument : public QObject
     [[nodiscard]] const std::vector<palpate::core::Finding>& findings() const noexcept { return m_findings.findings(); }
     /// Model for undoable edits of the findings.
     [[nodiscard]] palpate::ui::FindingsModel& findingsModel() noexcept { return m_findings; }
+    /// Model for undoable edits of the tapes.
+    [[nodiscard]] palpate::ui::TapesModel& tapesModel() noexcept { return m_tapes; }
     /// Adds a finding (undoable). `marked` and `unmarked` are emitted each time that the finding appears or
     /// disappears.
     void addFinding(const palpate::core::Finding& finding);
 
-    /// Copy of the scene with other mesh axes. Structures and unopened structures get the new axes; findings rotate
-    /// with their structure. The camera is omitted, because its target rotates away.
+    /// Copy of the scene with other mesh axes. Structures and unopened structures get the new axes; findings and tapes
+    /// rotate with their structure. The camera is omitted, because its target rotates away.
     [[nodiscard]] palpate::meshio::SceneFile inFrame(palpate::core::FileFrame frame) const;
 
     /// Saves the scene, including unopened structures and unknown fields.
@@ -66,6 +70,7 @@ class SceneDocument : public QObject
 
   private:
     [[nodiscard]] palpate::meshio::SceneFile content() const;
+    [[nodiscard]] palpate::core::Transform turnOf(const std::string& structure, palpate::core::FileFrame frame) const;
     void followName(int row, const QString& before, const QString& after);
     bool writeCopy(); ///< @return false if no copy was written
     [[nodiscard]] bool beginCopy();
@@ -74,6 +79,7 @@ class SceneDocument : public QObject
     palpate::ui::StructureModel& m_model;
     std::filesystem::path m_file;
     palpate::ui::FindingsModel m_findings;
+    palpate::ui::TapesModel m_tapes;
     palpate::meshio::SceneFile m_rest; ///< camera and unknown fields
     std::vector<palpate::meshio::SceneStructure> m_unopened;
     QTimer m_copyTimer;

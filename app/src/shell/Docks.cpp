@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <QTabBar>
 #include <QTabWidget>
 
 #include <algorithm>
@@ -25,6 +26,9 @@ Docks::Docks(QMainWindow& window, ui::ActionList& actions)
     window.setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+    m_fitTitles.setSingleShot(true);
+    m_fitTitles.setInterval(0);
+    connect(&m_fitTitles, &QTimer::timeout, this, &Docks::fitTitles);
 }
 
 void Docks::addActions()
@@ -48,7 +52,43 @@ QDockWidget& Docks::make(const Panel& panel)
     // A low window has no room for a whole panel.
     dock->setWidget(panel.isScrollable ? new ui::PanelScroll(panel.content, &m_window) : panel.content);
     m_window.addDockWidget(panel.area, dock);
+    for (const auto& changed : {&QDockWidget::visibilityChanged, &QDockWidget::topLevelChanged}) {
+        connect(dock, changed, this, [this] { m_fitTitles.start(); });
+    }
     return *dock;
+}
+
+/// Hides the title bars of panels with a tab, which has the same title. A double click on the tab detaches the panel.
+void Docks::fitTitles()
+{
+    for (const auto* docks : {&m_docks, &m_hidden}) {
+        for (const Docked& one : *docks) {
+            const QList<QDockWidget*> beside = m_window.tabifiedDockWidgets(one.dock);
+            const bool hasTab =
+                !one.dock->isFloating() &&
+                std::any_of(beside.begin(), beside.end(), [](const QDockWidget* other) { return !other->isHidden(); });
+            if (hasTab != (one.dock->titleBarWidget() != nullptr)) {
+                QWidget* before = one.dock->titleBarWidget();
+                one.dock->setTitleBarWidget(hasTab ? new QWidget(one.dock) : nullptr);
+                delete before;
+            }
+        }
+    }
+    for (QTabBar* tabs : m_window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+        connect(tabs, &QTabBar::tabBarDoubleClicked, this, &Docks::detach, Qt::UniqueConnection);
+    }
+}
+
+/// Detaches the panel of a tab of the window.
+void Docks::detach(int tab)
+{
+    const auto* tabs = qobject_cast<QTabBar*>(sender());
+    for (QDockWidget* dock : m_window.findChildren<QDockWidget*>()) {
+        if (tab >= 0 && dock->windowTitle() == tabs->tabText(tab) && !m_window.tabifiedDockWidgets(dock).isEmpty()) {
+            dock->setFloating(true);
+            return;
+        }
+    }
 }
 
 QDockWidget& Docks::add(const Panel& panel)

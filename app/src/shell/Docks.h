@@ -6,6 +6,7 @@
 #include <palpate/ui/PanelRound.h>
 
 #include <QString>
+#include <QTimer>
 
 #include <vector>
 
@@ -61,10 +62,13 @@ class Docks : public WindowPart
     QDockWidget& make(const Panel& panel);
     [[nodiscard]] QDockWidget& firstAt(Qt::DockWidgetArea area) const;
     void toggleAll();
+    void fitTitles();
+    void detach(int tab);
 
     QMainWindow& m_window;
     ui::ActionList& m_actions;
     ui::PanelRound m_round;
+    QTimer m_fitTitles;           ///< combines all changes of one event
     std::vector<Docked> m_docks;  ///< panels of `add`
     std::vector<Docked> m_hidden; ///< panels of `addHidden`
 };

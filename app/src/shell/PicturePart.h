@@ -3,6 +3,8 @@
 
 #include "shell/WindowPart.h"
 
+#include <QImage>
+
 namespace palpate::app {
 
 /// The picture as a whole: fits everything into the view, saves a picture.
@@ -16,6 +18,7 @@ class PicturePart : public WindowPart
 
   private:
     void saveSnapshot();
+    [[nodiscard]] QImage captioned(const QImage& picture, double scale) const;
 
     WindowCore m_core;
 };

@@ -189,7 +189,8 @@ void MeasuresDialog::present(core::Result<session::SessionMeasures> measured, bo
     }
     m_measures = std::make_shared<const session::SessionMeasures>(std::move(measured).value());
     m_tables = resultTables(*m_measures, isFingertip);
-    m_text->setHtml(toHtml(m_tables));
+    m_text->setHtml(QStringLiteral("<p style='font-size: large'>%1</p>").arg(summaryOf(*m_measures).toHtmlEscaped()) +
+                    toHtml(m_tables));
     setBusy(m_isBusy);
     if (!m_measures->damaged.empty()) {
         say(ui::damageText(m_recording, m_measures->damaged.size()));

@@ -18,6 +18,7 @@
 #include "shell/StatusProgress.h"
 #include "shell/ViewPart.h"
 #include "touch/DevicePart.h"
+#include "touch/DistancesPart.h"
 #include "touch/EngineeringPart.h"
 #include "touch/FindingsPart.h"
 #include "touch/FingertipPart.h"
@@ -32,6 +33,7 @@
 #include <palpate/device/PluginHost.h>
 #include <palpate/ui/ChipRow.h>
 #include <palpate/ui/HandControl.h>
+#include <palpate/ui/MessageBar.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/PanelScroll.h>
 #include <palpate/ui/Pieces.h>
@@ -44,6 +46,7 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -56,7 +59,6 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUrl>
-#include <QVBoxLayout>
 
 #include <utility>
 
@@ -108,11 +110,13 @@ void MainWindow::makeCentre()
     m_pages->addWidget(m_viewport);
     m_notices = keep(new Notices(*this, m_actions, *m_viewport));
     auto* centre = new QWidget(this);
-    auto* layout = new QVBoxLayout(centre);
+    auto* layout = new QGridLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(&m_notices->bar());
-    layout->addWidget(new FocusFrame(m_pages, m_viewport, centre), 1);
+    layout->addWidget(new FocusFrame(m_pages, m_viewport, centre), 0, 0);
+    layout->addWidget(&m_notices->bar(), 0, 0, Qt::AlignTop); // over the view, which keeps its place
+    m_messages = &m_notices->bar();
+    m_messages->raise();
+    m_messages->installEventFilter(this);
     setCentralWidget(centre);
 }
 
@@ -140,6 +144,8 @@ void MainWindow::makeParts()
     m_coordinates = keep(new CoordinatesPart(core, *m_document, *m_files));
     auto* lumps = keep(new LumpsPart(core, {structures->maps(), structures->pointed(), m_files->loader(), *progress}));
     auto* touchMap = keep(new TouchMapPart(core, structures->maps(), m_recording->playback()));
+    m_distances =
+        keep(new DistancesPart(core, {*m_document, *m_touch, structures->maps(), structures->pointed(), *progress}));
     auto* engineering = keep(new EngineeringPart(core, m_touch->panel(), m_device->hand()));
     auto* picture = keep(new PicturePart(core));
     m_view = keep(new ViewPart(core, m_touch->panel()));
@@ -150,15 +156,15 @@ void MainWindow::makeParts()
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files,   m_document,    picture,     report,    structures,  m_touch, m_device,
-                          fingertip, motion,        m_recording, findings,  results,     lumps,   touchMap,
-                          m_view,    m_coordinates, m_docks,     m_notices, engineering, m_help};
+    const Parts menuOrder{m_files,     m_document, picture,       report,   structures, m_touch,     m_device,
+                          fingertip,   motion,     m_recording,   findings, results,    lumps,       touchMap,
+                          m_distances, m_view,     m_coordinates, m_docks,  m_notices,  engineering, m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }
     // The order of the tabs, of the entries in the View menu and of F6.
-    for (WindowPart* part :
-         Parts{structures, m_touch, findings, m_device, m_recording, motion, engineering, lumps, m_notices}) {
+    for (WindowPart* part : Parts{structures, m_touch, findings, m_device, m_recording, motion, engineering, lumps,
+                                  m_distances, m_notices}) {
         part->addPanel(*m_docks);
     }
     recent->refresh();
@@ -248,7 +254,7 @@ void MainWindow::connectParts()
     connect(m_device, &DevicePart::refused, this, &MainWindow::deviceRefused);
     connect(this, &MainWindow::ready, m_device, &DevicePart::chooseWaiting);
     connect(m_touch, &TouchPart::letGoWanted, this, [this] {
-        if (!m_help->closeOverlay()) {
+        if (!m_help->closeOverlay() && !m_distances->cancelTape()) {
             m_touch->letGo();
         }
     });
@@ -275,7 +281,7 @@ void MainWindow::restoreLayout()
     m_docks->addToRound(&m_help->showAround().tour());
     const QSize room = screen()->availableSize() - QSize(16, 40); // size of the window frame
     resize(QSize(1280, 800).boundedTo(room));
-    m_docks->fit(withText_px(264), withText_px(292), withText_px(128));
+    m_docks->fit(withText_px(264), withText_px(292), withText_px(152));
     const QSettings settings;
     restoreGeometry(settings.value(QLatin1String(kGeometryKey)).toByteArray());
     restoreState(settings.value(QLatin1String(kStateKey)).toByteArray());
@@ -334,6 +340,18 @@ void MainWindow::chooseDevice(const std::string& id)
 void MainWindow::useCpu(int cpu)
 {
     m_device->hand().useCpu(cpu);
+}
+
+/// Keeps the legend clear of the messages over the view.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool isTaken = QMainWindow::eventFilter(watched, event);
+    const QEvent::Type type = event->type();
+    if (watched == m_messages && (type == QEvent::Resize || type == QEvent::Show || type == QEvent::Hide)) {
+        m_viewport->view().setCoveredAbove(type == QEvent::Hide ? 0.0 : m_messages->height());
+        m_viewport->update();
+    }
+    return isTaken;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

@@ -31,6 +31,7 @@ class WelcomePage;
 namespace palpate::app {
 class CoordinatesPart;
 class DevicePart;
+class DistancesPart;
 class Docks;
 class DocumentPart;
 class HelpPart;
@@ -80,6 +81,7 @@ class MainWindow : public QMainWindow
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void makeCentre();
@@ -107,6 +109,7 @@ class MainWindow : public QMainWindow
     palpate::ui::VtkViewport* m_viewport = nullptr;
     palpate::ui::WelcomePage* m_welcome = nullptr;
     QStackedWidget* m_pages = nullptr; ///< welcome page and view
+    QWidget* m_messages = nullptr;     ///< over the upper part of the view
     palpate::ui::ChipRow* m_chips = nullptr;
     QMenu* m_recentMenu = nullptr;
 
@@ -118,6 +121,7 @@ class MainWindow : public QMainWindow
     palpate::app::TouchPart* m_touch = nullptr;
     palpate::app::RecordingPart* m_recording = nullptr;
     palpate::app::DevicePart* m_device = nullptr;
+    palpate::app::DistancesPart* m_distances = nullptr;
     palpate::app::SceneFiles* m_files = nullptr;
     palpate::app::CoordinatesPart* m_coordinates = nullptr;
     palpate::app::ViewPart* m_view = nullptr;

@@ -329,6 +329,22 @@ core::Finding readFinding(JsonFields& entry, const std::filesystem::path& folder
     return finding;
 }
 
+core::Tape readTape(JsonFields& entry)
+{
+    core::Tape tape;
+    entry.read("name", tape.name);
+    for (const auto& [name, end] : {std::pair("from", &tape.from_W), std::pair("to", &tape.to_W)}) {
+        if (!entry.has(name)) {
+            entry.fail(name, {PALPATE_TEXT("nothing")}, {PALPATE_TEXT("a place as three numbers")});
+        }
+        *end = point(entry, name).value_or(*end);
+    }
+    entry.read("from_on", tape.fromOn);
+    entry.read("to_on", tape.toOn);
+    tape.extra = entry.unknown();
+    return tape;
+}
+
 /// Names the format of a JSON file that is not a scene; ok if the file may be a scene.
 Status anotherPrograms(const QJsonObject& document, const std::string& file)
 {
@@ -489,6 +505,9 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     readShownMap(fields, scene);
     for (JsonFields& entry : fields.listOf("findings")) {
         scene.findings.push_back(readFinding(entry, folder));
+    }
+    for (JsonFields& entry : fields.listOf("tapes")) {
+        scene.tapes.push_back(readTape(entry));
     }
     takeOldNotes(scene);
     readName(fields, "buried", kBuriedNames, scene.buried);

@@ -48,6 +48,9 @@ std::vector<std::string> unknownFields(const SceneFile& scene)
     for (std::size_t i = 0; i < scene.findings.size(); ++i) {
         addFields(scene.findings[i].extra, "findings[" + std::to_string(i) + "].", out);
     }
+    for (std::size_t i = 0; i < scene.tapes.size(); ++i) {
+        addFields(scene.tapes[i].extra, "tapes[" + std::to_string(i) + "].", out);
+    }
     return out;
 }
 

@@ -196,6 +196,17 @@ QJsonObject finding(const core::Finding& finding, const std::filesystem::path& f
     return out;
 }
 
+QJsonObject tape(const core::Tape& tape)
+{
+    QJsonObject out = unknownFields(tape.extra);
+    out["name"] = text(tape.name);
+    out["from"] = triple(tape.from_W);
+    out["to"] = triple(tape.to_W);
+    putIfThere(out, "from_on", tape.fromOn);
+    putIfThere(out, "to_on", tape.toOn);
+    return out;
+}
+
 } // namespace
 
 core::Status writeScene(const std::filesystem::path& path, const SceneFile& scene)
@@ -225,6 +236,13 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
         findings.append(finding(one, folder));
     }
     out["findings"] = findings;
+    QJsonArray tapes;
+    for (const core::Tape& one : scene.tapes) {
+        tapes.append(tape(one));
+    }
+    if (!tapes.isEmpty()) {
+        out["tapes"] = tapes;
+    }
     return core::writeAtomically(path, QJsonDocument(out).toJson(QJsonDocument::Indented).toStdString(),
                                  core::AtomicFile::Onto::File);
 }

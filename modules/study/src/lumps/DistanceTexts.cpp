@@ -39,17 +39,22 @@ QJsonArray sizesOf(const DistanceTable& table)
 
 } // namespace
 
-Message sentence(const StructureSize& size)
+Message sizeText(const StructureSize& size)
 {
     const Message extent{PALPATE_TEXT("area %1 cm², extent %2 × %3 × %4 mm"), Rounded{size.area_mm2 / 100.0, 4},
                          Rounded{size.extent_mm.x(), 4}, Rounded{size.extent_mm.y(), 4},
                          Rounded{size.extent_mm.z(), 4}};
     if (!size.volume_mm3) {
-        return {PALPATE_TEXT("%1: %2; %3"), size.name, extent, size.note};
+        return {PALPATE_TEXT("%1; %2"), extent, size.note};
     }
-    const Message whole{PALPATE_TEXT("%1: volume %2 ml (a ball of %3 mm), %4"), size.name,
-                        Rounded{*size.volume_mm3 / 1000.0, 4}, Rounded{*size.ballDiameter_mm(), 4}, extent};
+    const Message whole{PALPATE_TEXT("volume %1 ml (a ball of %2 mm), %3"), Rounded{*size.volume_mm3 / 1000.0, 4},
+                        Rounded{*size.ballDiameter_mm(), 4}, extent};
     return size.note.isEmpty() ? whole : core::joined({whole, size.note});
+}
+
+Message sentence(const StructureSize& size)
+{
+    return {PALPATE_TEXT("%1: %2"), size.name, sizeText(size)};
 }
 
 Message sentence(const DistanceTable& table, const PairDistance& pair)
@@ -81,19 +86,34 @@ Message sentence(const DistanceTable& table, const PairDistance& pair)
     return {PALPATE_TEXT("%1 to %2: %3 mm, from %4 to %5"), first, second, surface_mm, from, to};
 }
 
+Message sentence(const core::Tape& tape)
+{
+    const auto end = [](const std::string& on, const core::Vec3& p) {
+        return on.empty() ? placeOf(p) : Message(PALPATE_TEXT("%1 at %2"), on, placeOf(p));
+    };
+    return {PALPATE_TEXT("%1: %2 mm, from %3 to %4"), tape.name, Rounded{tape.length_mm(), 4},
+            end(tape.fromOn, tape.from_W), end(tape.toOn, tape.to_W)};
+}
+
+std::vector<Message> bandNames(std::span<const double> limits_mm)
+{
+    std::vector<Message> names;
+    for (std::size_t i = 0; i < limits_mm.size(); ++i) {
+        names.push_back(i == 0 ? Message(PALPATE_TEXT("< %1 mm"), limits_mm[0])
+                               : Message(PALPATE_TEXT("%1 to %2 mm"), limits_mm[i - 1], limits_mm[i]));
+    }
+    if (!limits_mm.empty()) {
+        names.push_back({PALPATE_TEXT("> %1 mm"), limits_mm.back()});
+    }
+    return names;
+}
+
 std::vector<Message> clauses(const DistanceTable& table, const LumpMargin& margin)
 {
+    const std::vector<Message> names = bandNames(table.limits_mm);
     std::vector<Message> bands;
-    const std::vector<double>& limits_mm = table.limits_mm;
-    for (std::size_t i = 0; i < margin.found.shares.size(); ++i) {
-        const Rounded share{100.0 * margin.found.shares[i], 3};
-        if (i == 0 && i < limits_mm.size()) {
-            bands.push_back({PALPATE_TEXT("< %1 mm: %2 %"), limits_mm[i], share});
-        } else if (i < limits_mm.size()) {
-            bands.push_back({PALPATE_TEXT("%1 to %2 mm: %3 %"), limits_mm[i - 1], limits_mm[i], share});
-        } else if (i > 0) {
-            bands.push_back({PALPATE_TEXT("> %1 mm: %2 %"), limits_mm[i - 1], share});
-        }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        bands.push_back({PALPATE_TEXT("%1: %2 %"), names[i], Rounded{100.0 * margin.found.shares[i], 3}});
     }
     if (margin.found.insideShare > 0.0) {
         bands.push_back({PALPATE_TEXT("inside: %1 %"), Rounded{100.0 * margin.found.insideShare, 3}});
@@ -126,7 +146,13 @@ QJsonObject toJson(const DistanceTable& table)
         }
         return array;
     };
-    QJsonArray nearest, margins;
+    QJsonArray nearest, margins, tapes;
+    for (const core::Tape& tape : table.tapes) {
+        tapes.append(QJsonObject{{"name", QString::fromStdString(tape.name)},
+                                 {"length_mm", tape.length_mm()},
+                                 {"from_mm", tripleOf(tape.from_W)},
+                                 {"to_mm", tripleOf(tape.to_W)}});
+    }
     for (const PairDistance& pair : table.pairs) {
         nearest.append(QJsonObject{{"first", nameOf(pair.first)},
                                    {"second", nameOf(pair.second)},
@@ -142,8 +168,11 @@ QJsonObject toJson(const DistanceTable& table)
                                    {"area_shares", numbers(margin.found.shares)},
                                    {"inside_share", margin.found.insideShare}});
     }
-    return {
-        {"limits_mm", numbers(table.limits_mm)}, {"sizes", sizesOf(table)}, {"nearest", nearest}, {"margins", margins}};
+    return {{"limits_mm", numbers(table.limits_mm)},
+            {"sizes", sizesOf(table)},
+            {"nearest", nearest},
+            {"margins", margins},
+            {"tapes", tapes}};
 }
 
 } // namespace palpate::study

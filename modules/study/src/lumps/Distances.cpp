@@ -7,6 +7,7 @@
 #include <palpate/core/Parallel.h>
 #include <palpate/meshio/AnatomyKind.h>
 
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -14,44 +15,31 @@ namespace palpate::study {
 
 namespace {
 
-using SharedIndex = std::shared_ptr<const geometry::SurfaceIndex>;
-
-std::vector<SharedIndex> completed(const meshio::LoadedScene& scene, std::span<const SharedIndex> indices)
+/// Share of the work done by several threads. The calling thread, number 0, reports it.
+class Share
 {
-    std::vector<SharedIndex> all(indices.begin(), indices.end());
-    all.resize(scene.structures.size());
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i] == nullptr && scene.structures[i].surface != nullptr) {
-            all[i] = std::make_shared<const geometry::SurfaceIndex>(
-                geometry::SurfaceIndex::build(*scene.structures[i].surface));
-        }
-        if (all[i] != nullptr && all[i]->triangleCount() == 0) {
-            all[i] = nullptr;
-        }
+  public:
+    Share(std::size_t count, const std::function<bool(double)>& progress)
+        : m_count(count)
+        , m_progress(progress)
+    {
     }
-    return all;
-}
+    /// Returns true while the work is wanted.
+    bool begin(unsigned thread)
+    {
+        if (thread == 0 && m_progress && !m_progress(static_cast<double>(m_done) / static_cast<double>(m_count))) {
+            m_isEnded = true;
+        }
+        ++m_done;
+        return !m_isEnded;
+    }
 
-std::vector<bool> lumpsOf(const meshio::LoadedScene& scene, const std::vector<SharedIndex>& indices)
-{
-    std::vector<LayeredSurface> surfaces;
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        surfaces.push_back({indices[i] ? scene.structures[i].surface.get() : nullptr, indices[i].get()});
-    }
-    const Layering layers = layering(surfaces);
-    std::vector<PlacedStructure> placed;
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        placed.push_back({&scene.structures[i].description, surfaces[i].surface, layers.structures[i].in});
-    }
-    const LumpRule rule(std::move(placed));
-    std::vector<bool> areLumps;
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        const meshio::SceneStructure& one = scene.structures[i].description;
-        areLumps.push_back(indices[i] &&
-                           (meshio::isLump(meshio::anatomyKind(one.name)) || one.young_ratio || rule.organOf(i)));
-    }
-    return areLumps;
-}
+  private:
+    std::size_t m_count;
+    const std::function<bool(double)>& m_progress;
+    std::atomic<std::size_t> m_done{0};
+    std::atomic<bool> m_isEnded{false};
+};
 
 } // namespace
 
@@ -84,23 +72,66 @@ StructureSize sizeOf(std::string name, const geometry::MeshReport& report)
     return size;
 }
 
-DistanceTable measureDistances(const meshio::LoadedScene& scene, std::span<const SharedIndex> indices,
-                               std::span<const double> limits_mm)
+SharedIndices completeIndices(const meshio::LoadedScene& scene,
+                              std::span<const std::shared_ptr<const geometry::SurfaceIndex>> indices)
+{
+    SharedIndices all(indices.begin(), indices.end());
+    all.resize(scene.structures.size());
+    core::parallelFor(all.size(), [&](std::size_t i, unsigned /*thread*/) {
+        if (all[i] == nullptr && scene.structures[i].surface != nullptr) {
+            all[i] = std::make_shared<const geometry::SurfaceIndex>(
+                geometry::SurfaceIndex::build(*scene.structures[i].surface));
+        }
+        if (all[i] != nullptr && all[i]->triangleCount() == 0) {
+            all[i] = nullptr;
+        }
+    });
+    return all;
+}
+
+std::vector<std::size_t> lumpsOf(const meshio::LoadedScene& scene, const SharedIndices& indices)
+{
+    std::vector<LayeredSurface> surfaces;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        surfaces.push_back({indices[i] ? scene.structures[i].surface.get() : nullptr, indices[i].get()});
+    }
+    const Layering layers = layering(surfaces);
+    std::vector<PlacedStructure> placed;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        placed.push_back({&scene.structures[i].description, surfaces[i].surface, layers.structures[i].in});
+    }
+    const LumpRule rule(std::move(placed));
+    std::vector<std::size_t> lumps;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const meshio::SceneStructure& one = scene.structures[i].description;
+        if (indices[i] && (meshio::isLump(meshio::anatomyKind(one.name)) || one.young_ratio || rule.organOf(i))) {
+            lumps.push_back(i);
+        }
+    }
+    return lumps;
+}
+
+DistanceTable measureDistances(const meshio::LoadedScene& scene,
+                               std::span<const std::shared_ptr<const geometry::SurfaceIndex>> indices,
+                               std::span<const double> limits_mm, std::span<const std::size_t> from,
+                               const std::function<bool(double share)>& progress)
 {
     DistanceTable table;
     table.limits_mm.assign(limits_mm.begin(), limits_mm.end());
+    table.tapes = scene.scene.tapes;
     for (const meshio::LoadedStructure& one : scene.structures) {
         table.sizes.push_back(sizeOf(one.description.name, one.surface ? one.surface->report : geometry::MeshReport()));
     }
-    const std::vector<SharedIndex> surfaces = completed(scene, indices);
-    const std::vector<bool> areLumps = lumpsOf(scene, surfaces);
-    bool hasLumps = false;
-    for (const bool isLump : areLumps) {
-        hasLumps = hasLumps || isLump;
+    const SharedIndices surfaces = completeIndices(scene, indices);
+    const std::vector<std::size_t> lumps =
+        from.empty() ? lumpsOf(scene, surfaces) : std::vector<std::size_t>(from.begin(), from.end());
+    std::vector<bool> areLumps(surfaces.size(), false);
+    for (const std::size_t lump : lumps) {
+        areLumps[lump] = true;
     }
     for (std::size_t a = 0; a < surfaces.size(); ++a) {
         for (std::size_t b = 0; b < surfaces.size(); ++b) {
-            if (a == b || surfaces[a] == nullptr || surfaces[b] == nullptr || (hasLumps && !areLumps[a])) {
+            if (a == b || surfaces[a] == nullptr || surfaces[b] == nullptr || (!lumps.empty() && !areLumps[a])) {
                 continue;
             }
             if (areLumps[a]) {
@@ -111,11 +142,17 @@ DistanceTable measureDistances(const meshio::LoadedScene& scene, std::span<const
             }
         }
     }
-    core::parallelFor(table.pairs.size(), [&](std::size_t i, unsigned /*thread*/) {
+    Share share(table.pairs.size() + table.margins.size(), progress);
+    core::parallelFor(table.pairs.size(), [&](std::size_t i, unsigned thread) {
         PairDistance& pair = table.pairs[i];
-        pair.found = geometry::surfaceDistance(*surfaces[pair.first], *surfaces[pair.second]).value();
+        if (share.begin(thread)) {
+            pair.found = geometry::surfaceDistance(*surfaces[pair.first], *surfaces[pair.second]).value();
+        }
     });
     for (LumpMargin& margin : table.margins) {
+        if (!share.begin(0)) {
+            break;
+        }
         margin.found = geometry::surfaceMargin(*surfaces[margin.lump], *surfaces[margin.structure], limits_mm);
     }
     return table;

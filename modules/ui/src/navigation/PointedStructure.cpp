@@ -3,10 +3,17 @@
 
 #include "palpate/ui/VtkViewport.h"
 
+#include <palpate/view/SurfacePicker.h>
+
 #include <QLabel>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace palpate::ui {
 
@@ -14,6 +21,27 @@ namespace {
 
 constexpr int kLook_ms = 16;  // one frame
 constexpr int kAside_px = 16; // distance from the pointer
+
+/// Where a ray hits a structure as drawn.
+std::optional<view::RayHit> hitOf(const view::ViewStructure& one, const geometry::RepairedMesh& surface,
+                                  const view::Ray& ray)
+{
+    const view::MovedSurface& moved = one.picture.moved();
+    if (one.touchable != nullptr) {
+        return moved.motion == nullptr ? view::firstHit(*one.touchable, ray)
+                                       : view::firstHit(*one.touchable, *moved.motion, moved.moment, ray);
+    }
+    // What cannot be touched has no hierarchy: the displacement of its middle is exact enough to point at it.
+    const core::Vec3 middle = surface.report.bounds.center();
+    const core::Vec3 shift = moved.motion == nullptr ? core::Vec3(core::Vec3::Zero())
+                                                     : core::Vec3(moved.motion->toWorld(moved.moment, middle) - middle);
+    auto hit = view::firstHit(surface.mesh, surface.report.bounds, {ray.p_W - shift, ray.d_W});
+    if (hit) {
+        hit->rest_W = hit->p_W;
+        hit->p_W += shift;
+    }
+    return hit;
+}
 
 } // namespace
 
@@ -47,6 +75,9 @@ PointedStructure::PointedStructure(VtkViewport& viewport, const StructureModel& 
         m_name->hide();
     });
     connect(&viewport, &VtkViewport::clicked, this, [this](const QPointF& place, Qt::KeyboardModifiers modifiers) {
+        if (m_taker && m_taker(place)) {
+            return;
+        }
         const auto found = at(place);
         Q_EMIT clicked(found ? found->row : -1, modifiers);
     });
@@ -55,6 +86,11 @@ PointedStructure::PointedStructure(VtkViewport& viewport, const StructureModel& 
 
 std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place) const
 {
+    return at(place, 0.0);
+}
+
+std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place, double opacity) const
+{
     const view::Ray ray = m_viewport.rayAt(place);
     view::SceneView& view = m_viewport.view();
     if (view.structureCount() != m_model.rows().size()) {
@@ -62,40 +98,38 @@ std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place
     }
     std::optional<Place> found;
     double nearest_mm = std::numeric_limits<double>::infinity();
-    if (const auto pick = view.pick(ray)) {
-        const view::ViewStructure& one = view.structure(pick->structure);
-        const std::vector<std::uint32_t>& source = m_model.rows()[pick->structure].loaded.surface->source;
-        const auto triangle =
-            std::lower_bound(source.begin(), source.end(), one.touchable->sourceTriangle(pick->hit.triangle));
-        found = Place{static_cast<int>(pick->structure), static_cast<std::size_t>(triangle - source.begin()),
-                      pick->hit.rest_W};
-        nearest_mm = pick->hit.distance_mm;
-    }
-    // The pick above covers palpable structures only: intersect the other visible meshes directly.
     for (std::size_t i = 0; i < view.structureCount(); ++i) {
-        const view::Appearance& look = view.structure(i).picture.appearance();
-        if (view.structure(i).touchable != nullptr || !look.isVisible || !(look.opacity > 0.0)) {
+        const view::ViewStructure& one = view.structure(i);
+        const view::Appearance& look = one.picture.appearance();
+        if (!look.isVisible || !(look.opacity > 0.0) || look.opacity < opacity) {
             continue;
         }
         const geometry::RepairedMesh& surface = *m_model.rows()[i].loaded.surface;
-        // These cannot be touched, so that their displacement in the middle is exact enough.
-        const core::Vec3 middle = surface.report.bounds.center();
-        const view::MovedSurface& moved = view.structure(i).picture.moved();
-        const core::Vec3 shift = moved.motion == nullptr
-                                     ? core::Vec3(core::Vec3::Zero())
-                                     : core::Vec3(moved.motion->toWorld(moved.moment, middle) - middle);
-        const auto hit = view::firstHit(surface.mesh, surface.report.bounds, {ray.p_W - shift, ray.d_W});
-        if (hit && hit->distance_mm < nearest_mm) {
-            found = Place{static_cast<int>(i), hit->triangle, hit->p_W};
-            nearest_mm = hit->distance_mm;
+        const auto hit = hitOf(one, surface, ray);
+        if (!hit || !(hit->distance_mm < nearest_mm)) {
+            continue;
         }
+        nearest_mm = hit->distance_mm;
+        std::size_t triangle = hit->triangle;
+        if (one.touchable != nullptr) {
+            const std::vector<std::uint32_t>& source = surface.source;
+            triangle = static_cast<std::size_t>(
+                std::lower_bound(source.begin(), source.end(), one.touchable->sourceTriangle(hit->triangle)) -
+                source.begin());
+        }
+        found = Place{static_cast<int>(i), triangle, hit->p_W, hit->rest_W};
     }
     return found;
 }
 
+QString PointedStructure::nameOf(const Place& place) const
+{
+    return readableName(m_model.structure(place.row).name);
+}
+
 QString PointedStructure::textOf(const Place& place) const
 {
-    const QString name = readableName(m_model.structure(place.row).name);
+    const QString name = nameOf(place);
     const QString number = m_maps.textAt(place.row, place.triangle, place.rest_W);
     const QString first = number.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, number);
     const QString more = m_more ? m_more(place) : QString();

@@ -49,13 +49,14 @@ ForceTimeline::ForceTimeline(QWidget* parent)
 
 QSize ForceTimeline::minimumSizeHint() const
 {
-    constexpr int kLane_px = 40;
+    constexpr int kLane_px = 64; // a force of a tenth of the largest one is visible
     return {100, kLane_px + fontMetrics().height()};
 }
 
 void ForceTimeline::setPeaks(std::vector<float> peaks_N, double duration_s)
 {
     m_peaks_N = std::move(peaks_N);
+    m_greatest_N = m_peaks_N.empty() ? 0.0f : *std::max_element(m_peaks_N.begin(), m_peaks_N.end());
     m_duration_s = duration_s;
     m_isLive = false;
     update();
@@ -116,6 +117,7 @@ void ForceTimeline::addLive(double time_s, double force_N)
         m_peaks_N.resize(bin + 1, static_cast<float>(force_N));
     }
     m_peaks_N[bin] = std::max(m_peaks_N[bin], static_cast<float>(force_N));
+    m_greatest_N = std::max(m_greatest_N, static_cast<float>(force_N));
     m_duration_s = static_cast<double>(m_peaks_N.size()) * kLiveBin_s;
     m_position_s = m_duration_s;
     update();
@@ -125,6 +127,7 @@ void ForceTimeline::addLive(double time_s, double force_N)
 void ForceTimeline::clear()
 {
     m_peaks_N.clear();
+    m_greatest_N = 0.0f;
     m_marks.clear();
     m_duration_s = 0.0;
     m_position_s = 0.0;
@@ -132,9 +135,36 @@ void ForceTimeline::clear()
     update();
 }
 
+/// Place of the bars, right of the force axis and above the time axis.
+QRectF ForceTimeline::lane() const
+{
+    const QFontMetricsF metrics(font());
+    constexpr double kGap_px = 6.0;
+    const double axis = m_duration_s > 0.0 ? metrics.horizontalAdvance(topText()) + kGap_px : 0.0;
+    return {axis, 0.0, std::max(10.0, width() - axis), std::max(10.0, height() - metrics.height() - 2.0)};
+}
+
+/// Force at the top of the axis. [N]
+double ForceTimeline::top_N() const
+{
+    return axisTop(std::max(0.5, static_cast<double>(m_greatest_N)));
+}
+
+QString ForceTimeline::topText() const
+{
+    return tr("%1 N").arg(QLocale().toString(top_N(), 'g', 3));
+}
+
 double ForceTimeline::timeAt(double x) const
 {
-    return std::clamp(x / std::max(1, width()), 0.0, 1.0) * m_duration_s;
+    const QRectF bars = lane();
+    return std::clamp((x - bars.left()) / bars.width(), 0.0, 1.0) * m_duration_s;
+}
+
+double ForceTimeline::placeOf(double time_s) const
+{
+    const QRectF bars = lane();
+    return bars.left() + time_s / m_duration_s * bars.width();
 }
 
 /// Shows the label of a mark in the tool tip, or the help text elsewhere.
@@ -145,7 +175,7 @@ bool ForceTimeline::event(QEvent* event)
         const auto* help = static_cast<QHelpEvent*>(event);
         QStringList near;
         for (const auto& [time_s, text] : m_marks) {
-            if (std::abs(time_s / m_duration_s * width() - help->pos().x()) <= kNear_px) {
+            if (std::abs(placeOf(time_s) - help->pos().x()) <= kNear_px) {
                 near << tr("%1 s: %2").arg(QLocale().toString(time_s, 'f', 1), text);
             }
         }
@@ -160,69 +190,77 @@ bool ForceTimeline::event(QEvent* event)
 void ForceTimeline::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    const QFontMetricsF metrics(font());
-    const QRectF lane(0.0, 0.0, width(), std::max(10.0, height() - metrics.height() - 2.0));
-    painter.fillRect(lane, palette().color(QPalette::Base));
+    const QRectF bars = lane();
+    painter.fillRect(bars, palette().color(QPalette::Base));
     painter.setPen(palette().color(QPalette::Mid));
-    painter.drawRect(lane.adjusted(0, 0, -1, -1));
+    painter.drawRect(bars.adjusted(0, 0, -1, -1));
     if (m_duration_s <= 0.0) {
         painter.setPen(mutedColour());
-        painter.drawText(lane, Qt::AlignCenter, tr("The force of a recording appears here"));
+        painter.drawText(bars, Qt::AlignCenter, tr("The force of a recording appears here"));
         return;
     }
-    // One column per pixel with the maximum of its interval, so that short peaks remain visible at any width.
-    float greatest = 0.0f;
-    for (const float peak : m_peaks_N) {
-        greatest = std::max(greatest, peak);
+    paintBars(painter, bars);
+    paintAxes(painter, bars);
+    painter.setPen(QPen(depthColour(), 1.5));
+    for (const auto& mark : m_marks) {
+        const double x = placeOf(mark.first);
+        painter.drawLine(QPointF(x, bars.top() + 1.0), QPointF(x, bars.top() + 9.0));
     }
-    const double top = axisTop(std::max(0.5, static_cast<double>(greatest)));
+    const double head = std::clamp(placeOf(m_position_s), bars.left() + 1.0, bars.right() - 2.0);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::Text), 2.0));
+    painter.drawLine(QPointF(head, bars.top()), QPointF(head, bars.bottom()));
+    painter.setBrush(palette().color(QPalette::Text));
+    painter.drawPolygon(QPolygonF({{head - 5.0, bars.top()}, {head + 5.0, bars.top()}, {head, bars.top() + 7.0}}));
+    if (hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));
+        painter.drawRect(bars.adjusted(1, 1, -2, -2));
+    }
+}
+
+/// Paints one column per pixel with the maximum of its interval, so that short peaks remain visible at any width.
+void ForceTimeline::paintBars(QPainter& painter, const QRectF& bars) const
+{
+    const double top = top_N();
     const auto bins = static_cast<double>(m_peaks_N.size());
+    const int columns = static_cast<int>(bars.width());
+    const double head = placeOf(m_position_s);
     QColor done = forceColour();
     QColor coming = done;
     coming.setAlpha(110);
-    for (int x = 0; x < width() && bins > 0.0; ++x) {
-        const auto first = static_cast<std::size_t>(bins * x / width());
-        const auto last = std::max(first + 1, static_cast<std::size_t>(bins * (x + 1) / width()));
+    for (int x = 0; x < columns && bins > 0.0; ++x) {
+        const auto first = static_cast<std::size_t>(bins * x / columns);
+        const auto last = std::max(first + 1, static_cast<std::size_t>(bins * (x + 1) / columns));
         float peak = 0.0f;
         for (std::size_t i = first; i < std::min(last, m_peaks_N.size()); ++i) {
             peak = std::max(peak, m_peaks_N[i]);
         }
         if (peak > 0.0f) {
-            const double high = std::max(1.0, peak / top * (lane.height() - 4.0));
-            painter.fillRect(QRectF(x, lane.bottom() - 1.0 - high, 1.0, high),
-                             timeAt(x) <= m_position_s ? done : coming);
+            const double high = std::max(1.0, peak / top * (bars.height() - 4.0));
+            const double left = bars.left() + x;
+            painter.fillRect(QRectF(left, bars.bottom() - 1.0 - high, 1.0, high), left <= head ? done : coming);
         }
     }
+}
+
+void ForceTimeline::paintAxes(QPainter& painter, const QRectF& bars) const
+{
+    const QFontMetricsF metrics(font());
     painter.setPen(mutedColour());
-    const double step = axisStep(m_duration_s, width());
+    const double step = axisStep(m_duration_s, bars.width());
     for (double t = 0.0; t <= m_duration_s; t += step) {
-        const double x = t / m_duration_s * width();
-        painter.drawLine(QPointF(x, lane.bottom() - 4.0), QPointF(x, lane.bottom()));
+        const double x = placeOf(t);
+        painter.drawLine(QPointF(x, bars.bottom() - 4.0), QPointF(x, bars.bottom()));
         const QString text = step < 1.0 ? QLocale().toString(t, 'f', 1) : QLocale().toString(t, 'f', 0);
         const double wide = metrics.horizontalAdvance(text + tr(" s"));
         painter.drawText(
             QPointF(std::clamp(x - 0.5 * wide, 0.0, std::max(0.0, width() - wide)), height() - metrics.descent()),
             text + tr(" s"));
     }
-    painter.setPen(QPen(depthColour(), 1.5));
-    for (const auto& mark : m_marks) {
-        const double x = mark.first / m_duration_s * width();
-        painter.drawLine(QPointF(x, lane.top() + 1.0), QPointF(x, lane.top() + 9.0));
-    }
-    painter.setPen(mutedColour());
-    painter.drawText(QPointF(6.0, lane.top() + metrics.ascent() + 1.0),
-                     tr("%1 N").arg(QLocale().toString(top, 'g', 3)));
-    const double head = std::clamp(m_position_s / m_duration_s * width(), 1.0, width() - 2.0);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(palette().color(QPalette::Text), 2.0));
-    painter.drawLine(QPointF(head, lane.top()), QPointF(head, lane.bottom()));
-    painter.setBrush(palette().color(QPalette::Text));
-    painter.drawPolygon(QPolygonF({{head - 5.0, lane.top()}, {head + 5.0, lane.top()}, {head, lane.top() + 7.0}}));
-    if (hasFocus()) {
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));
-        painter.drawRect(lane.adjusted(1, 1, -2, -2));
-    }
+    const QRectF axis(0.0, bars.top(), bars.left() - 4.0, bars.height());
+    painter.drawText(axis, Qt::AlignRight | Qt::AlignTop, topText());
+    painter.drawText(axis, Qt::AlignRight | Qt::AlignBottom, QStringLiteral("0"));
 }
 
 void ForceTimeline::mousePressEvent(QMouseEvent* event)

@@ -202,6 +202,7 @@ class SceneLoader::Opening
         meshio::SceneFile& all = m_opened->scene;
         all.structures.insert(all.structures.end(), scene.structures.begin(), scene.structures.end());
         all.findings.insert(all.findings.end(), scene.findings.begin(), scene.findings.end());
+        all.tapes.insert(all.tapes.end(), scene.tapes.begin(), scene.tapes.end());
         QStringList lost;
         if (scene.camera && all.camera) {
             lost << tr("view");

@@ -2,6 +2,7 @@
 #include "palpate/ui/StructurePanel.h"
 
 #include "structures/StructureList.h"
+#include "widgets/FoldGroup.h"
 #include "widgets/ShownComboBox.h"
 
 #include "palpate/ui/Translated.h"
@@ -13,6 +14,7 @@
 
 #include <palpate/haptics/ForceTable.h>
 #include <palpate/study/DeviceLimit.h>
+#include <palpate/study/Distances.h>
 
 #include <QColorDialog>
 #include <QComboBox>
@@ -30,6 +32,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 
 namespace palpate::ui {
@@ -159,6 +162,13 @@ void StructurePanel::addHead(QFormLayout& form, QWidget* box)
     m_findings->setTextFormat(Qt::PlainText);
     m_findings->setForegroundRole(QPalette::PlaceholderText);
     form.addRow(m_findings);
+    m_size = new QLabel(box);
+    m_size->setObjectName(QStringLiteral("size"));
+    m_size->setWordWrap(true);
+    m_size->setTextFormat(Qt::PlainText);
+    m_size->setForegroundRole(QPalette::PlaceholderText);
+    m_size->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    form.addRow(m_size);
     connect(m_colour, &QToolButton::clicked, this, &StructurePanel::chooseColour);
 }
 
@@ -223,25 +233,21 @@ void StructurePanel::addPresets(QFormLayout& form, QWidget* box)
     });
 }
 
-/// Inserts the law editor after the preset.
 void StructurePanel::addLaw(QFormLayout& form, QWidget* box)
 {
-    int row = 0;
-    QFormLayout::ItemRole role{};
-    form.getWidgetPosition(m_source, &row, &role);
     m_law = new LawEditor(box);
-    form.insertRow(row + 1, m_law);
+    form.addRow(m_law);
     connect(m_law, &LawEditor::edited, this,
             [this](const core::ForceLaw& law) { changeTissue([&](haptics::Tissue& tissue) { tissue.law = law; }); });
     connect(m_law, &LawEditor::refused, this, &StructurePanel::refuse);
 }
 
-void StructurePanel::addMap(QFormLayout& form, int place, QWidget* box)
+void StructurePanel::addMap(QFormLayout& form, QWidget* box)
 {
     m_map = new MapEditor(box);
-    form.insertRow(place, m_map);
+    form.addRow(m_map);
     m_mapWarning = makeWarning(tr("Stability warning for the map"), box);
-    form.insertRow(place + 1, m_mapWarning);
+    form.addRow(m_mapWarning);
     connect(m_map, &MapEditor::edited, this, [this](const MapEditor::Maps& maps) {
         if (!m_isShowing && selectedRows().size() == 1) {
             meshio::SceneStructure changed = m_model.structure(currentRow());
@@ -283,42 +289,53 @@ void StructurePanel::showFrictionTerms()
     const bool isOwn = m_friction->currentIndex() == m_friction->count() - 1;
     for (std::size_t i = 0; i < m_terms.size(); ++i) {
         if (core::kTissueTerms[i].group == "friction") {
-            m_form->setRowVisible(m_terms[i], isOwn);
+            setRowVisible(*m_terms[i], isOwn);
         }
     }
 }
 
-void StructurePanel::addTerms(QFormLayout& form, QWidget* box)
+/// Adds the field of a tissue parameter. @param i  number in core::kTissueTerms
+void StructurePanel::addTerm(std::size_t i, QFormLayout& form, QWidget* box)
 {
+    m_terms[i] = makeField(core::kTissueTerms[i], box);
+    auto* name = new QLabel(translated(core::Message(core::kTissueTerms[i].name)), box);
+    name->setWordWrap(true); // a long label must not widen the panel
+    name->setFixedWidth(std::min(name->fontMetrics().horizontalAdvance(name->text()) + 2,
+                                 kNameLetters * fontMetrics().averageCharWidth()));
+    form.addRow(name, m_terms[i]);
+}
+
+/// Adds the stiffness, the most important number, with the messages on it.
+void StructurePanel::addStiffness(QFormLayout& form, QWidget* box)
+{
+    static_assert(core::kTissueTerms.front().member == &haptics::Tissue::stiffness_N_per_mm);
+    addTerm(0, form, box);
     m_bound = makeWarning(tr("Effective stiffness"), box);
     m_refusal = makeWarning(tr("Reason for rejecting the value"), box);
-    for (std::size_t i = 0; i < m_terms.size(); ++i) {
-        if (core::kTissueTerms[i].member == &haptics::Tissue::friction_static) {
-            addFriction(form, box);
-        }
-        m_terms[i] = makeField(core::kTissueTerms[i], box);
-        auto* name = new QLabel(translated(core::Message(core::kTissueTerms[i].name)), box);
-        name->setWordWrap(true); // a long label must not widen the panel
-        name->setFixedWidth(std::min(name->fontMetrics().horizontalAdvance(name->text()) + 2,
-                                     kNameLetters * fontMetrics().averageCharWidth()));
-        form.addRow(name, m_terms[i]);
-        if (core::kTissueTerms[i].member == &haptics::Tissue::stiffness_N_per_mm) {
-            form.addRow(m_bound);
-        }
-    }
+    form.addRow(m_bound);
     form.addRow(m_refusal);
 }
 
-void StructurePanel::addLayer(QFormLayout& form, int place, QWidget* box)
+void StructurePanel::addOtherTerms(QFormLayout& form, QWidget* box)
+{
+    for (std::size_t i = 1; i < m_terms.size(); ++i) {
+        if (core::kTissueTerms[i].member == &haptics::Tissue::friction_static) {
+            addFriction(form, box);
+        }
+        addTerm(i, form, box);
+    }
+}
+
+void StructurePanel::addLayer(QFormLayout& form, QWidget* box)
 {
     m_layer = new ShownComboBox(box);
     m_layer->setAccessibleName(tr("Depth order, from outside"));
     m_layer->setToolTip(tr("Order in which a pressing hand meets the structures (Ctrl+Down, Ctrl+Up in the list)"));
-    form.insertRow(place, new BoxRow(tr("Depth order"), m_layer, box));
+    form.addRow(new BoxRow(tr("Depth order"), m_layer, box));
     connect(m_layer, &QComboBox::activated, this, [this](int chosen) { setLayer(m_layer->itemData(chosen)); });
 }
 
-void StructurePanel::addSurface(QFormLayout& form, int place, QWidget* box)
+void StructurePanel::addSurface(QFormLayout& form, QWidget* box)
 {
     m_surface = new ShownComboBox(box);
     m_surface->addItem(tr("As in the file"), static_cast<int>(meshio::SurfaceKind::Facets));
@@ -330,7 +347,7 @@ void StructurePanel::addSurface(QFormLayout& form, int place, QWidget* box)
                              "a voxel. Curved facets make coarse facets round; edges of more than 40° stay sharp. The "
                              "file is not changed."));
     m_surfaceRow = new BoxRow(tr("Surface"), m_surface, box);
-    form.insertRow(place, m_surfaceRow);
+    form.addRow(m_surfaceRow);
     m_smoothing = new QDoubleSpinBox(box);
     m_smoothing->setRange(0.0, 1.0);
     m_smoothing->setDecimals(2);
@@ -339,10 +356,10 @@ void StructurePanel::addSurface(QFormLayout& form, int place, QWidget* box)
     m_smoothing->setAccessibleName(tr("Smoothing factor"));
     m_smoothing->setToolTip(tr("Smoothing factor, from 0 (nearly none) to 1. A larger factor removes steps of thick "
                                "slices, and changes the shape more"));
-    form.insertRow(place + 1, tr("Smoothing"), m_smoothing);
+    form.addRow(tr("Smoothing"), m_smoothing);
     m_surfaceCost = new QLabel(box);
     m_surfaceCost->setWordWrap(true);
-    form.insertRow(place + 2, m_surfaceCost);
+    form.addRow(m_surfaceCost);
     connect(m_smoothing, &QDoubleSpinBox::valueChanged, this, &StructurePanel::setSmoothing);
     connect(m_surface, &QComboBox::activated, this, [this](int chosen) {
         const auto kind = static_cast<meshio::SurfaceKind>(m_surface->itemData(chosen).toInt());
@@ -352,7 +369,7 @@ void StructurePanel::addSurface(QFormLayout& form, int place, QWidget* box)
 
 void StructurePanel::showSurface(const std::vector<int>& rows)
 {
-    m_form->setRowVisible(m_surfaceRow, !rows.empty());
+    setRowVisible(*m_surfaceRow, !rows.empty());
     m_surface->setEnabled(std::all_of(rows.begin(), rows.end(), [this](int row) { return m_model.isReshapable(row); }));
     std::size_t triangles = 0, bytes = 0;
     bool isCurved = false;
@@ -368,12 +385,12 @@ void StructurePanel::showSurface(const std::vector<int>& rows)
         m_surface->setCurrentIndex(m_surface->findData(static_cast<int>(one.surface)));
         m_smoothing->setValue(one.smoothing);
         m_smoothing->setEnabled(m_surface->isEnabled());
-        m_form->setRowVisible(m_smoothing, meshio::isSmoothed(one.surface));
+        setRowVisible(*m_smoothing, meshio::isSmoothed(one.surface));
     }
     m_surfaceCost->setText(tr("%1 triangles, %2 MiB for touch")
                                .arg(QLocale().toString(static_cast<qulonglong>(triangles)),
                                     QLocale().toString(static_cast<double>(bytes) / (1 << 20), 'f', 1)));
-    m_form->setRowVisible(m_surfaceCost, isCurved);
+    setRowVisible(*m_surfaceCost, isCurved);
 }
 
 /// Sets the factor of the selected structures that are smoothed.
@@ -390,25 +407,32 @@ void StructurePanel::setSmoothing(double factor)
 QWidget* StructurePanel::makeTissueBox()
 {
     auto* box = new QWidget(this);
-    auto* form = new QFormLayout(box);
-    form->setContentsMargins(12, 10, 12, 12);
-    form->setHorizontalSpacing(10);
-    form->setVerticalSpacing(8);
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    auto* head = new QWidget(box);
+    auto* headForm = new QFormLayout(head);
+    headForm->setContentsMargins(12, 10, 12, 4);
+    headForm->setVerticalSpacing(6);
+    auto* feel = new FoldGroup(tr("Feel"), QStringLiteral("properties/feel"), true, box);
+    auto* look = new FoldGroup(tr("Appearance"), QStringLiteral("properties/appearance"), true, box);
+    auto* advanced = new FoldGroup(tr("Advanced"), QStringLiteral("properties/advanced"), false, box);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 8);
+    column->setSpacing(0);
+    for (QWidget* part : std::initializer_list<QWidget*>{head, feel, look, advanced}) {
+        column->addWidget(part);
+    }
+    column->addStretch(1);
 
-    addHead(*form, box);
-    addOpacity(*form, box);
-    const int layerRow = form->rowCount();
-    addPresets(*form, box);
-    addTerms(*form, box);
-    addLaw(*form, box);
-    addMap(*form, layerRow, box);
-    addLayer(*form, layerRow, box);
-    addSurface(*form, layerRow, box);
-    m_form = form;
-    form->setRowVisible(m_smoothing, false); // until a smoothed structure is selected
-    form->setRowVisible(m_surfaceCost, false);
+    addHead(*headForm, head);
+    addPresets(feel->form(), feel->content());
+    addStiffness(feel->form(), feel->content());
+    addLayer(feel->form(), feel->content());
+    addOpacity(look->form(), look->content());
+    addSurface(look->form(), look->content());
+    addOtherTerms(advanced->form(), advanced->content());
+    addLaw(advanced->form(), advanced->content());
+    addMap(advanced->form(), advanced->content());
+    setRowVisible(*m_smoothing, false); // until a smoothed structure is selected
+    setRowVisible(*m_surfaceCost, false);
     return box;
 }
 
@@ -612,6 +636,11 @@ void StructurePanel::showHead(const std::vector<int>& rows)
     const QStringList found = rows.size() > 1 ? QStringList() : m_model.defects(rows.front());
     m_findings->setVisible(!found.isEmpty());
     m_findings->setText(found.join(QLatin1Char('\n')));
+    const meshio::LoadedStructure& one = m_model.rows()[static_cast<std::size_t>(rows.front())].loaded;
+    m_size->setVisible(rows.size() == 1 && one.surface != nullptr);
+    if (one.surface != nullptr) {
+        m_size->setText(translated(study::sizeText(study::sizeOf({}, one.surface->report))));
+    }
     m_findings->setToolTip(found.isEmpty() ? QString() : m_model.findings(rows.front()).join(QLatin1Char('\n')));
 }
 
@@ -641,6 +670,7 @@ void StructurePanel::showSelection()
         m_title->setToolTip({});
         m_title->setText(tr("No structure selected"));
         m_findings->hide();
+        m_size->hide();
     }
     m_isShowing = false;
 }
@@ -651,11 +681,11 @@ void StructurePanel::showTissue(const haptics::Tissue& tissue)
         m_terms[i]->setValue(tissue.*core::kTissueTerms[i].member);
     }
     // Other laws have parameters of their own.
-    m_form->setRowVisible(m_terms.front(), tissue.law.kind == core::LawKind::Linear);
+    setRowVisible(*m_terms.front(), tissue.law.kind == core::LawKind::Linear);
     m_law->show(tissue, m_greatest.stiffness_N_per_mm);
     const int preset = presetOf(tissue), friction = frictionPresetOf(tissue);
     m_preset->setCurrentIndex(preset + 1);
-    m_form->setRowVisible(m_source, preset >= 0);
+    setRowVisible(*m_source, preset >= 0);
     m_source->setText(preset < 0 ? QString()
                                  : tr("Source: %1").arg(tr(tissuePresets()[static_cast<std::size_t>(preset)].source)));
     m_friction->setCurrentIndex(friction < 0 ? m_friction->count() - 1 : friction);

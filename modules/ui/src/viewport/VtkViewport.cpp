@@ -182,6 +182,42 @@ void VtkViewport::refineNext()
     m_view.setSortedTransparency(true);
 }
 
+QImage VtkViewport::picture(double scale)
+{
+    if (!m_isReady) {
+        return {};
+    }
+    makeCurrent();
+    QOpenGLExtraFunctions* gl = context()->extraFunctions();
+    GLint most = 0;
+    gl->glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    const double ratio = devicePixelRatioF();
+    scale = std::min(scale, most / (ratio * std::max({width(), height(), 1})));
+    const int w = std::max(1, static_cast<int>(std::lround(width() * ratio * scale)));
+    const int h = std::max(1, static_cast<int>(std::lround(height() * ratio * scale)));
+    vtkOpenGLState* state = m_window->GetState();
+    state->Reset();
+    state->Push();
+    state->vtkglDepthFunc(GL_LEQUAL); // see paintGL
+    m_window->SetSize(w, h);
+    m_window->SetIsCurrent(true);
+    m_view.setSortedTransparency(true);
+    m_view.prepareFrame(ratio * scale);
+    m_window->Render();
+    QImage image(w, h, QImage::Format_RGBA8888);
+    gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, m_window->GetDisplayFramebuffer()->GetFBOIndex());
+    gl->glReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->glReadPixels(0, 0, w, h, GL_RGBA, GL_UNSIGNED_BYTE, image.bits());
+    gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+    state->Pop();
+    doneCurrent();
+    fitSize();
+    m_view.setSortedTransparency(!m_isSlow);
+    update();
+    return image.mirrored().convertToFormat(QImage::Format_RGB32); // OpenGL's rows start at the bottom
+}
+
 void VtkViewport::judgeSpeed()
 {
     if (++m_frames > kWarmUp && m_frames <= kJudged) {

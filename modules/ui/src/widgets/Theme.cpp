@@ -142,7 +142,7 @@ void applyTheme(Theme theme)
                        "QToolBar QToolButton:hover { background: palette(base); border-color: palette(mid); }"
                        "QToolBar QToolButton:pressed { background: palette(alternate-base); "
                        "border-color: palette(highlight); }"
-                       "QToolBar QToolButton:checked { background: palette(base); "
+                       "QToolBar QToolButton:checked { background: palette(base); padding: 4px 8px; "
                        "border: 2px solid palette(highlight); }"
                        "QToolBar QToolButton:focus { border: 1px solid palette(highlight); }"
                        "QDockWidget::title { padding: 6px 10px; text-align: left; }"

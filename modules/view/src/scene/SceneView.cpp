@@ -49,6 +49,7 @@ SceneView::SceneView()
     m_solid->GetActiveCamera()->SetViewAngle(30.0);
     m_cursor.addTo(*m_solid, *m_overlay);
     m_findings.addTo(*m_overlay);
+    m_measures.addTo(*m_overlay);
     m_scaleBar.addTo(*m_overlay);
     m_legend.addTo(*m_overlay);
     m_placeRing.addTo(*m_overlay);
@@ -296,7 +297,7 @@ std::size_t SceneView::countTissueVertices(const Eigen::AlignedBox2d& box_px, co
 void SceneView::placeLegend(const ViewFrame& frame)
 {
     using Corner = ColourLegend::Corner;
-    const ColourLegend::Below below{m_cube.top_px(), m_scaleBar.top() / frame.pixelRatio};
+    const ColourLegend::Below below{m_cube.top_px(), m_scaleBar.top() / frame.pixelRatio, m_covered_px};
     const LegendInputs now{m_legend.revision(), m_fitCount, frame.width_px, frame.height_px};
     if (m_legend.isShown() && m_legend.hasMarks() && !(now == m_legendInputs)) {
         m_legendInputs = now;
@@ -310,6 +311,22 @@ void SceneView::placeLegend(const ViewFrame& frame)
         }
     }
     m_legend.place(*m_overlay, frame, below);
+}
+
+/// Places the texts of distances clear of the hand, its numbers, the findings and the legend.
+void SceneView::placeMeasures(const ViewFrame& frame)
+{
+    std::vector<Eigen::AlignedBox2d> taken = m_cursor.marks_px(frame);
+    taken.insert(taken.end(), m_cursor.labels().boxes().begin(), m_cursor.labels().boxes().end());
+    for (std::size_t i = 0; i < m_findings.count() && m_findings.count() <= FindingMarkers::kMaxNumbered; ++i) {
+        const DiscLabel& label = m_findings.labelOf(i);
+        const Eigen::Vector2d centre = label.disc_px + label.offset_px;
+        taken.emplace_back(centre - 0.5 * label.size_px, centre + 0.5 * label.size_px);
+    }
+    if (m_legend.isShown()) {
+        taken.push_back(m_legend.box());
+    }
+    m_measures.place(frame, taken);
 }
 
 void SceneView::bendTissue(const ViewFrame& frame)
@@ -335,9 +352,11 @@ void SceneView::prepareFrame(double pixelRatio)
     m_cursor.place(frame, m_legend.box());
     findHiddenFindings(frame);
     m_findings.place(frame, m_cursor.marks_px(frame));
+    placeMeasures(frame);
     core::Box box = bounds();
     box.extend(m_cursor.bounds());
     box.extend(m_findings.bounds());
+    box.extend(m_measures.bounds());
     if (!box.isEmpty()) {
         // Room for the ball and its rings, which have a size on screen but no extent in space.
         const double room = 20.0 * frame.mmPerPixel(box.center());

@@ -30,7 +30,7 @@ constexpr double kMostWidth = 0.36, kLeastLetter_px = 9.0; // fraction of the vi
 constexpr double kAboveCube_px = 28.0, kAboveGrey_px = 12.0;
 
 /// Column of quads with a colour per row boundary.
-vtkSmartPointer<vtkActor2D> makeColumn(int rows, const vtkSmartPointer<vtkUnsignedCharArray>& colours)
+vtkSmartPointer<vtkPolyData> columnShape(int rows, const vtkSmartPointer<vtkUnsignedCharArray>& colours)
 {
     vtkNew<vtkPoints> points;
     points->SetNumberOfPoints(2 * rows);
@@ -39,14 +39,19 @@ vtkSmartPointer<vtkActor2D> makeColumn(int rows, const vtkSmartPointer<vtkUnsign
         const vtkIdType quad[4] = {2 * row, 2 * row + 1, 2 * row + 3, 2 * row + 2};
         quads->InsertNextCell(4, quad);
     }
-    vtkNew<vtkPolyData> shape;
+    auto shape = vtkSmartPointer<vtkPolyData>::New();
     shape->SetPoints(points);
     shape->SetPolys(quads);
     shape->GetPointData()->SetScalars(colours);
+    return shape;
+}
+
+vtkSmartPointer<vtkActor2D> makeColumn(int rows, const vtkSmartPointer<vtkUnsignedCharArray>& colours)
+{
     vtkNew<vtkCoordinate> pixels;
     pixels->SetCoordinateSystemToViewport();
     vtkNew<vtkPolyDataMapper2D> mapper;
-    mapper->SetInputData(shape);
+    mapper->SetInputData(columnShape(rows, colours));
     mapper->SetTransformCoordinate(pixels);
     auto actor = vtkSmartPointer<vtkActor2D>::New();
     actor->SetMapper(mapper);
@@ -55,11 +60,14 @@ vtkSmartPointer<vtkActor2D> makeColumn(int rows, const vtkSmartPointer<vtkUnsign
 }
 
 /// Places a column. @param box  left, right, bottom, top in device pixels
-void placeColumn(vtkActor2D& column, int rows, const std::array<double, 4>& box)
+/// @param steps  number of colours with two rows each; 0: rows at equal distances
+void placeColumn(vtkActor2D& column, int rows, const std::array<double, 4>& box, int steps = 0)
 {
     auto* shape = vtkPolyDataMapper2D::SafeDownCast(column.GetMapper())->GetInput();
     for (vtkIdType row = 0; row < rows; ++row) {
-        const double y = box[2] + (box[3] - box[2]) * static_cast<double>(row) / (rows - 1);
+        const double share = steps > 0 ? static_cast<double>((row + 1) / 2) / steps // the next step begins at the end
+                                       : static_cast<double>(row) / (rows - 1);
+        const double y = box[2] + (box[3] - box[2]) * share;
         shape->GetPoints()->SetPoint(2 * row, box[0], y, 0.0);
         shape->GetPoints()->SetPoint(2 * row + 1, box[1], y, 0.0);
     }
@@ -67,7 +75,8 @@ void placeColumn(vtkActor2D& column, int rows, const std::array<double, 4>& box)
     shape->Modified();
 }
 
-vtkSmartPointer<vtkUnsignedCharArray> colourRows(int rows, Colour (*colourAt)(double))
+template<class ColourAt>
+vtkSmartPointer<vtkUnsignedCharArray> colourRows(int rows, ColourAt&& colourAt)
 {
     auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
     colours->SetNumberOfComponents(3);
@@ -177,6 +186,15 @@ void ColourLegend::show(const Content& content)
         text->VisibilityOn();
     }
     m_texts[4]->SetVisibility(m_hasUnknown);
+    m_steps = static_cast<int>(content.steps.size());
+    const int rows = m_steps > 0 ? 2 * m_steps : kColourRows;
+    const auto colourAt = [&content](double t) {
+        const std::size_t count = content.steps.size();
+        return count == 0
+                   ? surfaceColour(t)
+                   : content.steps[std::min(count - 1, static_cast<std::size_t>(t * static_cast<double>(count)))];
+    };
+    vtkPolyDataMapper2D::SafeDownCast(m_bar->GetMapper())->SetInputData(columnShape(rows, colourRows(rows, colourAt)));
     m_range = range;
     m_marks = content.marks;
     m_marks.resize(std::min(m_marks.size(), kMaxMarks));
@@ -244,7 +262,9 @@ void ColourLegend::placeMarks(const Place& at)
     }
     const double end = at.right + kLead_px * at.pixelRatio;
     for (std::size_t i = 0; i < m_marks.size(); ++i) {
-        addLine(*m_lines, {at.left, tick[i]}, {at.right, tick[i]}, kTextGround);
+        if (m_steps == 0) {
+            addLine(*m_lines, {at.left, tick[i]}, {at.right, tick[i]}, kTextGround);
+        }
         addLine(*m_lines, {at.right, tick[i]}, {end, beside[i]}, kTextColour);
         m_markTexts[i]->SetPosition(end + 0.5 * kBeside_px * at.pixelRatio, beside[i]);
     }
@@ -258,6 +278,10 @@ void ColourLegend::placeLines(const Place& at)
     shape->GetLines()->Reset();
     shape->GetCellData()->GetScalars()->Reset();
     placeMarks(at);
+    for (int step = 1; step < m_steps; ++step) {
+        const double y = at.low + (at.high - at.low) * step / m_steps;
+        addLine(*m_lines, {at.left, y}, {at.right, y}, kTextGround);
+    }
     const double wide = at.right - at.left, high = at.greyHigh - at.greyLow;
     for (const double share : {-0.5, 0.0, 0.5}) {
         const double from = std::max(0.0, -share), to = std::min(1.0, 1.0 - share);
@@ -290,15 +314,15 @@ double ColourLegend::reach(vtkRenderer& renderer, const TextStyle& style, double
 }
 
 /// Reduces the font size until the texts of the marks fit above `below_px` without overlaps and the legend leaves
-/// most of the view's width to the tissue.
-TextStyle ColourLegend::fitting(vtkRenderer& renderer, const ViewFrame& frame, double below_px)
+/// most of the view's width to the tissue. @param height  of the part of the view that is not covered [device px]
+TextStyle ColourLegend::fitting(vtkRenderer& renderer, const ViewFrame& frame, double below_px, double height)
 {
     TextStyle style = frame.text;
     const double r = frame.pixelRatio;
     const double letter = letterSize_px(style, TextUse::Usual, r);
     const double apart = r * (2.0 * kAboveGrey_px + kBeside_px); // independent of the font size
     const double words = std::max(r * kGreyHeight_px, letter) + kTitle * letter + heightWithMarks(letter);
-    const double room = renderer.GetSize()[1] - r * below_px - apart;
+    const double room = height - r * below_px - apart;
     const double beside = r * (kBarWidth_px + kLead_px + kBeside_px); // independent of the font size
     const double wide = reach(renderer, style, r) - beside;
     const double across = kMostWidth * renderer.GetSize()[0] - r * kBarLeft_px - beside;
@@ -313,9 +337,10 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, const Be
         return;
     }
     const double r = frame.pixelRatio;
+    const double height = renderer.GetSize()[1] - r * below.covered_px;
     const bool isRight = m_corner == Corner::LowerRight && !m_marks.empty();
     const double below_px = (isRight ? below.scale_px : below.cube_px) + kAboveCube_px;
-    const TextStyle style = m_marks.empty() ? frame.text : fitting(renderer, frame, below_px);
+    const TextStyle style = m_marks.empty() ? frame.text : fitting(renderer, frame, below_px, height);
     const double letter = letterSize_px(style, TextUse::Usual, r);
     const double margin = r * kBarLeft_px;
     const double left = isRight ? renderer.GetSize()[0] - margin - reach(renderer, style, r) : margin;
@@ -326,14 +351,13 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, const Be
     if (!m_marks.empty() &&
         !isRight) { // a wide legend goes into the upper corner, where it hides less, and is only as high as its texts
         const double rest = greyHeight + 2.0 * r * kAboveGrey_px + kTitle * letter + room;
-        greyLow = std::max(greyLow, renderer.GetSize()[1] - rest - heightWithMarks(letter));
+        greyLow = std::max(greyLow, height - rest - heightWithMarks(letter));
     }
     const double greyHigh = greyLow + greyHeight, low = greyHigh + r * kAboveGrey_px;
-    const double above =
-        renderer.GetSize()[1] - low - kTitle * letter - r * kAboveGrey_px - room; // the bar is shorter in a low view
+    const double above = height - low - kTitle * letter - r * kAboveGrey_px - room; // the bar is shorter in a low view
     const double most = m_marks.empty() ? std::max(r * kBarHeight_px, 6.0 * letter) : heightWithMarks(letter);
     const double high = low + std::clamp(above, std::min(most, std::max(r * kLeastHeight_px, 3.0 * letter)), most);
-    placeColumn(*m_bar, kColourRows, {left, right, low, high});
+    placeColumn(*m_bar, m_steps > 0 ? 2 * m_steps : kColourRows, {left, right, low, high}, m_steps);
     placeColumn(*m_grey, 2, {left, right, greyLow, greyHigh});
     const double beside = right + room;
     m_texts[0]->SetPosition(left, high + kAboveGrey_px * r);

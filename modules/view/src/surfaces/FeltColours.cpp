@@ -2,14 +2,12 @@
 #include "palpate/view/FeltColours.h"
 
 #include "palpate/view/SurfaceColours.h"
+#include "surfaces/ArrayShader.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataObject.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkShader.h>
-#include <vtkShaderProperty.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <cmath>
@@ -19,31 +17,30 @@ namespace palpate::view {
 
 namespace {
 
-constexpr const char* kArray = "FeltLines";    // change [%], and 1 where not evaluated
-constexpr const char* kAttribute = "feltLine"; // the same array in the shader
+constexpr const char* kArray = "FeltLines"; // change [%], and 1 where not evaluated
 
 /// Contour lines at the thresholds. The first line is dark between light rims; the others have a light core between
 /// dark rims and are wider. This keeps them distinguishable and visible on every colour and background. Palpable
 /// regions are opaque, the others show the layers below.
 constexpr const char* kFragment = R"(//VTK::Color::Impl
-  if (feltLineVSOutput.y > 0.001) {
+  if (shadedVSOutput.y > 0.001) {
     float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0);
     vec3 hatch = stripe < 3.0 ? vec3(0.36) : vec3(0.74);
     ambientColor = ambientIntensity * hatch;
     diffuseColor = diffuseIntensity * hatch;
     opacity = max(opacity, 0.55);
   } else {
-    float perPixel = max(fwidth(feltLineVSOutput.x), 1e-6);
-    float far7 = abs(feltLineVSOutput.x - 7.0) / perPixel;
-    float far14 = abs(feltLineVSOutput.x - 14.0) / perPixel;
-    float far28 = abs(feltLineVSOutput.x - 28.0) / perPixel;
+    float perPixel = max(fwidth(shadedVSOutput.x), 1e-6);
+    float far7 = abs(shadedVSOutput.x - 7.0) / perPixel;
+    float far14 = abs(shadedVSOutput.x - 14.0) / perPixel;
+    float far28 = abs(shadedVSOutput.x - 28.0) / perPixel;
     float dark = max(max(2.6 - far7, 2.4 - far14), 3.4 - far28);
     float light = max(max(min(far7 - 0.9, 2.6 - far7), 1.2 - far14), 2.2 - far28);
     float ink = clamp(dark, 0.0, 1.0);
     vec3 line = mix(vec3(0.05, 0.06, 0.08), vec3(1.0), clamp(light, 0.0, 1.0));
     ambientColor = mix(ambientColor, 0.5 * line, ink);
     diffuseColor = mix(diffuseColor, 0.5 * line, ink);
-    opacity = max(opacity, max(ink, mix(0.5, 0.92, clamp(feltLineVSOutput.x / 14.0, 0.0, 1.0))));
+    opacity = max(opacity, max(ink, mix(0.5, 0.92, clamp(shadedVSOutput.x / 14.0, 0.0, 1.0))));
   }
 )";
 
@@ -81,24 +78,9 @@ vtkSmartPointer<vtkPolyData> palpabilityColoured(vtkPolyData& picture, const geo
 
 void drawPalpabilityContours(vtkActor& actor, vtkPolyData& picture)
 {
-    auto* mapper = vtkPolyDataMapper::SafeDownCast(actor.GetMapper());
-    vtkShaderProperty* shader = actor.GetShaderProperty();
-    if (picture.GetPointData()->GetArray(kArray) == nullptr) {
-        mapper->RemoveVertexAttributeMapping(kAttribute);
-        shader->ClearVertexShaderReplacement("//VTK::Normal::Dec", true);
-        shader->ClearVertexShaderReplacement("//VTK::Normal::Impl", true);
-        shader->ClearFragmentShaderReplacement("//VTK::Normal::Dec", true);
-        shader->ClearFragmentShaderReplacement("//VTK::Color::Impl", true);
-        return;
+    if (picture.GetPointData()->GetArray(kArray) != nullptr) {
+        shadeByArray(actor, kArray, 2, kFragment);
     }
-    shader->AddVertexShaderReplacement(
-        "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\n  in vec2 feltLine;\n  out vec2 feltLineVSOutput;\n", false);
-    shader->AddVertexShaderReplacement("//VTK::Normal::Impl", true,
-                                       "//VTK::Normal::Impl\n  feltLineVSOutput = feltLine;\n", false);
-    shader->AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
-                                         "//VTK::Normal::Dec\n  in vec2 feltLineVSOutput;\n", false);
-    mapper->MapDataArrayToVertexAttribute(kAttribute, kArray, vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
-    shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, kFragment, false);
 }
 
 } // namespace palpate::view

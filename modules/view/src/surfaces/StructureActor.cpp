@@ -2,6 +2,8 @@
 #include "palpate/view/StructureActor.h"
 
 #include "palpate/view/FeltColours.h"
+#include "palpate/view/MarginColours.h"
+#include "surfaces/ArrayShader.h"
 
 #include <vtkCellData.h>
 #include <vtkNew.h>
@@ -65,7 +67,9 @@ void StructureActor::setPicture(vtkPolyData* surface)
         surface->GetPointData()->GetScalars() != nullptr || surface->GetCellData()->GetScalars() != nullptr;
     mapper->SetScalarVisibility(hasColours);
     mapper->SetColorModeToDirectScalars();
+    removeArrayShader(*m_actor);
     drawPalpabilityContours(*m_actor, *surface);
+    drawMarginBands(*m_actor, *surface);
 }
 
 void StructureActor::moveTo(std::shared_ptr<const geometry::SurfaceMotion> motion, double time_s)

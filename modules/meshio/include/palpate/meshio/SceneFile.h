@@ -7,6 +7,7 @@
 #include <palpate/core/FileFrame.h>
 #include <palpate/core/Finding.h>
 #include <palpate/core/Status.h>
+#include <palpate/core/Tape.h>
 #include <palpate/core/Tissue.h>
 #include <palpate/core/TissueMapping.h>
 #include <palpate/core/Types.h>
@@ -107,8 +108,8 @@ enum class BuriedTouch : std::uint8_t
 };
 inline constexpr std::array<std::string_view, 2> kBuriedNames{"layers", "felt"};
 
-/// A scene file (`*.palpate.json`): structures, camera, findings. Versioned by the field `version`; unknown fields are
-/// preserved.
+/// A scene file (`*.palpate.json`): structures, camera, findings, tapes. Versioned by the field `version`; unknown
+/// fields are preserved.
 struct SceneFile
 {
     static constexpr int kVersion = 1;
@@ -116,6 +117,7 @@ struct SceneFile
     std::optional<SceneCamera> camera;
     std::optional<ShownMap> shownMap; ///< empty: each structure shows a uniform colour
     std::vector<core::Finding> findings;
+    std::vector<core::Tape> tapes;
     BuriedTouch buried = BuriedTouch::Layers;
     std::string sha256; ///< of the file's bytes at reading, 64 hex digits; empty: no file. Not written
     std::string extra;  ///< top-level fields that this version does not know, as a JSON object

@@ -3,6 +3,7 @@
 
 #include <palpate/core/Export.h>
 #include <palpate/core/Message.h>
+#include <palpate/core/Tape.h>
 #include <palpate/geometry/SurfaceDistance.h>
 #include <palpate/geometry/SurfaceMargin.h>
 #include <palpate/meshio/LoadScene.h>
@@ -10,6 +11,7 @@
 #include <QJsonObject>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -52,6 +54,7 @@ struct DistanceTable
     std::vector<StructureSize> sizes; ///< one for each structure of the scene, in its order
     std::vector<PairDistance> pairs;
     std::vector<LumpMargin> margins;
+    std::vector<core::Tape> tapes; ///< of the scene file
 };
 
 /// Usual borders of the bands: margins below 5 mm, from 5 to 10 mm, and above. [mm]
@@ -60,19 +63,39 @@ inline constexpr double kMarginLimits_mm[] = {5.0, 10.0};
 /// Returns the size of a structure. @param report  mesh report of its surface
 [[nodiscard]] PALPATE_EXPORT StructureSize sizeOf(std::string name, const geometry::MeshReport& report);
 
+using SharedIndices = std::vector<std::shared_ptr<const geometry::SurfaceIndex>>;
+
+/// Returns one index for each structure of a scene, null for a structure without triangles.
+/// @param indices  existing indices by structure; missing ones are built
+[[nodiscard]] PALPATE_EXPORT SharedIndices completeIndices(
+    const meshio::LoadedScene& scene, std::span<const std::shared_ptr<const geometry::SurfaceIndex>> indices);
+
+/// Returns the numbers of the lumps of a scene, as measureDistances finds them. @param indices  of completeIndices
+[[nodiscard]] PALPATE_EXPORT std::vector<std::size_t> lumpsOf(const meshio::LoadedScene& scene,
+                                                              const SharedIndices& indices);
+
 /// Measures the structures of a scene. A scene with lumps gets the distance and the margin of each lump to each other
 /// structure; a scene without lumps the distance of each two structures. A lump is a structure with the name of one,
 /// with a stiffness ratio, or that is felt through an organ by LumpRule. Hidden structures take part.
 /// @param indices  one for each structure of the scene; null: built here
 /// @param limits_mm  borders of the bands, above 0 and ascending [mm]
+/// @param from  structures to be measured as if they were the lumps; empty: the lumps
+/// @param progress  receives the share done (0 to 1) on the calling thread; false ends with an incomplete table
 /// @par Cost A few milliseconds for each pair, resources/docs/distances.md. Uses all cores; not for the servo thread.
 [[nodiscard]] PALPATE_EXPORT DistanceTable measureDistances(
     const meshio::LoadedScene& scene, std::span<const std::shared_ptr<const geometry::SurfaceIndex>> indices,
-    std::span<const double> limits_mm = kMarginLimits_mm);
+    std::span<const double> limits_mm = kMarginLimits_mm, std::span<const std::size_t> from = {},
+    const std::function<bool(double share)>& progress = {});
 
+/// Returns the size in words: "volume 4.19 ml (a ball of 20 mm), area 12.6 cm², extent 20 × 20 × 20 mm".
+[[nodiscard]] PALPATE_EXPORT core::Message sizeText(const StructureSize& size);
 /// Returns one sentence for the user: "tumour: volume 4.19 ml (ball of 20 mm), area 12.6 cm², extent 20 × 20 × 20 mm".
 [[nodiscard]] PALPATE_EXPORT core::Message sentence(const StructureSize& size);
 [[nodiscard]] PALPATE_EXPORT core::Message sentence(const DistanceTable& table, const PairDistance& pair);
+/// Returns the length of a tape: "Tape 1: 12.5 mm, from liver at (1, 2, 3) to tumour at (4, 5, 6)".
+[[nodiscard]] PALPATE_EXPORT core::Message sentence(const core::Tape& tape);
+/// Returns the names of the bands: "< 5 mm", "5 to 10 mm", "> 10 mm".
+[[nodiscard]] PALPATE_EXPORT std::vector<core::Message> bandNames(std::span<const double> limits_mm);
 /// Returns the shares of a margin, one clause for each band: "< 5 mm: 12.5 %".
 [[nodiscard]] PALPATE_EXPORT std::vector<core::Message> clauses(const DistanceTable& table, const LumpMargin& margin);
 

@@ -32,7 +32,8 @@ class PALPATE_EXPORT PointedStructure : public QObject
     struct Place
     {
         int row = 0;
-        std::size_t triangle = 0;               ///< index in the structure's repaired mesh
+        std::size_t triangle = 0; ///< index in the structure's repaired mesh
+        core::Vec3 p_W = core::Vec3::Zero();
         core::Vec3 rest_W = core::Vec3::Zero(); ///< of a moving structure: on the rest shape
     };
 
@@ -42,8 +43,14 @@ class PALPATE_EXPORT PointedStructure : public QObject
 
     /// Nearest visible structure at a place of the view. @par Cost as `view::firstHit`.
     [[nodiscard]] std::optional<Place> at(const QPointF& place) const;
+    /// The same among structures of at least an opacity: what is seen behind translucent tissue. @param opacity  0 to 1
+    [[nodiscard]] std::optional<Place> at(const QPointF& place, double opacity) const;
     /// Sets a callback that adds text after the structure's name; an empty result adds nothing.
     void setMore(std::function<QString(const Place&)> more) { m_more = std::move(more); }
+    /// Sets a callback that may take a click, which then selects nothing.
+    void setClickTaker(std::function<bool(const QPointF& place)> taker) { m_taker = std::move(taker); }
+    /// Readable name of the structure.
+    [[nodiscard]] QString nameOf(const Place& place) const;
     /// Label text: "liver · stiffness felt 0.42 N/mm".
     [[nodiscard]] QString textOf(const Place& place) const;
 
@@ -58,6 +65,7 @@ class PALPATE_EXPORT PointedStructure : public QObject
     const StructureModel& m_model;
     const MapDisplay& m_maps;
     std::function<QString(const Place&)> m_more;
+    std::function<bool(const QPointF&)> m_taker;
     QTimer m_frame; ///< at most one lookup per frame
     QPointF m_place;
     QLabel* m_name = nullptr;

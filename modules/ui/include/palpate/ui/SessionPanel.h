@@ -6,6 +6,7 @@
 
 #include <palpate/core/Export.h>
 
+#include <QRectF>
 #include <QWidget>
 
 #include <utility>
@@ -15,6 +16,7 @@ class QAction;
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
+class QPainter;
 class QToolButton;
 
 namespace palpate::ui {
@@ -53,8 +55,15 @@ class PALPATE_EXPORT ForceTimeline : public QWidget, public AccessibleReadout
 
   private:
     [[nodiscard]] double timeAt(double x) const;
+    [[nodiscard]] double placeOf(double time_s) const;
+    [[nodiscard]] QRectF lane() const;
+    [[nodiscard]] double top_N() const;
+    [[nodiscard]] QString topText() const;
+    void paintBars(QPainter& painter, const QRectF& bars) const;
+    void paintAxes(QPainter& painter, const QRectF& bars) const;
 
     std::vector<float> m_peaks_N;
+    float m_greatest_N = 0.0f; ///< of the peaks
     std::vector<std::pair<double, QString>> m_marks;
     double m_duration_s = 0.0;
     double m_position_s = 0.0;

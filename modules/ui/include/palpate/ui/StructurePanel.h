@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -99,14 +100,16 @@ class PALPATE_EXPORT StructurePanel : public QWidget
     QWidget* makeTissueBox();
     void addHead(QFormLayout& form, QWidget* box);
     void addOpacity(QFormLayout& form, QWidget* box);
-    void addLayer(QFormLayout& form, int place, QWidget* box);
-    void addSurface(QFormLayout& form, int place, QWidget* box);
+    void addLayer(QFormLayout& form, QWidget* box);
+    void addSurface(QFormLayout& form, QWidget* box);
     void showSurface(const std::vector<int>& rows);
     void setSmoothing(double factor);
-    void addTerms(QFormLayout& form, QWidget* box);
+    void addTerm(std::size_t i, QFormLayout& form, QWidget* box);
+    void addStiffness(QFormLayout& form, QWidget* box);
+    void addOtherTerms(QFormLayout& form, QWidget* box);
     void addPresets(QFormLayout& form, QWidget* box);
     void addLaw(QFormLayout& form, QWidget* box);
-    void addMap(QFormLayout& form, int place, QWidget* box);
+    void addMap(QFormLayout& form, QWidget* box);
     void showFrictionTerms();
     void addFriction(QFormLayout& form, QWidget* box);
     void showTissue(const haptics::Tissue& tissue);
@@ -116,6 +119,7 @@ class PALPATE_EXPORT StructurePanel : public QWidget
     StructureList* m_list = nullptr;
     QLabel* m_title = nullptr;
     QLabel* m_findings = nullptr;
+    QLabel* m_size = nullptr; ///< volume, area and extent
     QToolButton* m_colour = nullptr;
     QSlider* m_opacity = nullptr;
     QLabel* m_opacityText = nullptr;
@@ -128,7 +132,6 @@ class PALPATE_EXPORT StructurePanel : public QWidget
     int m_colouredRow = -1;
     QString m_coloured; ///< scalar field of the colours
     QComboBox* m_friction = nullptr;
-    QFormLayout* m_form = nullptr;
     std::array<QDoubleSpinBox*, core::kTissueTerms.size()> m_terms{};
     QComboBox* m_surface = nullptr; ///< the data of each item is a meshio::SurfaceKind
     QWidget* m_surfaceRow = nullptr;

@@ -4,6 +4,7 @@
 #include <palpate/core/Export.h>
 #include <palpate/view/SceneView.h>
 
+#include <QImage>
 #include <QOpenGLWidget>
 #include <QSurfaceFormat>
 #include <QTimer>
@@ -49,6 +50,10 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     [[nodiscard]] std::optional<QPointF> palpablePlace();
     /// Renders the next frame at full quality, e.g. for a snapshot.
     void refineNext();
+    /// Renders a picture at full quality in a larger size, with texts and marks scaled alike.
+    /// @param scale  > 0, relative to the widget; reduced where the graphics card has no frame of that size
+    /// @return null before the first frame
+    [[nodiscard]] QImage picture(double scale);
     /// Rendering time of the newest frame. [ms]
     [[nodiscard]] double frame_ms() const noexcept { return m_frame_ms; }
 

@@ -41,6 +41,8 @@ class PALPATE_EXPORT ColourLegend
         /// At most kMaxMarks, ascending. Marks replace the numbers beside the bar, and the box for unknown values is
         /// hatched.
         std::vector<Mark> marks{};
+        /// Equal steps of these colours, from the bottom, instead of the colour map; empty: the colour map.
+        std::vector<Colour> steps{};
     };
 
     ColourLegend();
@@ -63,10 +65,11 @@ class PALPATE_EXPORT ColourLegend
     /// Number of content changes so far.
     [[nodiscard]] std::size_t revision() const noexcept { return m_revision; }
     [[nodiscard]] bool hasMarks() const noexcept { return !m_marks.empty(); }
-    /// Upper edges of the objects below the legend in each corner. [logical px]
+    /// Upper edges of the objects below the legend in each corner, and the height that something covers at the top of
+    /// the view. [logical px]
     struct Below
     {
-        double cube_px = 0.0, scale_px = 0.0;
+        double cube_px = 0.0, scale_px = 0.0, covered_px = 0.0;
     };
     /// Lays out the legend. @param renderer  the renderer that contains the legend
     void place(vtkRenderer& renderer, const ViewFrame& frame, const Below& below);
@@ -81,7 +84,7 @@ class PALPATE_EXPORT ColourLegend
         double left, right, low, high, greyLow, greyHigh, pixelRatio, letter;
     };
     [[nodiscard]] double heightWithMarks(double letter) const;
-    [[nodiscard]] TextStyle fitting(vtkRenderer& renderer, const ViewFrame& frame, double below_px);
+    [[nodiscard]] TextStyle fitting(vtkRenderer& renderer, const ViewFrame& frame, double below_px, double height);
     [[nodiscard]] double reach(vtkRenderer& renderer, const TextStyle& style, double pixelRatio);
     void placeMarks(const Place& at);
     void placeLines(const Place& at);
@@ -94,6 +97,7 @@ class PALPATE_EXPORT ColourLegend
     Corner m_corner = Corner::UpperLeft;
     std::size_t m_revision = 0;
     bool m_hasUnknown = false;
+    int m_steps = 0; ///< 0: the colour map
     ColourRange m_range;
     std::vector<Mark> m_marks;
     std::array<vtkSmartPointer<vtkTextActor>, kMaxMarks> m_markTexts;

@@ -30,8 +30,8 @@ struct FeltColours
 [[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkPolyData>
 palpabilityColoured(vtkPolyData& picture, const geometry::TriangleMesh& mesh, const FeltColours& colours);
 
-/// Makes an actor draw the contour lines and hatching of a picture from `palpabilityColoured`. With any other picture,
-/// removes them. Lines have constant width on screen. @par Thread The view's.
+/// Makes an actor draw the contour lines and hatching of a picture from `palpabilityColoured`. No effect
+/// with other pictures. Lines have constant width on screen. @par Thread The view's.
 PALPATE_EXPORT void drawPalpabilityContours(vtkActor& actor, vtkPolyData& picture);
 
 } // namespace palpate::view

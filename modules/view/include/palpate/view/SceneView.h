@@ -4,6 +4,7 @@
 #include "palpate/view/CameraPresets.h"
 #include "palpate/view/ColourLegend.h"
 #include "palpate/view/FindingMarkers.h"
+#include "palpate/view/MeasureLines.h"
 #include "palpate/view/OrientationCube.h"
 #include "palpate/view/PlaceRing.h"
 #include "palpate/view/ScaleBar.h"
@@ -71,12 +72,15 @@ class PALPATE_EXPORT SceneView
     /// Moves the pictures to the places of `moveTo`, as `prepareFrame` does. Returns true if a new frame would differ.
     bool follow();
     void setBackground(const Colour& bottom, const Colour& top, const Colour& text);
+    /// Sets the height at the top of the view that something covers, which the legend avoids. [logical px]
+    void setCoveredAbove(double height_px) noexcept { m_covered_px = height_px; }
     /// Sets the style of all texts, from the next frame on.
     void setTextStyle(const TextStyle& style) { m_text = style; }
     [[nodiscard]] const TextStyle& textStyle() const noexcept { return m_text; }
 
     [[nodiscard]] TouchCursor& cursor() noexcept { return m_cursor; }
     [[nodiscard]] FindingMarkers& findings() noexcept { return m_findings; }
+    [[nodiscard]] MeasureLines& measures() noexcept { return m_measures; }
     [[nodiscard]] ColourLegend& legend() noexcept { return m_legend; }
     /// The ring is hidden when structures are replaced.
     [[nodiscard]] PlaceRing& placeRing() noexcept { return m_placeRing; }
@@ -117,6 +121,7 @@ class PALPATE_EXPORT SceneView
     void bendTissue(const ViewFrame& frame);
     void findHiddenFindings(const ViewFrame& frame);
     void placeLegend(const ViewFrame& frame);
+    void placeMeasures(const ViewFrame& frame);
     [[nodiscard]] std::size_t countTissueVertices(const Eigen::AlignedBox2d& box_px, const ViewFrame& frame) const;
 
     vtkSmartPointer<vtkRenderer> m_solid;
@@ -127,6 +132,7 @@ class PALPATE_EXPORT SceneView
     PlaceRing m_placeRing;
     TouchCursor m_cursor;
     FindingMarkers m_findings;
+    MeasureLines m_measures;
     /// Inputs of the last visibility test of the findings.
     struct Seen
     {
@@ -149,6 +155,7 @@ class PALPATE_EXPORT SceneView
     std::vector<ViewStructure> m_structures;
     vtkSmartPointer<vtkRenderWindow> m_window;
     TextStyle m_text;
+    double m_covered_px = 0.0;
     bool m_hasOcclusion = false;
     bool m_isSorted = true;
     bool m_bends = true;
