@@ -575,7 +575,8 @@ void ImportServer::liesAreRefused_data()
         QTest::newRow(name) << wire.bytes();
     };
     frames("no end", [](int f, auto& one, auto&) { return writeStructure(f, one); });
-    frames("structure first", [](int f, auto&, auto& two) { return writeStructure(f, two); });
+    frames("structure first",
+           [](int f, auto& one, auto& two) { return writeStructure(f, two) && writeOutcome(f, one, 1); });
     frames("begun twice", [](int f, auto& one, auto& two) {
         auto again = one;
         return writeStructure(f, one) && writeStructure(f, again) && writeOutcome(f, two, 2);
