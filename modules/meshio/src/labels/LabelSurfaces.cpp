@@ -194,7 +194,7 @@ class InOrder
         const std::scoped_lock lock(m_mutex);
         return static_cast<double>(m_count) / static_cast<double>(m_made.size());
     }
-    /// Passes on what is complete. One thread only. @return the first error of `take`
+    /// Passes on the next complete surfaces. One thread only. @return the first error of `take`
     core::Status pass(const std::function<core::Status(std::size_t, LabelSurface)>& take)
     {
         while (std::optional<LabelSurface> surface = next()) {

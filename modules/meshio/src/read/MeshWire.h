@@ -12,10 +12,10 @@ namespace palpate::meshio::internal {
 
 class WireHeadReader;
 
-// An outcome is a sequence of frames (Wire.h): what all structures have in common, each structure, and the end with the
+// An outcome is a sequence of frames (Wire.h): the data common to all structures, each structure, and the end with the
 // status. The reader process may hand over structures before the outcome is known.
 
-/// Appends the last structure of `file` to a memory file, before it also what all structures have in common if it is
+/// Appends the last structure of `file` to a memory file, before it also the data common to all structures if it is
 /// the first, and frees the mesh.
 /// @return false when writing fails
 [[nodiscard]] bool writeStructure(int descriptor, MeshFile& file);

@@ -85,7 +85,7 @@ std::optional<geometry::Staircase> voxelsOf(const PreScan& scan, const ScanConte
     return voxels;
 }
 
-/// Sets what all structures of the file have in common.
+/// Sets the data common to all structures of the file.
 void describe(const PreScan& scan, const ScanContext& context, MeshFile& file)
 {
     file.format = scan.format;

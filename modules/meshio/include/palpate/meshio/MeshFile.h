@@ -72,11 +72,11 @@ struct ReadOptions
     /// Receives structures of a label map while the child process makes the next ones (startImportServer; without it,
     /// and for other formats, not called). The last of `file.structures` is the new one, and `file` has format, frame,
     /// unit and voxels. The callback may take the mesh of the new structure. Structures are in the order of the file;
-    /// those that are complete when the child ends are only in the result. If reading fails or is cancelled, what was
-    /// received is void. Called on the reading thread. May be empty.
+    /// those that are complete when the child ends are only in the result. If reading fails or is cancelled, the
+    /// received structures are void. Called on the reading thread. May be empty.
     std::function<void(MeshFile& file)> structureRead{};
     /// Option of `loadScene`: receives each structure as soon as its surface is ready, for a preview: description and
-    /// `surface`. Names and colours may still change, and if loading fails or is cancelled, what was received is void.
+    /// `surface`. Names and colours may still change, and all are void if loading fails or is cancelled.
     /// Called on any thread, and on several at a time. May be empty.
     std::function<void(const LoadedStructure& structure)> structureReady{};
 };
