@@ -151,7 +151,7 @@ class SurfaceOptions : public QObject
                  flat.out.constData());
     }
 
-    void replayAndFeltSayWhatIsNeverFelt()
+    void replaySaysWhatIsNeverFelt()
     {
         std::filesystem::create_directory(m_folder.path("two"));
         for (const char* name : {"organ.stl", "lump.stl"}) {
@@ -163,7 +163,7 @@ class SurfaceOptions : public QObject
         QVERIFY(QByteArray::fromStdString(test::fileBytes(m_folder.path("s.json"))).contains(says));
         QVERIFY(!run({"replay", "two", "--motion", "press.csv", "--layers", "auto"}).out.contains(says));
         const Outcome felt = run({"felt", "two", "--press", "2"});
-        QVERIFY2(felt.out.contains(says), felt.out.constData());
+        QVERIFY2(!felt.out.contains(says), felt.out.constData()); // its table answers for lumps
     }
 
     /// A recording of smoothed and reoriented surfaces is resimulated without their options.

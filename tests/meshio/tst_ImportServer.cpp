@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "LabelFiles.h"
 #include "Samples.h"
-#include "Volumes.h"
 #include "read/ImportServer.h"
 #include "read/MeshWire.h"
 #include "read/ReadMesh.h"
@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include <palpate/core/Message.h>
+#include <palpate/meshio/LoadScene.h>
 
 #include <algorithm>
 #include <atomic>
@@ -19,8 +20,10 @@
 #include <fcntl.h>
 #include <fstream>
 #include <limits>
+#include <mutex>
 #include <set>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 using namespace palpate;
@@ -29,6 +32,7 @@ using meshio::internal::readOutcome;
 using meshio::internal::takeVolume;
 using meshio::internal::VoxelGrid;
 using meshio::internal::writeOutcome;
+using meshio::internal::writeStructure;
 using meshio::internal::writeVolume;
 
 namespace {
@@ -61,6 +65,9 @@ void misbehave(const char* path)
             ++opened;
         }
         ::_exit(opened < 32 ? 7 : 8);
+    } else if (name == "midway") {
+        const rlimit some{50'000, 50'000}; // the size of a few structures of `manyCubes`
+        (void)::setrlimit(RLIMIT_FSIZE, &some);
     } else if (name == "noise") {
         (void)!::write(1, "out", 3);
         (void)!::write(2, "error", 5);
@@ -93,6 +100,19 @@ class Wire
   private:
     int m_file;
 };
+
+/// @return a label map of 27 cubes, each surface of which takes about 20 kB
+std::string manyCubes()
+{
+    test::LabelGrid grid;
+    grid.size = {30, 30, 30};
+    grid.fill([](const core::Vec3& p) {
+        const auto cube = [](double x) { return static_cast<int>(x) / 10; };
+        const auto isIn = [](double x) { return static_cast<int>(x) % 10 >= 2; };
+        return isIn(p.x()) && isIn(p.y()) && isIn(p.z()) ? 1 + cube(p.x()) + 3 * cube(p.y()) + 9 * cube(p.z()) : 0;
+    });
+    return test::labelNrrd(grid, "uint8", "raw") + test::labelNumbers<std::uint8_t>(grid);
+}
 
 meshio::MeshFile twoStructures()
 {
@@ -155,7 +175,11 @@ class ImportServer : public QObject
     void tenMillionTrianglesCanBeCancelled();
     void tenMillionTrianglesLoad();
     void manyAtOnceAndNothingLeft();
+    void structuresComeOneByOne();
+    void readerThatEndsMidwayLeavesNothing();
+    void sceneShowsStructuresEarly();
     void outcomeComesBackWhole();
+    void structuresComeBeforeTheOutcome();
     void errorComesBackAsOneLine();
     void errorKeepsItsTextsAndArguments();
     void excessiveMessagesAreRefused_data();
@@ -329,6 +353,99 @@ void ImportServer::manyAtOnceAndNothingLeft()
     QCOMPARE(openDescriptors(), before);
 }
 
+/// Structures of a label map come in order while the child works, and the result is that of this process.
+void ImportServer::structuresComeOneByOne()
+{
+    const test::Folder folder;
+    const auto path = folder.write("cubes.nrrd", manyCubes());
+    const auto here = meshio::internal::readHere(path, {});
+    QVERIFY2(here.isOk(), here.status().message().c_str());
+    QCOMPARE(here.value().structures.size(), std::size_t{27});
+    std::size_t received = 0;
+    meshio::ReadOptions options;
+    options.structureRead = [&](meshio::MeshFile& file) {
+        ++received;
+        QCOMPARE(file.structures.size(), received);
+        QCOMPARE(file.format, here.value().format);
+        QVERIFY(file.voxels && file.voxels->voxel_mm == here.value().voxels->voxel_mm);
+        QVERIFY(file.structures.back().mesh.vertices == here.value().structures[received - 1].mesh.vertices);
+    };
+    const auto child = meshio::readMesh(path, options);
+    QVERIFY2(child.isOk(), child.status().message().c_str());
+    QVERIFY(received <= 27);
+    QCOMPARE(child.value().structures.size(), std::size_t{27});
+    QVERIFY(std::ranges::equal(child.value().notes, here.value().notes, haveSameParts));
+    for (std::size_t i = 0; i < 27; ++i) {
+        const auto &a = child.value().structures[i], &b = here.value().structures[i];
+        QCOMPARE(a.name, b.name);
+        QVERIFY(a.mesh.vertices == b.mesh.vertices && a.mesh.triangles == b.mesh.triangles);
+    }
+}
+
+/// A child that is stopped after some structures is an error, as if it had handed over none.
+void ImportServer::readerThatEndsMidwayLeavesNothing()
+{
+    const test::Folder folder;
+    const auto path = folder.write("midway.nrrd", manyCubes());
+    std::size_t received = 0;
+    meshio::ReadOptions options;
+    options.structureRead = [&received](meshio::MeshFile&) { ++received; };
+    const auto file = meshio::readMesh(path, options);
+    QVERIFY(!file.isOk());
+    QVERIFY2(file.status().message().starts_with("midway.nrrd: its content is larger than "),
+             file.status().message().c_str());
+    QVERIFY(received > 0 && received < 27);
+    std::atomic<std::size_t> shown{0};
+    options.structureReady = [&shown](const meshio::LoadedStructure&) { ++shown; };
+    const auto scene = meshio::loadScene(path, options);
+    QVERIFY(!scene.isOk());
+    QCOMPARE(scene.status().code(), StatusCode::OutOfRange);
+    QVERIFY(shown > 0);
+    const auto other = folder.write("whole.stl", test::asciiStl()); // in a folder, only the whole file is left
+    const auto both = meshio::loadScene(folder.path(""), options);
+    QVERIFY2(both.isOk(), both.status().message().c_str());
+    QCOMPARE(both.value().structures.size(), std::size_t{1});
+    QCOMPARE(both.value().losses.size(), std::size_t{1});
+}
+
+/// The preview has each structure once, and the scene is the same without a preview.
+void ImportServer::sceneShowsStructuresEarly()
+{
+    const test::Folder folder;
+    const auto map = folder.write("cubes.nrrd", manyCubes());
+    const test::Folder meshes;
+    for (const char* name : {"a.stl", "b.stl", "c.stl"}) {
+        (void)meshes.write(name, test::asciiStl());
+    }
+    for (const auto& path : {map, meshes.path("")}) {
+        const auto plain = meshio::loadScene(path);
+        QVERIFY2(plain.isOk(), plain.status().message().c_str());
+        std::mutex mutex;
+        std::set<std::string> names;
+        std::set<std::shared_ptr<const geometry::RepairedMesh>> surfaces;
+        meshio::ReadOptions options;
+        options.structureReady = [&](const meshio::LoadedStructure& one) {
+            const std::scoped_lock lock(mutex);
+            names.insert(one.description.name);
+            surfaces.insert(one.surface);
+        };
+        const auto scene = meshio::loadScene(path, options);
+        QVERIFY2(scene.isOk(), scene.status().message().c_str());
+        QCOMPARE(scene.value().structures.size(), plain.value().structures.size());
+        QCOMPARE(surfaces.size(), plain.value().structures.size());
+        for (std::size_t i = 0; i < scene.value().structures.size(); ++i) {
+            const auto &a = scene.value().structures[i], &b = plain.value().structures[i];
+            QCOMPARE(a.description.name, b.description.name);
+            QCOMPARE(a.description.part, b.description.part);
+            QVERIFY(a.description.colour == b.description.colour);
+            QVERIFY(a.description.smoothing == b.description.smoothing);
+            QVERIFY(names.contains(a.description.name) && surfaces.contains(a.surface));
+            QVERIFY(a.surface->mesh.vertices == b.surface->mesh.vertices);
+            QVERIFY(a.smoothing.has_value() == (path == map));
+        }
+    }
+}
+
 void ImportServer::outcomeComesBackWhole()
 {
     const Wire wire;
@@ -346,6 +463,34 @@ void ImportServer::outcomeComesBackWhole()
         QVERIFY(file.value().structures[i].colour == whole.structures[i].colour);
         QVERIFY(file.value().structures[i].mesh.vertices == whole.structures[i].mesh.vertices);
         QVERIFY(file.value().structures[i].mesh.triangles == whole.structures[i].mesh.triangles);
+    }
+}
+
+/// Structures can be read while the outcome is unknown; an error makes them void.
+void ImportServer::structuresComeBeforeTheOutcome()
+{
+    for (const bool isOk : {true, false}) {
+        const Wire wire;
+        meshio::internal::OutcomeReader reader(wire.file(), "/somewhere/a.stl");
+        meshio::MeshFile file = twoStructures();
+        const meshio::MeshStructure second = file.structures[1];
+        file.structures.pop_back();
+        QVERIFY(writeStructure(wire.file(), file));
+        QVERIFY(reader.readStructure());
+        QVERIFY(reader.file().frame == file.frame && reader.file().structures.size() == 1);
+        QVERIFY(reader.file().structures[0].mesh.vertices == twoStructures().structures[0].mesh.vertices);
+        file.structures.push_back(second);
+        QVERIFY(isOk ? writeOutcome(wire.file(), file, 1)
+                     : writeOutcome(wire.file(), core::Status(StatusCode::OutOfRange, PALPATE_TEXT("too large"))));
+        const auto outcome = std::move(reader).finish();
+        QCOMPARE(outcome.isOk(), isOk);
+        if (isOk) {
+            QCOMPARE(outcome.value().structures.size(), std::size_t{2});
+            QVERIFY(outcome.value().structures[1].mesh.vertices == second.mesh.vertices);
+            QCOMPARE(outcome.value().notes.size(), std::size_t{2});
+        } else {
+            QCOMPARE(outcome.status().message(), std::string("a.stl: too large"));
+        }
     }
 }
 
@@ -422,6 +567,34 @@ void ImportServer::liesAreRefused_data()
     row("frame", twoStructures(), [](auto& f) { f.frame = static_cast<meshio::FileFrame>(3); });
     row("no structure", twoStructures(), [](auto& f) { f.structures.clear(); });
     row("no triangle", twoStructures(), [](auto& f) { f.structures[0].mesh.triangles.clear(); });
+    const auto frames = [](const char* name, auto&& write) {
+        const Wire wire;
+        meshio::MeshFile two = twoStructures(), one = twoStructures();
+        one.structures.pop_back();
+        QVERIFY(write(wire.file(), one, two));
+        QTest::newRow(name) << wire.bytes();
+    };
+    frames("no end", [](int f, auto& one, auto&) { return writeStructure(f, one); });
+    frames("structure first",
+           [](int f, auto& one, auto& two) { return writeStructure(f, two) && writeOutcome(f, one, 1); });
+    frames("begun twice", [](int f, auto& one, auto& two) {
+        auto again = one;
+        return writeStructure(f, one) && writeStructure(f, again) && writeOutcome(f, two, 2);
+    });
+    frames("fewer than stated",
+           [](int f, auto& one, auto& two) { return writeStructure(f, one) && writeOutcome(f, two, 2); });
+    frames("more than stated", [](int f, auto& one, auto& two) {
+        auto whole = one;
+        return writeStructure(f, one) && writeStructure(f, two) && writeOutcome(f, whole, 1);
+    });
+    frames("structure after the end", [](int f, auto& one, auto& two) {
+        auto whole = one;
+        return writeStructure(f, one) && writeOutcome(f, whole, 1) && writeStructure(f, two);
+    });
+    frames("unknown frame", [](int f, auto& one, auto& two) {
+        const std::string frame = std::string("\x01\0\0\0\0\0\0\0\x03", 9);
+        return writeStructure(f, one) && ::write(f, frame.data(), frame.size()) == 9 && writeOutcome(f, two, 1);
+    });
     const Wire wire;
     QVERIFY(writeOutcome(wire.file(), twoStructures()));
     const std::string whole = wire.bytes();

@@ -81,6 +81,45 @@ class SceneLoader : public QObject
         QCOMPARE(scene->rows.size(), std::size_t{1});
         QCOMPARE(scene->problems.size(), 1);
     }
+    /// The preview has the surfaces and display meshes of the scene, before the scene is complete.
+    void structuresAreShownBeforeTheScene()
+    {
+        ui::SceneLoader loader;
+        std::vector<ui::StructureRow> shown;
+        std::shared_ptr<ui::OpenedScene> scene;
+        connect(&loader, &ui::SceneLoader::structuresReady, this, [&](const auto& rows) {
+            QVERIFY(scene == nullptr);
+            shown.insert(shown.end(), rows->begin(), rows->end());
+        });
+        connect(&loader, &ui::SceneLoader::opened, this, [&](const auto& opened) { scene = opened; });
+        loader.open({m_ball, m_bad, m_ball});
+        PALPATE_TRY_VERIFY(scene != nullptr);
+        QCOMPARE(scene->rows.size(), std::size_t{2});
+        QCOMPARE(shown.size(), std::size_t{2});
+        for (std::size_t i = 0; i < 2; ++i) {
+            QVERIFY(shown[i].loaded.surface == scene->rows[i].loaded.surface);
+            QVERIFY(shown[i].picture == scene->rows[i].picture);
+            QCOMPARE(shown[i].loaded.description.name, std::string("ball"));
+        }
+        shown.clear();
+        scene = nullptr;
+        loader.add({m_ball}, 1.0, {ui::OpenSurface{}}); // the open scene stays in the view
+        PALPATE_TRY_VERIFY(scene != nullptr);
+        QVERIFY(shown.empty());
+    }
+    void cancelDropsWhatWasShown()
+    {
+        ui::SceneLoader loader;
+        QSignalSpy dropped(&loader, &ui::SceneLoader::structuresDropped);
+        QSignalSpy cancelled(&loader, &ui::SceneLoader::cancelled);
+        QSignalSpy opened(&loader, &ui::SceneLoader::opened);
+        connect(&loader, &ui::SceneLoader::structuresReady, &loader, &ui::SceneLoader::cancel);
+        loader.open(std::vector<std::filesystem::path>(500, m_ball));
+        QCOMPARE(dropped.count(), 1); // of an earlier job
+        PALPATE_TRY_COMPARE(cancelled.count(), 1);
+        QCOMPARE(dropped.count(), 2);
+        QCOMPARE(opened.count(), 0);
+    }
     void cancelOpensNothing()
     {
         ui::SceneLoader loader;

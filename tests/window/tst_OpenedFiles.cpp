@@ -3,10 +3,12 @@
 #include "Desk.h"
 #include "TestRunner.h"
 #include "scene/CoordinatesChoice.h"
+#include "scene/SceneFiles.h"
 
 #include <palpate/meshio/SceneFile.h>
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/MessageList.h>
+#include <palpate/ui/SceneLoader.h>
 #include <palpate/ui/StructureModel.h>
 #include <palpate/ui/VtkViewport.h>
 
@@ -195,6 +197,35 @@ class OpenedFiles : public QObject
         QCOMPARE(findings.rowCount(), 2);
         m_desk->command("undo").trigger();
         QCOMPARE(findings.rowCount(), 1);
+    }
+    /// The first structures are in the view before all are read; cancelling shows the welcome page again.
+    void structuresAreShownWhileOthersAreRead()
+    {
+        ui::SceneLoader& loader = m_desk->window().findChild<app::SceneFiles*>()->loader();
+        const ui::VtkViewport& viewport = m_desk->window().viewport();
+        bool isCancelled = false;
+        const auto cancel = connect(&loader, &ui::SceneLoader::structuresReady, &loader, [&] {
+            QVERIFY(viewport.isVisible());
+            QVERIFY(view().structureCount() > 0);
+            QVERIFY(!m_desk->command("close").isEnabled()); // the document is empty
+            loader.cancel();
+            isCancelled = true;
+        });
+        QSignalSpy cancelled(&loader, &ui::SceneLoader::cancelled);
+        m_desk->window().open(std::vector<std::filesystem::path>(300, folder() / "a.stl"));
+        PALPATE_TRY_COMPARE(cancelled.count(), 1);
+        QVERIFY(isCancelled);
+        QVERIFY(!viewport.isVisible());
+        QCOMPARE(view().structureCount(), std::size_t{0});
+        disconnect(cancel);
+        QVERIFY(m_desk->open({folder() / "liver.stl", folder() / "a.stl"}));
+        QCOMPARE(view().structureCount(), std::size_t{2});
+        QVERIFY(m_desk->command("close").isEnabled());
+        std::size_t most = 0; // an open scene stays in the view until the next is complete
+        connect(&loader, &ui::SceneLoader::structuresReady, &loader, [&] { most = view().structureCount(); });
+        QVERIFY(m_desk->open({folder() / "a.stl", folder() / "b.stl", folder() / "c.stl"}));
+        QCOMPARE(most, std::size_t{2});
+        QCOMPARE(view().structureCount(), std::size_t{3});
     }
     void axesThatNobodySaidAreQuestioned()
     {

@@ -12,7 +12,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -132,6 +134,20 @@ std::vector<core::Message> leftOutLosses(const meshio::LoadedScene& scene,
     return losses;
 }
 
+/// Prints what the hand meets at the surfaces. The table says how lumps are felt through their organ: notes that the
+/// surface of the organ hides them would contradict it.
+void printNotes(const meshio::LoadedScene& scene, const std::vector<study::OrganWithLumps>& organs)
+{
+    meshio::LoadedScene others = scene;
+    for (const study::OrganWithLumps& organ : organs) {
+        for (const auto& lump : organ.lumps) {
+            others.structures[lump.structure].description.layer =
+                std::numeric_limits<std::uint32_t>::max() - static_cast<std::uint32_t>(lump.structure);
+        }
+    }
+    printTouchNotes(others, *study::hapticScene(scene));
+}
+
 int writeAndPrint(const FeltCommandOptions& options, const meshio::LoadedScene& scene,
                   const std::vector<study::OrganPalpability>& felt, std::vector<core::Message> losses)
 {
@@ -194,9 +210,9 @@ int runFelt(const FeltCommandOptions& options)
     if (!scene.isOk()) {
         return report(scene.status());
     }
-    printTouchNotes(scene.value(), *study::hapticScene(scene.value()));
     std::vector<study::LumpInOpenSurface> leftOut;
     const auto organs = study::organsWithLumps(scene.value(), ratios.value(), &leftOut);
+    printNotes(scene.value(), organs.isOk() ? organs.value() : std::vector<study::OrganWithLumps>());
     if (!organs.isOk()) {
         return report(organs.status().at(options.scene.filename()));
     }

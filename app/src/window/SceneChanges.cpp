@@ -57,12 +57,45 @@ SceneChanges::SceneChanges(const WindowCore& core, const Parts& parts)
     , m_layers(new LayerOffers(core.model, core.notices.bar(), this))
     , m_surfaces(new SceneSurfaces(core, parts.files.loader(), parts.progress, *m_layers, this))
 {
-    connect(&parts.files.loader(), &ui::SceneLoader::opened, this, &SceneChanges::take);
+    const ui::SceneLoader& loader = parts.files.loader();
+    connect(&loader, &ui::SceneLoader::structuresReady, this,
+            [this](const std::shared_ptr<std::vector<ui::StructureRow>>& rows) { preview(*rows); });
+    connect(&loader, &ui::SceneLoader::structuresDropped, this, &SceneChanges::dropPreview);
+    connect(&loader, &ui::SceneLoader::opened, this, &SceneChanges::take);
     connect(&parts.files, &SceneFiles::closeWanted, this, &SceneChanges::close);
+}
+
+/// Shows structures of a scene that is being opened. The document stays empty until all are read: nothing of the
+/// preview can be touched, edited or saved. An open scene or recording stays in the view instead.
+void SceneChanges::preview(const std::vector<ui::StructureRow>& rows)
+{
+    if (m_core.model.rowCount() > 0 || m_parts.recording.playback().recording() != nullptr) {
+        return;
+    }
+    m_surfaces->drawAdded(rows);
+    view::SceneView& view = m_core.viewport.view();
+    if (m_isPreview) {
+        view.fitAll();
+    } else {
+        m_isPreview = true;
+        view.look(view::ViewFrom::Oblique);
+        Q_EMIT viewChanged(true);
+    }
+    m_core.viewport.update();
+}
+
+/// Shows the welcome page again.
+void SceneChanges::dropPreview()
+{
+    if (std::exchange(m_isPreview, false)) {
+        m_core.viewport.view().setStructures({});
+        Q_EMIT viewChanged(false);
+    }
 }
 
 void SceneChanges::take(const std::shared_ptr<ui::OpenedScene>& scene)
 {
+    m_isPreview = false;
     if (scene->addedTo > 0) {
         add(*scene);
     } else if (scene->isReopened && m_parts.coordinates.isEditedSince()) {

@@ -6,6 +6,7 @@
 #include <palpate/ui/SceneLoader.h>
 
 #include <memory>
+#include <vector>
 
 namespace palpate::app {
 
@@ -47,6 +48,8 @@ class SceneChanges : public QObject
     void ready();
 
   private:
+    void preview(const std::vector<ui::StructureRow>& rows);
+    void dropPreview();
     void take(const std::shared_ptr<ui::OpenedScene>& scene);
     void replace(ui::OpenedScene& scene);
     void show(const ui::OpenedScene& scene);
@@ -62,6 +65,7 @@ class SceneChanges : public QObject
     Parts m_parts;
     LayerOffers* m_layers = nullptr;
     SceneSurfaces* m_surfaces = nullptr;
+    bool m_isPreview = false; ///< the view shows structures of a scene that is being opened
 };
 
 } // namespace palpate::app

@@ -4,6 +4,7 @@
 #include "labels/LabelNames.h"
 #include "labels/LabelSurfaces.h"
 #include "labels/LabelVolume.h"
+#include "text/Encoding.h"
 #include "text/FileStem.h"
 #include "text/TextScan.h"
 #include "voxels/VoxelReader.h"
@@ -71,7 +72,8 @@ std::vector<LabelName> uniqueNames(const NamedLabels& named, const LabelVolume& 
     for (const Label& label : volume.labels) {
         const auto found = named.names.find({label.layer, label.value});
         LabelName name = found == named.names.end() ? LabelName() : found->second;
-        if (name.name.empty()) {
+        name.name = utf8Of(name.name);
+        if (name.name.empty() || (volume.labels.size() == 1 && isPlaceholder(name.name))) {
             name.name = volume.labels.size() == 1 ? fileStem(file)
                         : isLayered
                             ? "label " + std::to_string(label.value) + " of layer " + std::to_string(label.layer + 1)
@@ -150,10 +152,6 @@ Result<TriangleSoup> readLabels(const FileImage& image, const ScanContext& conte
     if (!volume.isOk()) {
         return volume.status();
     }
-    std::vector<LabelSurface> surfaces = labelSurfaces(volume.value(), layout.value(), share(kVoxelsRead, 1.0));
-    if (surfaces.empty()) {
-        return Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), file);
-    }
     NamedLabels named = namesFor(layout.value(), volume.value(), context.path);
     const std::vector<LabelName> names = uniqueNames(named, volume.value(), file);
     scan.format = layout.value().format + " label map";
@@ -164,15 +162,24 @@ Result<TriangleSoup> readLabels(const FileImage& image, const ScanContext& conte
     scan.voxels->voxel_mm = layout.value().voxel_mm();
     scan.voxels->axes = layout.value().steps * layout.value().voxel_mm().cwiseInverse().asDiagonal();
     scan.voxels->isStated = true;
-    TriangleSoup soup;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        if (surfaces[i].enclosedVoxels > 0) {
+    const auto take = [&](std::size_t i, LabelSurface surface) {
+        if (surface.enclosedVoxels > 0) {
             scan.notes.push_back({PALPATE_TEXT("%1 includes what it encloses, %2 voxels of other labels"),
-                                  inQuotes(names[i].name), core::Count(surfaces[i].enclosedVoxels)});
+                                  inQuotes(names[i].name), core::Count(surface.enclosedVoxels)});
         }
-        soup.add(std::move(surfaces[i].mesh), names[i].name, names[i].colour);
+        TriangleSoup one;
+        one.mesh = std::move(surface.mesh);
+        one.partNames = {names[i].name};
+        one.partColours = {names[i].colour};
+        return context.takeStructure(one);
+    };
+    const Result<bool> isDone = labelSurfaces(volume.value(), layout.value(), take, share(kVoxelsRead, 1.0));
+    if (!isDone.isOk()) {
+        return isDone.status();
     }
-    return soup;
+    return isDone.value()
+               ? Result<TriangleSoup>(TriangleSoup())
+               : Result<TriangleSoup>(Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), file));
 }
 
 constexpr std::array<std::string_view, 2> kNrrdExtensions{".nrrd", ".nhdr"};

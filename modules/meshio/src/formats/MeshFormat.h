@@ -32,7 +32,8 @@ struct MeshFormat
     /// @return VTK's reader, configured for the file at `path` by the results of `scan`
     vtkSmartPointer<vtkAlgorithm> (*reader)(const std::string& path, const PreScan& scan);
     /// Instead of the previous two, for formats that meshio reads itself: checks the bytes and makes the surfaces, in
-    /// the axes and units of the file. @param scan  receives format, frame, voxels and notes
+    /// the axes and units of the file. A label map hands its surfaces to `context.takeStructure` instead and returns an
+    /// empty soup. @param scan  receives format, frame, voxels and notes
     core::Result<TriangleSoup> (*surfaces)(const FileImage& image, const ScanContext& context, PreScan& scan) = nullptr;
     bool isLabelMap = false; ///< a volume
 };

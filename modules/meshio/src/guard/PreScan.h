@@ -6,6 +6,7 @@
 #include "palpate/meshio/MeshFile.h"
 
 #include <palpate/core/Message.h>
+#include <palpate/core/Status.h>
 #include <palpate/core/Types.h>
 #include <palpate/geometry/Staircase.h>
 
@@ -50,6 +51,8 @@ struct PreScan
     void note(const core::Message& sentence) { notes.push_back(sentence); }
 };
 
+struct TriangleSoup;
+
 /// File name for messages and number conventions of a pre-scan.
 struct ScanContext
 {
@@ -60,6 +63,9 @@ struct ScanContext
     bool isPartial = false;                ///< keep the complete elements of a truncated file
     /// Progress callback (0 to 1, by bytes). Return false to cancel. May be empty.
     std::function<bool(double)> progress;
+    /// Takes the structures of a label map one by one, each as a soup of one part with its final name; format, frame
+    /// and voxels in the pre-scan are set before the first. An error ends the reading.
+    std::function<core::Status(const TriangleSoup& one)> takeStructure;
 };
 
 /// Limit per kind (point or polygon arrays); further arrays are skipped with a note.

@@ -19,10 +19,6 @@ struct TriangleSoup
     std::vector<std::string> partNames;                            ///< at least one
     std::vector<std::optional<std::array<double, 3>>> partColours; ///< as partNames, or empty
     std::vector<double> partOpacities;                             ///< as partNames, or empty
-
-    /// Adds a mesh without arrays as one part.
-    void add(const geometry::TriangleMesh& more, const std::string& name,
-             const std::optional<std::array<double, 3>>& colour);
 };
 
 } // namespace palpate::meshio::internal

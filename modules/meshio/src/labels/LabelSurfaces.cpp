@@ -19,6 +19,10 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace palpate::meshio::internal {
 
@@ -171,17 +175,61 @@ LabelSurface contourOf(const LabelVolume& volume, std::uint16_t number)
     return out;
 }
 
+/// Passes on surfaces that are made in any order, by several threads, in the order of the labels.
+class InOrder
+{
+  public:
+    explicit InOrder(std::size_t count)
+        : m_made(count)
+    {
+    }
+    void add(std::size_t i, LabelSurface surface)
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_made[i] = std::move(surface);
+        ++m_count;
+    }
+    [[nodiscard]] double share() const
+    {
+        const std::scoped_lock lock(m_mutex);
+        return static_cast<double>(m_count) / static_cast<double>(m_made.size());
+    }
+    /// Passes on the next complete surfaces. One thread only. @return the first error of `take`
+    core::Status pass(const std::function<core::Status(std::size_t, LabelSurface)>& take)
+    {
+        while (std::optional<LabelSurface> surface = next()) {
+            if (core::Status status = take(m_passed++, *std::move(surface)); !status.isOk()) {
+                return status;
+            }
+        }
+        return {};
+    }
+
+  private:
+    std::optional<LabelSurface> next()
+    {
+        const std::scoped_lock lock(m_mutex);
+        return m_passed < m_made.size() ? std::exchange(m_made[m_passed], std::nullopt) : std::nullopt;
+    }
+
+    mutable std::mutex m_mutex;
+    std::vector<std::optional<LabelSurface>> m_made;
+    std::size_t m_count = 0;
+    std::size_t m_passed = 0;
+};
+
 } // namespace
 
-std::vector<LabelSurface> labelSurfaces(const LabelVolume& volume, const VolumeLayout& layout,
-                                        const std::function<bool(double)>& progress)
+core::Result<bool> labelSurfaces(const LabelVolume& volume, const VolumeLayout& layout,
+                                 const std::function<core::Status(std::size_t, LabelSurface)>& take,
+                                 const std::function<bool(double)>& progress)
 {
-    std::vector<LabelSurface> surfaces(volume.labels.size());
+    InOrder surfaces(volume.labels.size());
     const bool isMirrored = layout.steps.determinant() < 0.0;
-    std::atomic<bool> isCancelled{false};
-    std::atomic<std::size_t> done{0};
-    core::parallelFor(surfaces.size(), [&](std::size_t i, unsigned thread) {
-        if (isCancelled) {
+    std::atomic<bool> isStopped{false};
+    core::Status status;
+    core::parallelFor(volume.labels.size(), [&](std::size_t i, unsigned thread) {
+        if (isStopped) {
             return;
         }
         LabelSurface surface = contourOf(volume, static_cast<std::uint16_t>(i + 1));
@@ -192,17 +240,16 @@ std::vector<LabelSurface> labelSurfaces(const LabelVolume& volume, const VolumeL
         for (Vec3& p : mesh.vertices) {
             p = layout.steps * p + layout.origin;
         }
-        surfaces[i] = std::move(surface);
-        ++done;
-        if (thread == 0 && progress &&
-            !progress(static_cast<double>(done.load()) / static_cast<double>(surfaces.size()))) {
-            isCancelled = true;
+        surfaces.add(i, std::move(surface));
+        if (thread == 0) {
+            status = surfaces.pass(take);
+            isStopped = !status.isOk() || (progress && !progress(surfaces.share()));
         }
     });
-    if (isCancelled) {
-        surfaces.clear();
+    if (!isStopped) {
+        status = surfaces.pass(take);
     }
-    return surfaces;
+    return status.isOk() ? core::Result<bool>(!isStopped) : core::Result<bool>(status);
 }
 
 } // namespace palpate::meshio::internal

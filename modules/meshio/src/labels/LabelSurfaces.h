@@ -3,11 +3,12 @@
 
 #include "labels/LabelVolume.h"
 
+#include <palpate/core/Status.h>
 #include <palpate/geometry/TriangleMesh.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <vector>
 
 namespace palpate::meshio::internal {
 
@@ -25,13 +26,15 @@ struct LabelSurface
 ///
 /// Only the bounding box of a label is contoured, so that the work follows the size of the structures.
 /// @param layout    of the volume, for the place of the voxels
+/// @param take  receives the surface of each label, in the order of the labels, each as soon as it and those before it
+/// are ready: in the axes of the file [mm], the normals outwards whatever the handedness of the axes. On the calling
+/// thread; an error ends the work
 /// @param progress  callback (0 to 1) on the calling thread; false cancels. May be empty
-/// @return one surface per label, in the axes of the file [mm], the normals outwards whatever the handedness of the
-/// axes;
-///         empty if cancelled
+/// @return the error of `take`; false if cancelled
 /// @par Source Schroeder, Maynard, Geveci: Flying Edges (2015); vtkDiscreteFlyingEdges3D, as in 3D Slicer
 /// @par Cost About 10 ns per voxel of all bounding boxes. Uses all cores.
-[[nodiscard]] std::vector<LabelSurface> labelSurfaces(const LabelVolume& volume, const VolumeLayout& layout,
-                                                      const std::function<bool(double)>& progress);
+[[nodiscard]] core::Result<bool> labelSurfaces(const LabelVolume& volume, const VolumeLayout& layout,
+                                               const std::function<core::Status(std::size_t, LabelSurface)>& take,
+                                               const std::function<bool(double)>& progress);
 
 } // namespace palpate::meshio::internal

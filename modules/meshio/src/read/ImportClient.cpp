@@ -15,6 +15,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <functional>
+#include <optional>
 #include <poll.h>
 #include <string>
 #include <sys/mman.h>
@@ -123,32 +124,48 @@ enum class End : std::uint8_t
 {
     Done,
     Died,
+    Damaged, ///< a structure; the outcome has the error
     Cancelled,
     TooLate
 };
 
-/// Waits for the reader's final byte and reports progress meanwhile.
-End follow(int progress, const std::function<bool(double)>& told, Clock::time_point deadline)
+/// Waits for the reader's final byte; reports progress and takes announced structures meanwhile.
+/// @param take  takes the next structure; false if it is damaged. May be empty
+End follow(int progress, const std::function<bool(double)>& told, const std::function<bool()>& take,
+           Clock::time_point deadline)
 {
     constexpr int kLook_ms = 50;    // maximum delay of a cancel
     constexpr double kShare = 0.95; // share of the progress for reading; the rest is the transfer
     std::uint8_t newest = 0;
+    std::uint64_t waiting = 0; // structures
     while (true) {
         pollfd event{progress, POLLIN, 0};
-        if (::poll(&event, 1, kLook_ms) > 0) {
+        if (::poll(&event, 1, waiting > 0 ? 0 : kLook_ms) > 0) {
             std::array<std::uint8_t, 256> bytes;
             const ssize_t got = ::read(progress, bytes.data(), bytes.size());
-            if (got > 0) {
-                newest = bytes[static_cast<std::size_t>(got) - 1];
-                if (newest == kDoneByte) {
-                    return End::Done;
-                }
-            } else if (got == 0) {
+            if (got == 0) {
                 return End::Died;
             }
+            for (ssize_t i = 0; i < got; ++i) {
+                const std::uint8_t byte = bytes[static_cast<std::size_t>(i)];
+                if (byte == kDoneByte) {
+                    return End::Done;
+                }
+                if (byte == kStructureByte) {
+                    waiting += take ? 1 : 0;
+                } else {
+                    newest = byte;
+                }
+            }
         }
-        if (told && !told(kShare * double(newest) / double(kDoneByte))) {
+        if (told && !told(kShare * double(newest) / double(kStructureByte))) {
             return End::Cancelled;
+        }
+        if (waiting > 0) {
+            --waiting;
+            if (!take()) {
+                return End::Damaged;
+            }
         }
         if (Clock::now() > deadline) {
             return End::TooLate;
@@ -224,10 +241,13 @@ Status startImportServer(const ImportLimits& limits, ReaderHook hook)
 
 namespace {
 
-/// Reads a file in a child process and waits until the result is in a memory file.
+/// Reads a file in a child process and waits until the result is in a memory file, or damaged.
 /// @param task  without limits; @param size  of the file or files, from which the limits follow [bytes]
+/// @param take  takes the next structure from the memory file before the result is complete; false if it is damaged.
+///              May be empty
 Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_t size,
-                             const std::filesystem::path& path, const std::function<bool(double)>& told)
+                             const std::filesystem::path& path, const std::function<bool(double)>& told,
+                             const std::function<bool(int result)>& take)
 {
     const std::string name = path.filename().string();
     const auto unstarted = [&name](int error) {
@@ -263,8 +283,11 @@ Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_
     }
     toldEnd = Descriptor(); // now open only in the reader, so that the end of the reader closes the pipe
     keeper = Descriptor();
-    switch (follow(progress.value(), told, deadline)) {
+    const std::function<bool()> takeNext =
+        take ? std::function<bool()>([&take, &result] { return take(result.value()); }) : std::function<bool()>();
+    switch (follow(progress.value(), told, takeNext, deadline)) {
     case End::Done:
+    case End::Damaged:
         break;
     case End::Died:
         return death(exitStatus(control.value()), name, budget);
@@ -312,11 +335,28 @@ Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& 
     task.readsScale = options.readsScale;
     // A file may have others beside it; the server's working directory is the one in which the program was started.
     const std::filesystem::path whole = std::filesystem::absolute(path);
-    const Result<Descriptor> result = outcomeOf(
-        task, file, hasLabelMapExtension(path) ? volumeBytes(path) : contentBytes(file), whole, options.progress);
+    std::optional<OutcomeReader> outcome;
+    const auto take = [&](int result) {
+        if (!outcome) {
+            outcome.emplace(result, path);
+        }
+        const bool isTaken = outcome->readStructure();
+        if (isTaken) {
+            options.structureRead(outcome->file());
+        }
+        return isTaken;
+    };
+    const Result<Descriptor> result =
+        outcomeOf(task, file, hasLabelMapExtension(path) ? volumeBytes(path) : contentBytes(file), whole,
+                  options.progress, options.structureRead ? std::function<bool(int)>(take) : nullptr);
+    if (!result.isOk()) {
+        return result.status();
+    }
+    if (!outcome) {
+        outcome.emplace(result.value().value(), path);
+    }
     // The reader releases its memory in the meantime.
-    return result.isOk() ? unlessCancelled(readOutcome(result.value().value(), path), path, options.progress)
-                         : result.status();
+    return unlessCancelled(std::move(*outcome).finish(), path, options.progress);
 }
 
 Result<VoxelGrid> readVolumeInChild(const OpenFile& file, const std::filesystem::path& path, core::FileFrame frame,
@@ -327,7 +367,7 @@ Result<VoxelGrid> readVolumeInChild(const OpenFile& file, const std::filesystem:
     task.frame = frame;
     // The server's working directory is the one in which the program was started.
     const std::filesystem::path whole = std::filesystem::absolute(path);
-    const Result<Descriptor> result = outcomeOf(task, file, volumeBytes(path), whole, progress);
+    const Result<Descriptor> result = outcomeOf(task, file, volumeBytes(path), whole, progress, {});
     return result.isOk() ? unlessCancelled(takeVolume(result.value().value(), path), path, progress) : result.status();
 }
 

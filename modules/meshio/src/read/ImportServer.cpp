@@ -23,6 +23,7 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 namespace palpate::meshio::internal {
 
@@ -50,8 +51,8 @@ bool confine(const ImportTask& task)
 std::function<bool(double)> progressTo(int pipe)
 {
     return [pipe, newest = -1](double share) mutable {
-        const int step = static_cast<int>(share * (kDoneByte - 1));
-        if (step > newest && step < kDoneByte) {
+        const int step = static_cast<int>(share * (kStructureByte - 1));
+        if (step > newest && step < kStructureByte) {
             newest = step;
             const auto byte = static_cast<std::uint8_t>(step);
             (void)!::write(pipe, &byte, 1); // a slow client misses a step
@@ -67,7 +68,8 @@ core::Status tooLarge(const ImportTask& task, const std::string& name)
                  {PALPATE_TEXT("content in proportion to the size of the file")});
 }
 
-Result<MeshFile> readMeshFor(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
+Result<MeshFile> readMeshFor(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends,
+                             const std::function<void(MeshFile&)>& structureRead)
 {
     const std::string name = path.filename().string();
     try {
@@ -77,6 +79,7 @@ Result<MeshFile> readMeshFor(const ImportTask& task, const std::filesystem::path
         options.frame = task.frame;
         options.readsScale = task.readsScale;
         options.progress = progressTo(ends.progress);
+        options.structureRead = structureRead;
         const Result<OpenFile> file = openFile(Descriptor(ends.source), name);
         if (!file.isOk()) {
             return file.status();
@@ -86,6 +89,21 @@ Result<MeshFile> readMeshFor(const ImportTask& task, const std::filesystem::path
     } catch (const std::bad_alloc&) {
         return tooLarge(task, name);
     }
+}
+
+/// Reads a mesh and hands it over, a label map structure by structure. @return false when writing fails
+bool handOverMesh(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
+{
+    std::size_t written = 0;
+    bool isWritten = true;
+    Result<MeshFile> outcome = readMeshFor(task, path, ends, [&](MeshFile& file) {
+        isWritten = isWritten && writeStructure(ends.result, file);
+        written += isWritten ? 1 : 0;
+        if (isWritten) {
+            (void)!::write(ends.progress, &kStructureByte, 1); // if missed, it is read with the others at the end
+        }
+    });
+    return isWritten && writeOutcome(ends.result, std::move(outcome), written);
 }
 
 Result<VoxelGrid> readVolumeFor(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
@@ -126,7 +144,7 @@ void prepareHeap(const ImportTask& task)
         hook(path);
     }
     const bool isWritten = task.kind == ImportKind::Volume ? writeVolume(ends.result, readVolumeFor(task, path, ends))
-                                                           : writeOutcome(ends.result, readMeshFor(task, path, ends));
+                                                           : handOverMesh(task, path, ends);
     if (!isWritten) {
         ::_exit(kNotHandedBack);
     }

@@ -40,9 +40,11 @@ struct ImportEnds
 {
     int source;   ///< the mesh or volume file
     int result;   ///< an empty memory file for the outcome
-    int progress; ///< a pipe: one byte per step, 0 … kDoneByte - 1, then kDoneByte
-    int control;  ///< the keeper's end of a socket: returns the reader's exit status; hanging up ends the reader
+    int progress; ///< a pipe: one byte per step, 0 … kStructureByte - 1; kStructureByte for each structure that can be
+                  ///< read while the child goes on; at last kDoneByte
+    int control; ///< the keeper's end of a socket: returns the reader's exit status; hanging up ends the reader
 };
+inline constexpr std::uint8_t kStructureByte = 254;
 inline constexpr std::uint8_t kDoneByte = 255;
 inline constexpr std::size_t kMostTask = 8192; ///< including the path [bytes]
 
@@ -62,7 +64,8 @@ core::Status startImportServer(const ImportLimits& limits, ReaderHook hook);
 /// @return true when files are read in children
 [[nodiscard]] bool hasImportServer();
 
-/// Reads `file` in a child. A child that fails, crashes or is stopped gives an error that names the file.
+/// Reads `file` in a child. A child that fails, crashes or is stopped gives an error that names the file, also after it
+/// has handed over structures.
 /// @par Thread Any number of concurrent calls, one child per call.
 [[nodiscard]] core::Result<MeshFile> readInChild(const OpenFile& file, const std::filesystem::path& path,
                                                  const ReadOptions& options);

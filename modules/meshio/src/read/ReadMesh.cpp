@@ -85,6 +85,15 @@ std::optional<geometry::Staircase> voxelsOf(const PreScan& scan, const ScanConte
     return voxels;
 }
 
+/// Sets the data common to all structures of the file.
+void describe(const PreScan& scan, const ScanContext& context, MeshFile& file)
+{
+    file.format = scan.format;
+    file.frame = scan.frame;
+    file.unit_mm = context.unit_mm;
+    file.voxels = voxelsOf(scan, context);
+}
+
 } // namespace
 
 Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, const ReadOptions& options)
@@ -117,27 +126,37 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
         return format.status();
     }
     PreScan scan;
+    MeshFile file;
+    file.path = path;
+    context.takeStructure = [&](const TriangleSoup& one) {
+        describe(scan, context, file);
+        Result<std::vector<MeshStructure>> made = separate(one, scan, context);
+        if (made.isOk()) {
+            file.structures.push_back(std::move(made).value().front());
+            if (options.structureRead) {
+                options.structureRead(file);
+            }
+        }
+        return made.status();
+    };
     Result<TriangleSoup> soup = format.value()->surfaces != nullptr
                                     ? format.value()->surfaces(image, context, scan)
                                     : readTriangles(*format.value(), image, context, options, scan);
     if (!soup.isOk()) {
         return soup.status();
     }
-    Result<std::vector<MeshStructure>> structures =
-        splitStructures(soup.value(), scan, context, utf8Of(fileStem(path)));
-    if (!structures.isOk()) {
-        return structures.status();
+    if (!format.value()->isLabelMap) {
+        Result<std::vector<MeshStructure>> structures =
+            splitStructures(soup.value(), scan, context, utf8Of(fileStem(path)));
+        if (!structures.isOk()) {
+            return structures.status();
+        }
+        file.structures = std::move(structures).value();
+        describe(scan, context, file);
     }
     if (options.progress && !options.progress(1.0)) {
         return Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), context.file);
     }
-    MeshFile file;
-    file.path = path;
-    file.format = scan.format;
-    file.frame = scan.frame;
-    file.unit_mm = context.unit_mm;
-    file.structures = std::move(structures).value();
-    file.voxels = voxelsOf(scan, context);
     file.notes = std::move(scan.notes);
     if (!scan.loss.isEmpty()) {
         file.loss = core::Message(PALPATE_TEXT("%1: %2"), context.file, scan.loss);
@@ -163,7 +182,9 @@ core::Result<MeshFile> readMesh(const std::filesystem::path& path, const ReadOpt
     }
     try {
         if (!internal::hasImportServer()) {
-            return internal::readHere(path, options);
+            ReadOptions here = options;
+            here.structureRead = {}; // would delay the next structures
+            return internal::readHere(path, here);
         }
         const core::Result<internal::OpenFile> file = internal::openFile(path);
         return file.isOk() ? internal::readInChild(file.value(), path, options) : file.status();

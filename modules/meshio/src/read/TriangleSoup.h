@@ -15,9 +15,14 @@ namespace palpate::meshio::internal {
 /// @param scan  receives notes, and the frame from field data
 [[nodiscard]] core::Result<TriangleSoup> toTriangles(vtkPolyData& data, PreScan& scan, const ScanContext& context);
 
-/// Splits the soup into structures in O(n), converts to LPS and mm, and checks every coordinate.
-/// Names become valid UTF-8 and different from each other.
+/// Splits the soup into structures in O(n), converts to LPS and mm, and checks every coordinate. Names become valid
+/// UTF-8.
 /// @param scan  receives notes
+[[nodiscard]] core::Result<std::vector<MeshStructure>> separate(const TriangleSoup& soup, PreScan& scan,
+                                                                const ScanContext& context);
+
+/// Same for a whole file: replaces names that programs write for unnamed parts, and makes all names different.
+/// @param fallbackName  for unnamed parts
 [[nodiscard]] core::Result<std::vector<MeshStructure>>
 splitStructures(const TriangleSoup& soup, PreScan& scan, const ScanContext& context, const std::string& fallbackName);
 

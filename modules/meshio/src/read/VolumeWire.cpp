@@ -30,11 +30,14 @@ Result<VoxelGrid> takeVolume(int descriptor, const std::filesystem::path& path)
 {
     const std::string name = path.filename().string();
     const auto invalid = [&name](const core::Message& what) { return wireFault(name, what); };
-    const WireOutcome outcome = readHead(descriptor, name);
-    if (!outcome.status.isOk()) {
-        return outcome.status;
+    const Result<WireFrame> frame = readFrame(descriptor, 0, name);
+    if (!frame.isOk()) {
+        return frame.status();
     }
-    WireHeadReader head(outcome.head);
+    WireHeadReader head(frame.value().head);
+    if (core::Status status = head.status(name); !status.isOk()) {
+        return status;
+    }
     VoxelGrid grid;
     grid.size = head.take<std::array<std::uint32_t, 3>>();
     for (int i = 0; i < 12; ++i) {
@@ -46,13 +49,13 @@ Result<VoxelGrid> takeVolume(int descriptor, const std::filesystem::path& path)
         voxels = along > kMostVoxels || voxels > kMostVoxels ? 0 : voxels * along;
     }
     if (!head.isAtEnd() || voxels == 0 || voxels > kMostVoxels ||
-        outcome.size - outcome.begin != voxels * sizeof(float)) {
+        frame.value().size - frame.value().begin != voxels * sizeof(float)) {
         return invalid({PALPATE_TEXT("its counts do not match its size")});
     }
     if (!grid.toVoxel.matrix().allFinite()) {
         return invalid({PALPATE_TEXT("its axes are not finite numbers")});
     }
-    std::uint64_t at = outcome.begin;
+    std::uint64_t at = frame.value().begin;
     if (!moveItems(descriptor, at, voxels, grid.values, [](float) { return true; })) {
         return invalid({PALPATE_TEXT("its voxels are incomplete")});
     }

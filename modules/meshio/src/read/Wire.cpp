@@ -81,6 +81,19 @@ std::string WireHeadReader::text()
     return out;
 }
 
+Status WireHeadReader::status(const std::string& file)
+{
+    const auto code = take<std::uint8_t>();
+    if (code == 0) {
+        return m_isGood ? Status() : wireFault(file, {PALPATE_TEXT("its header is incomplete")});
+    }
+    core::Message error = message();
+    if (!isAtEnd() || error.isEmpty()) {
+        return wireFault(file, {PALPATE_TEXT("it has an error without a message")});
+    }
+    return statusOf(code, std::move(error), file);
+}
+
 core::Message WireHeadReader::message()
 {
     return message(kDeepestMessage);
@@ -147,38 +160,25 @@ Status wireFault(const std::string& file, const core::Message& what)
                  {PALPATE_TEXT("a result that passed all checks")});
 }
 
-WireOutcome readHead(int descriptor, const std::string& file)
+core::Result<WireFrame> readFrame(int descriptor, std::uint64_t at, const std::string& file)
 {
-    WireOutcome outcome;
-    const auto invalid = [&](const core::Message& what) {
-        outcome.status = wireFault(file, what);
-        return outcome;
-    };
     struct stat info = {};
     std::uint64_t headSize = 0;
-    if (::fstat(descriptor, &info) != 0 || !readAll(descriptor, &headSize, sizeof(headSize), 0)) {
-        return invalid({PALPATE_TEXT("it is empty")});
+    if (::fstat(descriptor, &info) != 0 || !readAll(descriptor, &headSize, sizeof(headSize), at)) {
+        return wireFault(file, {PALPATE_TEXT("it is empty")});
     }
-    outcome.size = static_cast<std::uint64_t>(info.st_size);
-    if (headSize > std::min<std::uint64_t>(outcome.size - sizeof(headSize), kMostHead)) {
-        return invalid({PALPATE_TEXT("its header has no end")});
+    WireFrame frame;
+    frame.size = static_cast<std::uint64_t>(info.st_size);
+    frame.begin = at + sizeof(headSize);
+    if (frame.size < frame.begin || headSize > std::min<std::uint64_t>(frame.size - frame.begin, kMostHead)) {
+        return wireFault(file, {PALPATE_TEXT("its header has no end")});
     }
-    outcome.head.resize(headSize);
-    if (!readAll(descriptor, outcome.head.data(), headSize, sizeof(headSize))) {
-        return invalid({PALPATE_TEXT("its header is incomplete")});
+    frame.head.resize(headSize);
+    if (!readAll(descriptor, frame.head.data(), headSize, frame.begin)) {
+        return wireFault(file, {PALPATE_TEXT("its header is incomplete")});
     }
-    outcome.begin = sizeof(headSize) + headSize;
-    WireHeadReader head(outcome.head);
-    if (const auto code = head.take<std::uint8_t>(); code != 0) {
-        core::Message message = head.message();
-        if (!head.isAtEnd() || message.isEmpty()) {
-            return invalid({PALPATE_TEXT("it has an error without a message")});
-        }
-        outcome.status = statusOf(code, std::move(message), file);
-        return outcome;
-    }
-    outcome.head.erase(0, std::min<std::size_t>(outcome.head.size(), 1));
-    return outcome;
+    frame.begin += headSize;
+    return frame;
 }
 
 } // namespace palpate::meshio::internal

@@ -14,10 +14,10 @@
 
 namespace palpate::meshio::internal {
 
-// Transfer format between the reader process and the program: a memory file with the head size, the head, and the
-// numbers in native layout. Both ends are the same build on the same machine.
+// Transfer format between the reader process and the program: frames in a memory file, each with the head size, the
+// head, and the numbers in native layout. Both ends are the same build on the same machine.
 
-/// Head of an outcome: status, names and counts.
+/// Head of a frame: status, names and counts.
 class WireHead
 {
   public:
@@ -32,7 +32,7 @@ class WireHead
         m_bytes.append(text);
     }
     void put(const core::Message& message);
-    /// Writes the status, which begins each head. An error has no further content.
+    /// Writes the status, which begins the head of an outcome. An error has no further content.
     void put(const core::Status& status);
     [[nodiscard]] const std::string& bytes() const noexcept { return m_bytes; }
     /// Writes the size and the head. @return false when writing fails
@@ -65,6 +65,9 @@ class WireHeadReader
     std::string text();
     /// Reads a message of one line. Missing or excessive parts make the head invalid.
     core::Message message();
+    /// Reads a status. @param file  name for messages
+    /// @return the error of the reader process, one line with the file name; or an error about an invalid head
+    core::Status status(const std::string& file);
     [[nodiscard]] bool isGood() const noexcept { return m_isGood; }
     [[nodiscard]] bool isAtEnd() const noexcept { return m_isGood && m_rest.empty(); }
 
@@ -75,16 +78,17 @@ class WireHeadReader
     bool m_isGood = true;
 };
 
-/// An outcome after reading the head, before the numbers.
-struct WireOutcome
+/// A frame after reading the head, before the numbers.
+struct WireFrame
 {
-    std::string head;        ///< the rest of the head after a good status
+    std::string head;
     std::uint64_t begin = 0; ///< offset of the numbers [bytes]
-    std::uint64_t size = 0;  ///< of the memory file [bytes]
-    core::Status status;     ///< error of the reader, one line with the file name; or an error about an invalid head
+    std::uint64_t size = 0;  ///< of the memory file, which may grow [bytes]
 };
+/// @param at  offset of the frame [bytes]
 /// @param file  name for messages
-[[nodiscard]] WireOutcome readHead(int descriptor, const std::string& file);
+/// @return an error about an invalid head
+[[nodiscard]] core::Result<WireFrame> readFrame(int descriptor, std::uint64_t at, const std::string& file);
 
 /// Describes an invalid outcome.
 /// @param what  invalid part of the outcome

@@ -35,6 +35,18 @@ using namespace internal;
 
 constexpr double kFilesShare = 0.7; ///< share of the progress for reading files; the rest is repair
 
+/// A structure while the scene is being loaded.
+struct Pending
+{
+    SceneStructure description;
+    std::string format;
+    FileFrame frame = FileFrame::Untagged;
+    geometry::TriangleMesh mesh;
+    std::optional<geometry::Staircase> voxels;            ///< of a label map
+    std::shared_ptr<const geometry::RepairedMesh> asRead; ///< null until shaped
+    ShapedSurface shaped;
+};
+
 /// A mesh file that the scene needs, read once.
 struct Source
 {
@@ -43,18 +55,7 @@ struct Source
     FileFrame frame = FileFrame::Untagged; ///< chosen
     std::optional<Result<MeshFile>> file;
     std::optional<Block> block{}; ///< in a file that names this one
-};
-
-/// A structure while the scene is being loaded.
-struct Pending
-{
-    SceneStructure description;
-    std::string format;
-    FileFrame frame = FileFrame::Untagged;
-    geometry::TriangleMesh mesh;
-    std::optional<geometry::Staircase> voxels; ///< of a label map
-    std::shared_ptr<const geometry::RepairedMesh> asRead;
-    ShapedSurface shaped;
+    std::vector<Pending> early{}; ///< the first structures, shaped while files were being read
 };
 
 class Loader
@@ -78,6 +79,12 @@ class Loader
     std::size_t sourceOf(const std::filesystem::path& path, double unit_mm, FileFrame frame);
     std::size_t sourceOf(const SceneStructure& one) { return sourceOf(one.mesh, one.unit_mm, one.frame); }
     void readSources();
+    [[nodiscard]] Pending pendingOf(const Source& source, MeshFile& file, std::size_t structure) const;
+    void name(Pending& pending, const Source& source, const MeshFile& file, std::size_t structure,
+              std::size_t number) const;
+    void shapeEarly(Source& source, MeshFile& file, std::size_t structures);
+    void shape(Pending& pending) const;
+    void announce(const Pending& pending) const;
     void expandFiles();
     void findChanged();
     void expandScene();
@@ -217,15 +224,74 @@ void Loader::readSources()
             }
             return !m_isCancelled.load();
         };
+        if (!m_isSceneFile) {
+            options.structureRead = [&](MeshFile& file) { shapeEarly(source, file, file.structures.size()); };
+        }
         if (m_isCancelled) {
             source.file =
                 Status(StatusCode::Cancelled, PALPATE_TEXT("%1: reading was cancelled"), source.path.filename());
         } else {
             source.file = readMesh(source.path, options);
         }
+        // Of many structures in one file, each is shaped on any thread later.
+        if (!m_isSceneFile && m_sources.size() > 1 && source.file->isOk() &&
+            source.file->value().structures.size() == 1) {
+            shapeEarly(source, source.file->value(), 1);
+        }
         ++done;
     };
     core::parallelFor(m_sources.size(), read, std::min(kMostAtOnce, core::coreCount()));
+}
+
+/// @return a structure of a mesh file without a scene, unchanged and without a name; takes the mesh
+Pending Loader::pendingOf(const Source& source, MeshFile& file, std::size_t structure) const
+{
+    Pending pending;
+    SceneStructure& d = pending.description;
+    d.mesh = source.path;
+    d.unit_mm = file.unit_mm;
+    d.frame = source.frame;
+    d.opacity = file.structures[structure].opacity;
+    if (source.block) {
+        d.opacity *= source.block->opacity;
+        d.visible = source.block->isVisible;
+        d.X_WM = source.block->X_WM;
+    }
+    if (file.voxels) {
+        d.surface = SurfaceKind::Smoothed;
+        d.smoothing = kLabelSmoothing;
+    }
+    pending.format = file.format;
+    pending.frame = file.frame;
+    pending.voxels = file.voxels;
+    pending.mesh = std::move(file.structures[structure].mesh);
+    return pending;
+}
+
+/// Sets name and colour. @param number  of the structure in the scene
+void Loader::name(Pending& pending, const Source& source, const MeshFile& file, std::size_t structure,
+                  std::size_t number) const
+{
+    const MeshStructure& from = file.structures[structure];
+    SceneStructure& d = pending.description;
+    d.part = file.structures.size() > 1 ? from.name : std::string();
+    d.name = displayName(source, from.name, file.structures.size());
+    d.colour = from.colour.value_or(anatomyColour(d.name, number));
+    if (source.block) {
+        d.colour = source.block->colour.value_or(d.colour);
+    }
+}
+
+/// Shapes the structures of a file that are not yet shaped, up to the given number.
+void Loader::shapeEarly(Source& source, MeshFile& file, std::size_t structures)
+{
+    while (source.early.size() < structures && !m_isCancelled) {
+        const std::size_t i = source.early.size();
+        Pending& pending = source.early.emplace_back(pendingOf(source, file, i));
+        name(pending, source, file, i, static_cast<std::size_t>(&source - m_sources.data()) + i);
+        shape(pending);
+        announce(pending);
+    }
 }
 
 /// Mesh files without a scene: all structures, unchanged.
@@ -236,30 +302,9 @@ void Loader::expandFiles()
             continue;
         }
         MeshFile& file = source.file->value();
-        for (MeshStructure& structure : file.structures) {
-            Pending& pending = m_pending.emplace_back();
-            SceneStructure& d = pending.description;
-            d.mesh = source.path;
-            d.part = file.structures.size() > 1 ? structure.name : std::string();
-            d.unit_mm = file.unit_mm;
-            d.frame = source.frame;
-            d.name = displayName(source, structure.name, file.structures.size());
-            d.colour = structure.colour.value_or(anatomyColour(d.name, m_pending.size() - 1));
-            d.opacity = structure.opacity;
-            if (source.block) {
-                d.colour = source.block->colour.value_or(d.colour);
-                d.opacity *= source.block->opacity;
-                d.visible = source.block->isVisible;
-                d.X_WM = source.block->X_WM;
-            }
-            if (file.voxels) {
-                d.surface = SurfaceKind::Smoothed;
-                d.smoothing = kLabelSmoothing;
-            }
-            pending.format = file.format;
-            pending.frame = file.frame;
-            pending.voxels = file.voxels;
-            pending.mesh = std::move(structure.mesh);
+        for (std::size_t i = 0; i < file.structures.size(); ++i) {
+            m_pending.push_back(i < source.early.size() ? std::move(source.early[i]) : pendingOf(source, file, i));
+            name(m_pending.back(), source, file, i, m_pending.size() - 1);
         }
     }
 }
@@ -319,6 +364,49 @@ void Loader::expandScene()
     }
 }
 
+/// Repairs the mesh of a structure, and turns, closes and smooths its surface as described.
+void Loader::shape(Pending& pending) const
+{
+    for (core::Vec3& p : pending.mesh.vertices) {
+        p = pending.description.X_WM * p;
+    }
+    if (pending.description.flipped) {
+        geometry::flip(pending.mesh);
+    }
+    pending.asRead =
+        std::make_shared<const geometry::RepairedMesh>(geometry::repair(pending.mesh, geometry::Facing::AsGiven));
+    pending.mesh = {};
+    if (m_options.turnsOutwards) {
+        pending.description.outwards = true;
+    }
+    if (m_options.closeHoles_mm > 0.0) {
+        pending.description.closeHoles_mm = m_options.closeHoles_mm;
+    }
+    if (m_options.isSmoothed || m_options.isCurved) {
+        pending.description.surface = surfaceKind(m_options.isSmoothed || isSmoothed(pending.description.surface),
+                                                  m_options.isCurved || isCurved(pending.description.surface));
+    }
+    if (m_options.smoothing && isSmoothed(pending.description.surface)) {
+        pending.description.smoothing = *m_options.smoothing;
+        pending.description.surface = surfaceKind(*m_options.smoothing > 0.0, isCurved(pending.description.surface));
+    }
+    if (pending.voxels) {
+        pending.voxels->axes = pending.description.X_WM.linear() * pending.voxels->axes;
+    }
+    pending.shaped = shapeSurface(pending.asRead, pending.description, pending.voxels);
+}
+
+/// Shows a shaped structure to the caller.
+void Loader::announce(const Pending& pending) const
+{
+    if (m_options.structureReady && !pending.shaped.surface->mesh.triangles.empty()) {
+        LoadedStructure one;
+        one.description = pending.description;
+        one.surface = pending.shaped.surface;
+        m_options.structureReady(one);
+    }
+}
+
 void Loader::repairAll()
 {
     std::atomic<std::size_t> done{0};
@@ -326,35 +414,10 @@ void Loader::repairAll()
         if (m_isCancelled) {
             return;
         }
-        Pending& pending = m_pending[i];
-        for (core::Vec3& p : pending.mesh.vertices) {
-            p = pending.description.X_WM * p;
+        if (m_pending[i].asRead == nullptr) {
+            shape(m_pending[i]);
+            announce(m_pending[i]);
         }
-        if (pending.description.flipped) {
-            geometry::flip(pending.mesh);
-        }
-        pending.asRead =
-            std::make_shared<const geometry::RepairedMesh>(geometry::repair(pending.mesh, geometry::Facing::AsGiven));
-        pending.mesh = {};
-        if (m_options.turnsOutwards) {
-            pending.description.outwards = true;
-        }
-        if (m_options.closeHoles_mm > 0.0) {
-            pending.description.closeHoles_mm = m_options.closeHoles_mm;
-        }
-        if (m_options.isSmoothed || m_options.isCurved) {
-            pending.description.surface = surfaceKind(m_options.isSmoothed || isSmoothed(pending.description.surface),
-                                                      m_options.isCurved || isCurved(pending.description.surface));
-        }
-        if (m_options.smoothing && isSmoothed(pending.description.surface)) {
-            pending.description.smoothing = *m_options.smoothing;
-            pending.description.surface =
-                surfaceKind(*m_options.smoothing > 0.0, isCurved(pending.description.surface));
-        }
-        if (pending.voxels) {
-            pending.voxels->axes = pending.description.X_WM.linear() * pending.voxels->axes;
-        }
-        pending.shaped = shapeSurface(pending.asRead, pending.description, pending.voxels);
         const double share = static_cast<double>(++done) / static_cast<double>(m_pending.size());
         if (thread == 0 && m_options.progress && !m_options.progress(kFilesShare + (1.0 - kFilesShare) * share)) {
             m_isCancelled = true;

@@ -349,10 +349,12 @@ core::Tape readTape(JsonFields& entry)
 Status anotherPrograms(const QJsonObject& document, const std::string& file)
 {
     if (document.contains(QLatin1String("markups"))) {
-        return {StatusCode::Unsupported,
-                PALPATE_TEXT("%1: is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the "
-                             "marks in with File > Import findings"),
-                file};
+        return {
+            StatusCode::Unsupported,
+            PALPATE_TEXT("%1: is a list of 3D Slicer marks, not a Palpate scene: import it into a scene as findings, "
+                         "with File > Import findings in the window, or with `palpate findings SCENE.palpate.json "
+                         "--import %1 --out NEW.palpate.json`"),
+            file};
     }
     if (!document.contains(QLatin1String("version")) && !document.contains(QLatin1String("structures"))) {
         return {StatusCode::Unsupported,

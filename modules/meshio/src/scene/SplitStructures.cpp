@@ -3,7 +3,7 @@
 
 #include "text/Encoding.h"
 #include "text/Fault.h"
-#include "text/TextScan.h"
+#include "text/FileStem.h"
 
 #include <algorithm>
 #include <array>
@@ -22,20 +22,6 @@ using core::Status;
 using core::StatusCode;
 using core::Vec3;
 using geometry::Triangle;
-
-/// True for placeholder names that programs write for unnamed parts.
-bool isPlaceholder(std::string_view name)
-{
-    static constexpr std::array<std::string_view, 12> kBegins{"default", "mesh",   "object",  "group",
-                                                              "solid",   "ascii",  "unnamed", "untitled",
-                                                              "model",   "noname", "no_name", "polydata"};
-    constexpr std::size_t kLongest = 80;
-    return name.empty() || name.size() > kLongest || (name.front() >= '0' && name.front() <= '9') ||
-           name.find("SPACE=") != std::string_view::npos ||
-           std::any_of(kBegins.begin(), kBegins.end(), [&](std::string_view begin) {
-               return name.size() >= begin.size() && sameWord(name.substr(0, begin.size()), begin);
-           });
-}
 
 /// Converts the points of the file to LPS and mm. The first invalid point that a triangle uses is an error; others are
 /// left out and noted.
@@ -111,8 +97,7 @@ void takeValues(const std::vector<geometry::MeshArray>& from, bool isPerTriangle
 
 } // namespace
 
-Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, PreScan& scan, const ScanContext& context,
-                                                   const std::string& fallbackName)
+Result<std::vector<MeshStructure>> separate(const TriangleSoup& soup, PreScan& scan, const ScanContext& context)
 {
     const Result<std::vector<Vec3>> world =
         toWorld(soup, core::resolvedFrame(context.frame, scan.frame), context, scan);
@@ -182,15 +167,26 @@ Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, Pre
             takeValues(soup.mesh.arrays, true, order[i], mesh.arrays);
         }
     }
-    if (structures.size() == 1 && isPlaceholder(structures.front().name)) {
-        structures.front().name = fallbackName;
+    return structures;
+}
+
+Result<std::vector<MeshStructure>> splitStructures(const TriangleSoup& soup, PreScan& scan, const ScanContext& context,
+                                                   const std::string& fallbackName)
+{
+    Result<std::vector<MeshStructure>> structures = separate(soup, scan, context);
+    if (!structures.isOk()) {
+        return structures;
     }
-    for (MeshStructure& structure : structures) {
+    std::vector<MeshStructure>& all = structures.value();
+    if (all.size() == 1 && isPlaceholder(all.front().name)) {
+        all.front().name = fallbackName;
+    }
+    for (MeshStructure& structure : all) {
         if (structure.name.empty()) {
             structure.name = fallbackName;
         }
     }
-    distinguish(structures);
+    distinguish(all);
     return structures;
 }
 

@@ -265,14 +265,13 @@ class PageRows
     std::int64_t m_pages = 0;
 };
 
-/// Returns the recording version that matches the most tick rows.
+/// Returns the recording version that matches the most rows. Versions can differ in the ticks or in the tissues only.
 int versionOf(PageRows& pages)
 {
     std::array<std::int64_t, kRecordingVersion + 1> rows{};
     pages.forEach([&](std::vector<Value>& row, std::optional<std::uint64_t> rowid) {
         for (int version = kOldestForm; version <= kRecordingVersion; ++version) {
-            const bool isTick = rowid && is<std::monostate>(row[0]) && row.size() == tickColumnCount(version);
-            rows[static_cast<std::size_t>(version)] += isTick ? 1 : 0;
+            rows[static_cast<std::size_t>(version)] += tableOf(row, rowid.has_value(), version) != nullptr ? 1 : 0;
         }
     });
     return static_cast<int>(std::max_element(rows.begin() + kOldestForm, rows.end()) - rows.begin());

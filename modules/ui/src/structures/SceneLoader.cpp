@@ -15,6 +15,9 @@
 #include <QElapsedTimer>
 
 #include <algorithm>
+#include <map>
+#include <mutex>
+#include <utility>
 
 namespace palpate::ui {
 
@@ -121,8 +124,10 @@ class SceneLoader::Opening
         tell([&loader = m_loader, opened = m_opened, problems = m_problems, isCancelled = m_job->isCancelled.load()] {
             loader.m_isBusy = false;
             if (isCancelled) {
+                Q_EMIT loader.structuresDropped();
                 Q_EMIT loader.cancelled();
             } else if (opened->rows.empty()) {
+                Q_EMIT loader.structuresDropped();
                 Q_EMIT loader.failed(problems.isEmpty() ? tr("Nothing to open.") : problems.join(QLatin1Char('\n')));
             } else {
                 opened->problems = problems;
@@ -132,6 +137,14 @@ class SceneLoader::Opening
     }
 
   private:
+    /// Structures that are shown while files are being read.
+    struct Previews
+    {
+        std::mutex mutex;
+        std::map<std::shared_ptr<const geometry::RepairedMesh>, vtkSmartPointer<vtkPolyData>> pictures;
+        std::vector<StructureRow> waiting; ///< not yet passed on
+    };
+
     /// Runs a call on the GUI thread, unless another job has replaced this one.
     template<class Call>
     void tell(Call&& call)
@@ -165,6 +178,9 @@ class SceneLoader::Opening
         options.progress = [&](double share) {
             return progress(what, kReading * (static_cast<double>(i) + share) / count);
         };
+        if (m_open.empty() && !m_opened->isReopened) {
+            options.structureReady = [this](const meshio::LoadedStructure& one) { preview(one); };
+        }
         progress(what, kReading * static_cast<double>(i) / count);
         auto loaded = m_read(file, options);
         if (loaded.isOk()) {
@@ -172,6 +188,26 @@ class SceneLoader::Opening
         } else if (loaded.status().code() != core::StatusCode::Cancelled) {
             m_problems << translated(loaded.status());
         }
+    }
+
+    /// Makes the display mesh of a structure, and passes structures on in batches that grow with the number of those
+    /// already passed, which bounds the time that drawing takes. On any thread.
+    void preview(const meshio::LoadedStructure& one)
+    {
+        constexpr std::size_t kOldPerNew = 4;
+        StructureRow row;
+        row.loaded = one;
+        row.picture = view::makeSurface(*one.surface);
+        const std::scoped_lock lock(m_previews->mutex);
+        std::vector<StructureRow>& waiting = m_previews->waiting;
+        m_previews->pictures.emplace(one.surface, row.picture);
+        waiting.push_back(std::move(row));
+        if (waiting.size() * kOldPerNew < m_previews->pictures.size() - waiting.size()) {
+            return;
+        }
+        tell([&loader = m_loader, rows = std::make_shared<std::vector<StructureRow>>(std::exchange(waiting, {}))] {
+            Q_EMIT loader.structuresReady(rows);
+        });
     }
 
     void add(meshio::LoadedScene part, const std::filesystem::path& file)
@@ -260,7 +296,8 @@ class SceneLoader::Opening
             if (m_job->isCancelled) {
                 break;
             }
-            row.picture = view::makeSurface(*row.loaded.surface);
+            const auto made = m_previews->pictures.find(row.loaded.surface);
+            row.picture = made != m_previews->pictures.end() ? made->second : view::makeSurface(*row.loaded.surface);
             if (row.loaded.description.palpable) {
                 row.touch = study::indexed(*row.loaded.surface);
                 row.sha256 = session::geometryHash(row.loaded.surface->mesh);
@@ -316,6 +353,7 @@ class SceneLoader::Opening
     double m_lastTold = -1.0;
     std::shared_ptr<OpenedScene> m_opened = std::make_shared<OpenedScene>();
     QStringList m_problems;
+    std::shared_ptr<Previews> m_previews = std::make_shared<Previews>();
 };
 
 void SceneLoader::open(std::vector<std::filesystem::path> files, const meshio::ReadOptions& options)
@@ -345,6 +383,7 @@ void SceneLoader::begin()
     finish();
     m_job = std::make_shared<Job>();
     m_isBusy = true;
+    Q_EMIT structuresDropped();
 }
 
 void SceneLoader::buildTouch(int row, std::shared_ptr<const geometry::RepairedMesh> surface)

@@ -46,6 +46,8 @@ struct MeshFile
     core::Message loss; ///< missing part of a truncated file, one line with counts; see `isPartial`
 };
 
+struct LoadedStructure;
+
 struct ReadOptions
 {
     double unit_mm = 1.0; ///< size of one unit of the file [mm]: 1000 for metres, 10 for cm
@@ -67,6 +69,16 @@ struct ReadOptions
     /// Option of `loadScene`: strength of the smoothing of each smoothed surface, as of label maps, 0 … 1; overrides
     /// the scene. 0 keeps the voxel steps. Empty: as in the scene, or as `defaultSmoothing`.
     std::optional<double> smoothing{};
+    /// Receives structures of a label map while the child process makes the next ones (startImportServer; without it,
+    /// and for other formats, not called). The last of `file.structures` is the new one, and `file` has format, frame,
+    /// unit and voxels. The callback may take the mesh of the new structure. Structures are in the order of the file;
+    /// those that are complete when the child ends are only in the result. If reading fails or is cancelled, the
+    /// received structures are void. Called on the reading thread. May be empty.
+    std::function<void(MeshFile& file)> structureRead{};
+    /// Option of `loadScene`: receives each structure as soon as its surface is ready, for a preview: description and
+    /// `surface`. Names and colours may still change, and all are void if loading fails or is cancelled.
+    /// Called on any thread, and on several at a time. May be empty.
+    std::function<void(const LoadedStructure& structure)> structureReady{};
 };
 
 /// Reads a mesh file in a format of MeshFormats.h, detected from the content.

@@ -85,6 +85,11 @@ class PALPATE_EXPORT SceneLoader : public QObject
   Q_SIGNALS:
     /// @param share  0 to 1
     void progressed(const QString& what, double share);
+    /// Structures of a scene that is being opened, for a preview: description, surface and display mesh. Names and
+    /// colours may still change. Not emitted for added files and for a scene that is read again.
+    void structuresReady(const std::shared_ptr<std::vector<palpate::ui::StructureRow>>& rows);
+    /// What `structuresReady` has passed is void; emitted before `failed` and `cancelled`, and when another job begins.
+    void structuresDropped();
     void opened(const std::shared_ptr<palpate::ui::OpenedScene>& scene);
     /// Emitted when nothing could be opened. @param line  cause, file and remedy
     void failed(const QString& line);
