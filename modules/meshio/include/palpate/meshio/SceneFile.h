@@ -115,6 +115,7 @@ struct SceneFile
     std::vector<SceneStructure> structures;
     std::optional<SceneCamera> camera;
     std::optional<ShownMap> shownMap; ///< empty: each structure shows a uniform colour
+    std::filesystem::path image; ///< volume shown in sections; in memory absolute, in the file relative; empty: none
     std::vector<core::Finding> findings;
     BuriedTouch buried = BuriedTouch::Layers;
     std::string sha256; ///< of the file's bytes at reading, 64 hex digits; empty: no file. Not written
