@@ -7,6 +7,7 @@
 #include <palpate/core/Export.h>
 
 #include <vtkActor.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -38,6 +39,8 @@ class PALPATE_EXPORT StructureActor
     void setPicture(vtkPolyData* surface);
     /// Draws the surface with a dent from the next frame on, if the dent reaches the structure.
     void bend(const Dimple& dimple, const ViewFrame& frame);
+    /// Hides what is on the negative side of the planes. @param planes  null: hides nothing
+    void clip(vtkPlaneCollection* planes);
     /// Brightens the structure slightly, in its own colour.
     void setHighlighted(bool isOn);
     [[nodiscard]] const Appearance& appearance() const noexcept { return m_appearance; }
