@@ -34,6 +34,7 @@ class PALPATE_EXPORT PointedStructure : public QObject
         int row = 0;
         std::size_t triangle = 0; ///< index in the structure's repaired mesh
         core::Vec3 p_W = core::Vec3::Zero();
+        bool isOnCut = false; ///< on a cut face of the section; then without a triangle
     };
 
     /// All references must outlive this object.
