@@ -33,8 +33,8 @@ struct GreyWindow
     double width = 1.0; ///< from black to white; above 0
 };
 
-/// Window that shows a volume well: from the 1st to the 99th percentile of its finite numbers. The most frequent number
-/// at the low end, which surrounds the patient, is left out of the percentiles.
+/// Window that shows a volume well: from the 1st to the 99th percentile of its finite numbers. The lowest
+/// number, with which the surroundings of the patient are often filled, is left out of the percentiles.
 /// @par Cost O(voxels), from at most a million of them
 [[nodiscard]] PALPATE_EXPORT GreyWindow usualWindow(const VoxelVolume& volume);
 

@@ -43,7 +43,7 @@ class PALPATE_EXPORT SectionPicture
     /// Adds the actors. @param solid  contains the tissue; must outlive this
     void addTo(vtkRenderer& solid);
     /// Cuts and draws. @param surfaces  by structure; without triangles: not cut
-    /// @par Cost 4 ms for 1.2 million triangles, on several cores where several structures are cut
+    /// @par Cost 2 to 9 ms of processor time for 1.2 million triangles, on several cores if several structures are cut
     void show(const geometry::SectionPlane& plane, const std::vector<CutSurface>& surfaces);
     void hide();
     [[nodiscard]] bool isShown() const noexcept { return m_isShown; }
