@@ -51,6 +51,7 @@ void SceneFile::givesBackWhatWasWritten()
     scene.structures = {s};
     scene.camera = meshio::SceneCamera{{{1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 25.0}, {}};
     scene.shownMap = meshio::ShownMap{"left lobe", "felt:stiffness"};
+    scene.image = folder.path("images/ct.nii.gz");
     scene.findings = {{"lump", {7, 8, 9.25}, "hard", "left lobe", 1.75, 0.0}, {"bare", {1, 0, 0}}};
     scene.tapes = {{"Tape 1", {1, 2, 3.125}, {4, 5, 1.0 / 3.0}, "left lobe", "lump", {}}};
     const auto path = folder.path("a.palpate.json");
@@ -70,6 +71,7 @@ void SceneFile::givesBackWhatWasWritten()
     QVERIFY(back.value().camera->position_W == core::Vec3(1, 2, 3) && back.value().camera->viewAngle_deg == 25.0);
     QVERIFY(back.value().camera->focus_W == core::Vec3(4, 5, 6) && back.value().camera->up_W == core::Vec3(0, 1, 0));
     QVERIFY(back.value().shownMap == scene.shownMap);
+    QCOMPARE(back.value().image, scene.image);
     QCOMPARE(back.value().findings.size(), std::size_t{2});
     const core::Finding& found = back.value().findings[0];
     QVERIFY(found.p_W == core::Vec3(7, 8, 9.25) && found.note == "hard" && found.extra.empty());
@@ -220,6 +222,7 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     finding(R"("marked_utc": "yesterday")", "marked_utc: found \"yesterday\", expected a time in UTC, e.g. 2026");
     finding(R"("layers": [{"force_N": "much"}])", "layers[0].force_N: found \"much\"");
     whole(R"({"structures": []})", "a.json: version: found nothing");
+    whole(R"({"version": 1, "structures": [], "image": ""})", "a.json: image: found ");
     field(R"("name": "cut\u0000here")", "name: found \"cut?here\", expected a text without the character U+0000");
     field(R"("opacity": 1, "opacity": 0.5)", "opacity: found twice, expected it once");
     field(R"("friction": {"static": 0.1, "st\u0061tic": 0.2})", "friction.static: found twice, expected it once");

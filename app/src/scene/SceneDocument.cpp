@@ -8,6 +8,7 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QUndoCommand>
 #include <QUuid>
 
 #include <algorithm>
@@ -101,6 +102,7 @@ void SceneDocument::take(const ui::OpenedScene& scene)
         (void)writeCopy();
     }
     m_claim.reset();
+    Q_EMIT imageChanged();
 }
 
 void SceneDocument::add(const ui::OpenedScene& scene)
@@ -136,6 +138,37 @@ void SceneDocument::followName(int row, const QString& before, const QString& af
     }
     if (isAny) {
         Q_EMIT findingsChanged();
+    }
+}
+
+/// Undo step that exchanges the image.
+class SceneDocument::ImageStep : public QUndoCommand
+{
+  public:
+    ImageStep(SceneDocument& document, std::filesystem::path image, const QString& text)
+        : QUndoCommand(text)
+        , m_document(document)
+        , m_image(std::move(image))
+    {
+    }
+    void redo() override
+    {
+        std::swap(m_document.m_rest.image, m_image);
+        Q_EMIT m_document.imageChanged();
+    }
+    void undo() override { redo(); }
+
+  private:
+    SceneDocument& m_document;
+    std::filesystem::path m_image; ///< before redo the new image, after it the old one
+};
+
+void SceneDocument::setImage(const std::filesystem::path& file)
+{
+    const std::filesystem::path absolute = file.empty() ? file : std::filesystem::absolute(file).lexically_normal();
+    if (absolute != m_rest.image) {
+        m_model.undoStack().push(new ImageStep(
+            *this, absolute, file.empty() ? tr("Remove the image") : tr("Show %1").arg(toText(file.filename()))));
     }
 }
 

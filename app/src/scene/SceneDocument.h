@@ -44,6 +44,11 @@ class SceneDocument : public QObject
     /// disappears.
     void addFinding(const palpate::core::Finding& finding);
 
+    /// Volume shown in sections; empty: none.
+    [[nodiscard]] const std::filesystem::path& image() const noexcept { return m_rest.image; }
+    /// Sets the volume shown in sections (undoable). @param file  empty: none
+    void setImage(const std::filesystem::path& file);
+
     /// Copy of the scene with other mesh axes. Structures and unopened structures get the new axes; findings and tapes
     /// rotate with their structure. The camera is omitted, because its target rotates away.
     [[nodiscard]] palpate::meshio::SceneFile inFrame(palpate::core::FileFrame frame) const;
@@ -62,6 +67,8 @@ class SceneDocument : public QObject
 
   Q_SIGNALS:
     void findingsChanged();
+    /// Another volume is to be shown, or the meshes have new axes.
+    void imageChanged();
     void marked(const palpate::core::Finding& finding);
     void unmarked(const palpate::core::Finding& finding);
     /// The copy of unsaved changes could not be written. Emitted once until writing succeeds again. @param line  the
@@ -69,6 +76,7 @@ class SceneDocument : public QObject
     void copyFailed(const QString& line);
 
   private:
+    class ImageStep;
     [[nodiscard]] palpate::meshio::SceneFile content() const;
     [[nodiscard]] palpate::core::Transform turnOf(const std::string& structure, palpate::core::FileFrame frame) const;
     void followName(int row, const QString& before, const QString& after);

@@ -114,6 +114,27 @@ void SceneFiles::showState(const WindowState& state)
 
 void SceneFiles::open(const std::vector<std::filesystem::path>& files, const meshio::ReadOptions& options)
 {
+    if (!offerImage(files, options)) {
+        openAll(files, options);
+    }
+}
+
+/// With an open scene, a volume may be an image of it or a label map.
+/// @return true if the user is asked
+bool SceneFiles::offerImage(const std::vector<std::filesystem::path>& files, const meshio::ReadOptions& options)
+{
+    if (m_core.model.rowCount() == 0 || files.size() != 1 || !meshio::hasLabelMapExtension(files.front())) {
+        return false;
+    }
+    m_core.notices.bar().ask(
+        tr("%1: is it an image of the open scene, or a segmentation?").arg(toText(files.front().filename())),
+        tr("Show the image"), [this, file = files.front()] { Q_EMIT imageWanted(file); }, tr("Open the segmentation"),
+        [this, files, options] { openAll(files, options); });
+    return true;
+}
+
+void SceneFiles::openAll(const std::vector<std::filesystem::path>& files, const meshio::ReadOptions& options)
+{
     std::vector<std::filesystem::path> meshes;
     std::vector<std::filesystem::path> markups;
     std::optional<std::filesystem::path> recording;
@@ -184,6 +205,9 @@ void SceneFiles::add(const std::vector<std::filesystem::path>& files)
 
 void SceneFiles::drop(const std::vector<std::filesystem::path>& files)
 {
+    if (offerImage(files, {})) {
+        return;
+    }
     if (m_core.model.rowCount() == 0 || std::all_of(files.begin(), files.end(), [](const auto& file) {
             return isRecording(file) || isMarkups(file);
         })) {

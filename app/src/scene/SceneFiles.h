@@ -52,12 +52,16 @@ class SceneFiles : public WindowPart
     void recordingWanted(const std::filesystem::path& path);
     /// Points are to be imported as findings into the open scene.
     void markupsWanted(const std::filesystem::path& path);
+    /// A volume is to be shown in sections of the open scene.
+    void imageWanted(const std::filesystem::path& path);
     /// Nothing was opened. @param line  the reason, already shown
     void openFailed(const QString& line);
 
   private:
     void connectLoader();
     void choose();
+    bool offerImage(const std::vector<std::filesystem::path>& files, const meshio::ReadOptions& options);
+    void openAll(const std::vector<std::filesystem::path>& files, const meshio::ReadOptions& options);
     void chooseAdded();
     void openPhantom();
     void takeFailure(const QString& line);

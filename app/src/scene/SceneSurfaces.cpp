@@ -35,7 +35,7 @@ view::ViewStructure pictureOf(const study::OpenStructure& row, const vtkSmartPoi
                               const view::Appearance& appearance, bool isSolid)
 {
     return {view::StructureActor(picture, appearance, isSolid),
-            row.loaded.description.palpable && !row.isRemoved ? row.touch : nullptr};
+            row.loaded.description.palpable && !row.isRemoved ? row.touch : nullptr, row.loaded.surface};
 }
 
 } // namespace

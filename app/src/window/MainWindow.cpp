@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window/MainWindow.h"
 
+#include "inside/ImagePart.h"
+#include "inside/PeekPart.h"
+#include "inside/SectionPart.h"
 #include "scene/CoordinatesPart.h"
 #include "scene/DocumentPart.h"
 #include "scene/LumpsPart.h"
@@ -148,6 +151,9 @@ void MainWindow::makeParts()
         keep(new DistancesPart(core, {*m_document, *m_touch, structures->maps(), structures->pointed(), *progress}));
     auto* engineering = keep(new EngineeringPart(core, m_touch->panel(), m_device->hand()));
     auto* picture = keep(new PicturePart(core));
+    auto* section = keep(new SectionPart(core));
+    auto* image = keep(new ImagePart(core, *m_document, *m_files, *section));
+    auto* peek = keep(new PeekPart(core, structures->panel(), m_touch->panel()));
     m_view = keep(new ViewPart(core, m_touch->panel()));
     m_help = keep(new HelpPart(core));
     m_changes = new SceneChanges(
@@ -156,9 +162,9 @@ void MainWindow::makeParts()
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files,     m_document, picture,       report,   structures, m_touch,     m_device,
-                          fingertip,   motion,     m_recording,   findings, results,    lumps,       touchMap,
-                          m_distances, m_view,     m_coordinates, m_docks,  m_notices,  engineering, m_help};
+    const Parts menuOrder{m_files, m_document,  picture,  report,        structures, m_touch,   m_device,    fingertip,
+                          motion,  m_recording, findings, results,       lumps,      touchMap,  m_distances, section,
+                          image,   peek,        m_view,   m_coordinates, m_docks,    m_notices, engineering, m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }
@@ -186,6 +192,7 @@ void MainWindow::makeMenus()
     m_view->sound().watch(*view);
     m_docks->fill(*view);
     view->addSeparator();
+    m_actions.fill(*view->addMenu(tr("Section plane")), ActionGroup::Section);
     m_actions.fill(*view->addMenu(tr("Appearance")), ActionGroup::Appearance);
     m_actions.fill(*view->addMenu(tr("Text size")), ActionGroup::TextSize);
     addLanguageMenu(*view, *this, [this](const QString& line) { m_notices->say(line); });

@@ -27,6 +27,7 @@
 #include <vtkXMLImageDataReader.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <fstream>

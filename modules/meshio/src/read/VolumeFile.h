@@ -3,24 +3,15 @@
 
 #include <palpate/core/FileFrame.h>
 #include <palpate/core/Status.h>
+#include <palpate/geometry/VoxelVolume.h>
 
-#include <Eigen/Geometry>
-
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <vector>
 
 namespace palpate::meshio::internal {
 
-/// A volume with one number per voxel, in LPS.
-struct VoxelGrid
-{
-    std::array<std::uint32_t, 3> size{};                   ///< voxels along each axis, each at least 1; x fastest
-    Eigen::Affine3d toVoxel = Eigen::Affine3d::Identity(); ///< from LPS [mm] to voxel indices; finite
-    std::vector<float> values; ///< one per voxel; infinite values and NaN are kept from the file
-};
+using VoxelGrid = geometry::VoxelVolume;
 
 /// Largest number of voxels in a volume.
 inline constexpr std::uint64_t kMostVoxels = std::uint64_t{1} << 30;

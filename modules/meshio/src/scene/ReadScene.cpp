@@ -400,6 +400,19 @@ void readShownMap(JsonFields& fields, SceneFile& scene)
     }
 }
 
+void readImagePath(JsonFields& fields, const std::filesystem::path& folder, SceneFile& scene)
+{
+    if (!fields.has("image")) {
+        return;
+    }
+    std::string image;
+    fields.read("image", image);
+    if (image.empty()) {
+        fields.fail("image", textOrNothing(true, image), {PALPATE_TEXT("the path of a volume")});
+    }
+    scene.image = (folder / std::filesystem::path(image)).lexically_normal();
+}
+
 /// The organ of a lump must be a structure of the scene that is not inside another: the response of a lump is
 /// transmitted to the outermost surface.
 void checkOrgans(const SceneFile& scene, JsonFields& fields)
@@ -505,6 +518,7 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
         scene.camera->extra = camera.unknown();
     }
     readShownMap(fields, scene);
+    readImagePath(fields, folder, scene);
     for (JsonFields& entry : fields.listOf("findings")) {
         scene.findings.push_back(readFinding(entry, folder));
     }

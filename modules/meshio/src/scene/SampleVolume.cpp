@@ -6,7 +6,6 @@
 #include <palpate/core/Parallel.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -28,30 +27,12 @@ using core::Vec3;
 double valueAt(const VoxelGrid& grid, const Vec3& p_W)
 {
     const Vec3 p = grid.toVoxel * p_W;
-    std::array<std::size_t, 3> low{};
-    Vec3 share;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
-        if (!(p[axis] >= 0.0 && p[axis] <= grid.size[a] - 1.0)) {
+        if (!(p[axis] >= 0.0 && p[axis] <= grid.size[static_cast<std::size_t>(axis)] - 1.0)) {
             return std::numeric_limits<double>::quiet_NaN();
         }
-        low[a] = std::min(static_cast<std::size_t>(p[axis]), std::size_t{grid.size[a] < 2 ? 0 : grid.size[a] - 2});
-        share[axis] = p[axis] - static_cast<double>(low[a]);
     }
-    double sum = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-        double weight = 1.0;
-        std::array<std::size_t, 3> at = low;
-        for (int axis = 0; axis < 3; ++axis) {
-            const bool isUpper = ((corner >> axis) & 1) != 0;
-            weight *= isUpper ? share[axis] : 1.0 - share[axis];
-            at[static_cast<std::size_t>(axis)] += isUpper ? 1 : 0;
-        }
-        if (weight > 0.0) {
-            sum += weight * double{grid.values[at[0] + grid.size[0] * (at[1] + grid.size[1] * at[2])]};
-        }
-    }
-    return sum;
+    return grid.at(p);
 }
 
 /// Sample positions below a contact, each with an equal share of the press energy, in units of c = a/pi: z is the

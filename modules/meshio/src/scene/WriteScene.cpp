@@ -228,6 +228,9 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
         out["shown_map"] =
             QJsonObject{{"structure", text(scene.shownMap->structure)}, {"numbers", text(scene.shownMap->numbers)}};
     }
+    if (!scene.image.empty()) {
+        out["image"] = text(scene.image.lexically_relative(folder).generic_string());
+    }
     if (scene.buried != BuriedTouch::Layers) {
         out["buried"] = text(std::string(kBuriedNames[static_cast<std::size_t>(scene.buried)]));
     }

@@ -68,7 +68,7 @@ void PalpationView::Private::draw(int row)
     std::vector<view::ViewStructure> pictures;
     pictures.push_back(
         {view::StructureActor(model.picture(row), model.appearanceOf(row), one.loaded.surface->report.isClosed()),
-         one.touch});
+         one.touch, one.loaded.surface});
     view::SceneView& scene = viewport.view();
     scene.addStructures(std::move(pictures));
     scene.fitAll();

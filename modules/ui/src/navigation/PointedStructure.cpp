@@ -91,10 +91,19 @@ std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place
 
 std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place, double opacity) const
 {
-    const view::Ray ray = m_viewport.rayAt(place);
+    view::Ray ray = m_viewport.rayAt(place);
     view::SceneView& view = m_viewport.view();
     if (view.structureCount() != m_model.rows().size()) {
         return std::nullopt; // the scene is being replaced
+    }
+    const std::optional<geometry::SectionPlane>& section = view.section();
+    const double before_mm = section ? section->distance_mm(ray.p_W) : 0.0;
+    if (const double along = section ? -section->n_W.dot(ray.d_W) : 0.0; before_mm > 0.0 && along > 0.0) {
+        // Everything in front of the section is hidden.
+        ray.p_W += before_mm / along * ray.d_W;
+        if (const auto cut = view.sectionPicture().structureAt(ray.p_W)) {
+            return Place{static_cast<int>(*cut), 0, ray.p_W, ray.p_W, true};
+        }
     }
     std::optional<Place> found;
     double nearest_mm = std::numeric_limits<double>::infinity();
@@ -130,6 +139,9 @@ QString PointedStructure::nameOf(const Place& place) const
 QString PointedStructure::textOf(const Place& place) const
 {
     const QString name = nameOf(place);
+    if (place.isOnCut) {
+        return name;
+    }
     const QString number = m_maps.textAt(place.row, place.triangle, place.rest_W);
     const QString first = number.isEmpty() ? name : QStringLiteral("%1 · %2").arg(name, number);
     const QString more = m_more ? m_more(place) : QString();

@@ -399,8 +399,12 @@ void VtkViewport::tabletEvent(QTabletEvent* event)
 
 void VtkViewport::wheelEvent(QWheelEvent* event)
 {
-    const double steps = event->angleDelta().y() / 120.0;
-    if (m_mode == Mode::Palpate && !event->modifiers().testFlag(Qt::ControlModifier)) {
+    const QPoint turned = event->angleDelta();
+    const double steps = turned.y() / 120.0;
+    if (m_view.section() && event->modifiers() == Qt::ShiftModifier) {
+        // Some systems turn the wheel sideways with Shift.
+        Q_EMIT sectionMoved(turned.y() != 0 ? steps : turned.x() / 120.0);
+    } else if (m_mode == Mode::Palpate && !event->modifiers().testFlag(Qt::ControlModifier)) {
         Q_EMIT depthTurned(steps);
     } else if (steps != 0.0) {
         m_view.camera().Dolly(std::pow(1.12, steps));
@@ -410,6 +414,14 @@ void VtkViewport::wheelEvent(QWheelEvent* event)
         }
     }
     event->accept();
+}
+
+void VtkViewport::setPeeking(bool isPeeking)
+{
+    if (m_isPeeking != isPeeking) {
+        m_isPeeking = isPeeking;
+        Q_EMIT peekHeld(isPeeking);
+    }
 }
 
 bool VtkViewport::event(QEvent* event)
@@ -423,6 +435,14 @@ bool VtkViewport::event(QEvent* event)
             }
             return true;
         }
+        if (key->key() == Qt::Key_G && (key->modifiers() == Qt::NoModifier || m_isPeeking)) {
+            if (!key->isAutoRepeat()) {
+                setPeeking(isDown);
+            }
+            return true;
+        }
+    } else if (event->type() == QEvent::FocusOut) {
+        setPeeking(false); // the release would go elsewhere
     }
     return QOpenGLWidget::event(event);
 }

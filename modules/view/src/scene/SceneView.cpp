@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 namespace palpate::view {
 
@@ -20,6 +21,9 @@ core::Box boxOf(vtkActor* actor)
     const double* b = actor->GetMapper()->GetBounds();
     return {Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5])};
 }
+
+/// Opacity up to which a structure is meant to be looked through, so that its cut face must not hide others.
+constexpr double kLeastFilled = 0.25;
 
 } // namespace
 
@@ -47,6 +51,8 @@ SceneView::SceneView()
     m_overlay->InteractiveOff();
     m_overlay->SetActiveCamera(m_solid->GetActiveCamera());
     m_solid->GetActiveCamera()->SetViewAngle(30.0);
+    m_image.addTo(*m_solid);
+    m_sectionPicture.addTo(*m_solid);
     m_cursor.addTo(*m_solid, *m_overlay);
     m_findings.addTo(*m_overlay);
     m_measures.addTo(*m_overlay);
@@ -91,6 +97,7 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
     }
     m_structures = std::move(structures);
     ++m_tissueRevision;
+    m_isSectionOld = true;
     m_legend.hide();
     m_placeRing.hide();
     for (const ViewStructure& one : m_structures) {
@@ -104,6 +111,7 @@ void SceneView::addStructures(std::vector<ViewStructure> structures)
         m_solid->AddActor(one.picture.actor());
         m_structures.push_back(std::move(one));
     }
+    m_isSectionOld = true;
 }
 
 void SceneView::setStructure(std::size_t i, ViewStructure structure)
@@ -112,6 +120,7 @@ void SceneView::setStructure(std::size_t i, ViewStructure structure)
     m_structures[i] = std::move(structure);
     m_solid->AddActor(m_structures[i].picture.actor());
     ++m_tissueRevision;
+    m_isSectionOld = true;
 }
 
 void SceneView::highlight(const std::vector<int>& structures)
@@ -126,12 +135,14 @@ void SceneView::setAppearance(std::size_t i, const Appearance& appearance)
 {
     m_structures[i].picture.setAppearance(appearance);
     ++m_tissueRevision;
+    m_isSectionOld = true;
 }
 
 void SceneView::setTouchable(std::size_t i, std::shared_ptr<const geometry::SurfaceIndex> surface)
 {
     m_structures[i].touchable = std::move(surface);
     ++m_tissueRevision;
+    m_isSectionOld = true;
 }
 
 void SceneView::moveTo(const std::vector<std::shared_ptr<const geometry::SurfaceMotion>>& motions, double time_s)
@@ -149,6 +160,7 @@ bool SceneView::follow()
         hasMoved = one.picture.follow() || hasMoved;
     }
     m_tissueRevision += hasMoved ? 1 : 0;
+    m_isSectionOld = m_isSectionOld || (hasMoved && m_section);
     const auto movedOf = [this](std::size_t i) {
         return i < m_structures.size() && m_structures[i].picture.moved().motion != nullptr
                    ? &m_structures[i].picture.moved()
@@ -338,6 +350,61 @@ void SceneView::bendTissue(const ViewFrame& frame)
     }
 }
 
+void SceneView::setSection(const std::optional<geometry::SectionPlane>& plane)
+{
+    m_section = plane;
+    m_isSectionOld = true;
+}
+
+void SceneView::setImage(std::shared_ptr<const geometry::VoxelVolume> volume, const geometry::GreyWindow& window)
+{
+    m_image.setVolume(std::move(volume));
+    m_image.setWindow(window);
+    m_isSectionOld = true;
+}
+
+void SceneView::cutTissue()
+{
+    if (!m_isSectionOld) {
+        return;
+    }
+    m_isSectionOld = false;
+    for (ViewStructure& one : m_structures) {
+        one.picture.clip(m_section ? m_sectionPicture.clipping() : nullptr);
+    }
+    if (!m_section) {
+        m_sectionPicture.hide();
+        m_image.hide();
+        return;
+    }
+    std::vector<CutSurface> surfaces;
+    std::deque<std::vector<Vec3>> movedVertices; // as drawn; the surfaces refer to them
+    for (const ViewStructure& one : m_structures) {
+        CutSurface surface;
+        const Appearance& look = one.picture.appearance();
+        if (one.surface != nullptr && look.isVisible && look.opacity > 0.0) {
+            surface.vertices = one.surface->mesh.vertices;
+            surface.triangles = one.surface->mesh.triangles;
+            surface.twoSided = one.surface->twoSided;
+            surface.bounds = one.surface->report.bounds;
+            if (const MovedSurface& moved = one.picture.moved(); moved.motion != nullptr) {
+                std::vector<Vec3>& vertices = movedVertices.emplace_back(one.surface->mesh.vertices);
+                surface.bounds.setEmpty();
+                for (Vec3& p_W : vertices) {
+                    p_W = moved.motion->toWorld(moved.moment, p_W);
+                    surface.bounds.extend(p_W);
+                }
+                surface.vertices = vertices;
+            }
+            surface.colour = look.colour;
+            surface.isFilled = look.opacity > kLeastFilled;
+        }
+        surfaces.push_back(surface);
+    }
+    m_sectionPicture.setFilled(!m_image.show(*m_section));
+    m_sectionPicture.show(*m_section, surfaces);
+}
+
 void SceneView::prepareFrame(double pixelRatio)
 {
     (void)follow();
@@ -349,6 +416,7 @@ void SceneView::prepareFrame(double pixelRatio)
     m_scaleBar.place(Vec3(camera().GetFocalPoint()), frame, m_solid->GetSize()[0]);
     placeLegend(frame);
     bendTissue(frame);
+    cutTissue();
     m_cursor.place(frame, m_legend.box());
     findHiddenFindings(frame);
     m_findings.place(frame, m_cursor.marks_px(frame));

@@ -151,6 +151,11 @@ void StructureActor::bend(const Dimple& dimple, const ViewFrame& frame)
     }
 }
 
+void StructureActor::clip(vtkPlaneCollection* planes)
+{
+    m_actor->GetMapper()->SetClippingPlanes(planes);
+}
+
 void StructureActor::setHighlighted(bool isOn)
 {
     const double ambient = isOn ? kHighlight : kAmbient;

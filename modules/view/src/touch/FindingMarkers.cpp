@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace palpate::view {
@@ -271,6 +272,14 @@ void FindingMarkers::move(std::size_t i, const Vec3& p_W)
         ++m_revision;
         m_placed.reset();
     }
+}
+
+std::optional<Vec3> FindingMarkers::selectedPlace() const
+{
+    const auto mark = std::find_if(m_marks.begin(), m_marks.end(), [this](const FindingMark& one) {
+        return m_selected != 0 && one.number == m_selected && one.p_W.allFinite();
+    });
+    return mark == m_marks.end() ? std::nullopt : std::optional(mark->p_W);
 }
 
 void FindingMarkers::select(std::size_t number)

@@ -116,6 +116,7 @@ struct SceneFile
     std::vector<SceneStructure> structures;
     std::optional<SceneCamera> camera;
     std::optional<ShownMap> shownMap; ///< empty: each structure shows a uniform colour
+    std::filesystem::path image; ///< volume shown in sections; in memory absolute, in the file relative; empty: none
     std::vector<core::Finding> findings;
     std::vector<core::Tape> tapes;
     BuriedTouch buried = BuriedTouch::Layers;

@@ -27,6 +27,7 @@ enum class ActionGroup
     View,
     Appearance, ///< submenu of View
     TextSize,   ///< submenu of View
+    Section,    ///< submenu of View
     InView,     ///< pointer and key gestures in the 3D view
     InList,     ///< keys in the structure list
     Session,
@@ -79,6 +80,7 @@ class PALPATE_EXPORT ActionList : public QObject
     /// Enables or disables shortcuts that consist of one letter, digit or sign without Ctrl or Alt. While disabled, the
     /// commands remain in the menus and the key card omits these shortcuts.
     void setLetterKeys(bool areOn);
+    [[nodiscard]] bool hasLetterKeys() const noexcept { return m_hasLetterKeys; }
 
     /// Finds a command by its id, or returns nullptr.
     [[nodiscard]] QAction* find(const QString& id) const;

@@ -35,6 +35,7 @@ class PALPATE_EXPORT PointedStructure : public QObject
         std::size_t triangle = 0; ///< index in the structure's repaired mesh
         core::Vec3 p_W = core::Vec3::Zero();
         core::Vec3 rest_W = core::Vec3::Zero(); ///< of a moving structure: on the rest shape
+        bool isOnCut = false;                   ///< on a cut face of the section; then without a triangle
     };
 
     /// All references must outlive this object.

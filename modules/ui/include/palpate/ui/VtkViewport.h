@@ -65,10 +65,14 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     void pointerLeft();
     /// @param steps  wheel notches, positive away from the user
     void depthTurned(double steps);
+    /// Wheel with Shift while a section is shown: move it, positive away from the user.
+    void sectionMoved(double steps);
     /// Pen with pressure in contact or just lifted. @param pressure  0 to 1
     void penPressed(double pressure);
     /// Space bar pressed or released: palpation mode while held.
     void spaceHeld(bool isDown);
+    /// G pressed, or released; also released when the view loses the focus.
+    void peekHeld(bool isDown);
     /// Both modes: pointer motion without a pressed button.
     void hovered(const QPointF& place);
     /// The pointer left the view or a button was pressed.
@@ -97,6 +101,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     void fitSize();
     void moveCamera(const QPointF& place, unsigned long event, Qt::KeyboardModifiers modifiers);
     void blitToWidget();
+    void setPeeking(bool isPeeking);
     void judgeSpeed();
 
     view::SceneView m_view;
@@ -109,6 +114,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     Qt::MouseButton m_cameraButton = Qt::NoButton;
     bool m_isPointerInside = false;
     bool m_isPressed = false;
+    bool m_isPeeking = false; ///< G is held
     bool m_isReady = false;
     double m_frame_ms = 0.0;
     double m_slowest_ms = 0.0; ///< slowest of the first frames, without the warm-up

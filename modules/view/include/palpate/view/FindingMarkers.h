@@ -59,6 +59,9 @@ class PALPATE_EXPORT FindingMarkers
     void setVisible(bool isVisible);
     [[nodiscard]] bool isVisible() const noexcept { return m_isVisible; }
 
+    /// Place of the selected finding; empty if none is selected.
+    [[nodiscard]] std::optional<Vec3> selectedPlace() const;
+
     /// Returns whether tissue is between the eye and a point.
     using IsBehind = std::function<bool(const Vec3& p_W)>;
     /// Recomputes which markers are hidden. Call when the view, the tissue or the findings changed.

@@ -4,10 +4,12 @@
 #include "palpate/view/CameraPresets.h"
 #include "palpate/view/ColourLegend.h"
 #include "palpate/view/FindingMarkers.h"
+#include "palpate/view/ImageSlice.h"
 #include "palpate/view/MeasureLines.h"
 #include "palpate/view/OrientationCube.h"
 #include "palpate/view/PlaceRing.h"
 #include "palpate/view/ScaleBar.h"
+#include "palpate/view/SectionPicture.h"
 #include "palpate/view/StructureActor.h"
 #include "palpate/view/SurfacePicker.h"
 #include "palpate/view/TouchCursor.h"
@@ -27,6 +29,7 @@ struct ViewStructure
 {
     StructureActor picture;
     std::shared_ptr<const geometry::SurfaceIndex> touchable; ///< null: the pointer passes through
+    std::shared_ptr<const geometry::RepairedMesh> surface{}; ///< cut by a section; null: not cut
 };
 
 /// First intersection of a ray with the scene.
@@ -82,6 +85,19 @@ class PALPATE_EXPORT SceneView
     [[nodiscard]] FindingMarkers& findings() noexcept { return m_findings; }
     [[nodiscard]] MeasureLines& measures() noexcept { return m_measures; }
     [[nodiscard]] ColourLegend& legend() noexcept { return m_legend; }
+    /// Cuts the picture: tissue on the side of the plane's normal is not drawn, and the cut is filled from the next
+    /// frame on. Hand, pointer and picking are not affected. @param plane  empty: no cut
+    void setSection(const std::optional<geometry::SectionPlane>& plane);
+    [[nodiscard]] const std::optional<geometry::SectionPlane>& section() const noexcept { return m_section; }
+    /// Image shown in the section instead of filled structures, whose outlines are drawn on it.
+    /// @param volume  null: no image
+    void setImage(std::shared_ptr<const geometry::VoxelVolume> volume, const geometry::GreyWindow& window);
+    /// Cut faces of the section, cut now if the plane or the tissue changed.
+    [[nodiscard]] const SectionPicture& sectionPicture()
+    {
+        cutTissue();
+        return m_sectionPicture;
+    }
     /// The ring is hidden when structures are replaced.
     [[nodiscard]] PlaceRing& placeRing() noexcept { return m_placeRing; }
     [[nodiscard]] OrientationCube& cube() noexcept { return m_cube; }
@@ -119,6 +135,7 @@ class PALPATE_EXPORT SceneView
   private:
     [[nodiscard]] double aspect() const;
     void bendTissue(const ViewFrame& frame);
+    void cutTissue();
     void findHiddenFindings(const ViewFrame& frame);
     void placeLegend(const ViewFrame& frame);
     void placeMeasures(const ViewFrame& frame);
@@ -130,6 +147,10 @@ class PALPATE_EXPORT SceneView
     ScaleBar m_scaleBar;
     ColourLegend m_legend;
     PlaceRing m_placeRing;
+    SectionPicture m_sectionPicture;
+    ImageSlice m_image;
+    std::optional<geometry::SectionPlane> m_section;
+    bool m_isSectionOld = false; ///< plane or tissue changed since the last cut
     TouchCursor m_cursor;
     FindingMarkers m_findings;
     MeasureLines m_measures;

@@ -8,6 +8,7 @@
 #include <palpate/core/Export.h>
 
 #include <vtkActor.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -56,6 +57,8 @@ class PALPATE_EXPORT StructureActor
     static constexpr vtkIdType kMostAtOnce = 40'000;
     /// Draws the surface with a dent from the next frame on, if the dent reaches the structure.
     void bend(const Dimple& dimple, const ViewFrame& frame);
+    /// Hides what is on the negative side of the planes. @param planes  null: hides nothing
+    void clip(vtkPlaneCollection* planes);
     /// Brightens the structure slightly, in its own colour.
     void setHighlighted(bool isOn);
     [[nodiscard]] const Appearance& appearance() const noexcept { return m_appearance; }

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "shell/WindowPart.h"
+
+#include <palpate/core/Types.h>
+#include <palpate/ui/SectionBar.h>
+
+namespace palpate::app {
+
+/// Section of the anatomy: commands, the bar in the view and the plane.
+class SectionPart : public WindowPart
+{
+    Q_OBJECT
+  public:
+    explicit SectionPart(const WindowCore& core);
+    ~SectionPart() override;
+    void addActions() override;
+    void showState(const WindowState& state) override;
+    [[nodiscard]] ui::SectionBar& bar() noexcept { return *m_bar; }
+
+  private:
+    void setShown(bool isShown);
+    void setDirection(ui::SectionDirection direction);
+    void goThrough(const core::Vec3& p_W);
+    void move(double deeper_mm);
+    void moveTo(double position_mm);
+    void turnOver();
+    void show();
+    [[nodiscard]] core::Vec3 wantedPlace() const;
+    [[nodiscard]] core::Vec3 towardsCamera(const core::Vec3& axis_W) const;
+    [[nodiscard]] double step_mm() const;
+    [[nodiscard]] double position_mm() const;
+    [[nodiscard]] QString lineOf(double position_mm) const;
+
+    WindowCore m_core;
+    ui::SectionBar* m_bar = nullptr;
+    ui::SectionDirection m_direction = ui::SectionDirection::Axial;
+    core::Vec3 m_p_W = core::Vec3::Zero();     ///< point of the plane [mm]
+    core::Vec3 m_n_W = core::Vec3::UnitZ();    ///< unit normal, towards the hidden side
+    core::Vec3 m_start_W = core::Vec3::Zero(); ///< where a free section was placed: the origin of its position [mm]
+    core::Vec3 m_axis_W = core::Vec3::UnitZ(); ///< direction of increasing position
+};
+
+} // namespace palpate::app

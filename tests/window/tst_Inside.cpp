@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../support/Shapes.h"
+#include "Desk.h"
+#include "TestRunner.h"
+
+#include <palpate/geometry/SurfaceSection.h>
+#include <palpate/meshio/SceneFile.h>
+#include <palpate/ui/SectionBar.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/StructurePanel.h>
+#include <palpate/ui/VtkViewport.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+
+using namespace palpate;
+using core::Vec3;
+using ui::SectionBar;
+
+/// Section, peek and image in the whole window: a ball of 40 mm with a ball of 15 mm inside. With a folder in
+/// PALPATE_TEST_PICTURES, `picturesForTheEye` draws the phantom and, from shared/anatomy, a liver.
+class Inside : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<test::Desk> m_desk;
+
+    ui::VtkViewport& viewport() { return m_desk->window().viewport(); }
+    view::SceneView& view() { return viewport().view(); }
+    SectionBar& bar() { return *m_desk->window().findChild<SectionBar*>(); }
+    QDoubleSpinBox& field(const QString& name)
+    {
+        for (QDoubleSpinBox* one : bar().findChildren<QDoubleSpinBox*>()) {
+            if (one->accessibleName() == name) {
+                return *one;
+            }
+        }
+        qFatal("no such field");
+    }
+    double opacity(std::size_t i) { return view().structure(i).picture.appearance().opacity; }
+    QColor colourAt(const Vec3& p_W)
+    {
+        viewport().refineNext();
+        const QImage picture = viewport().grabFramebuffer();
+        return picture.pixelColor((viewport().placeOf(p_W) * viewport().devicePixelRatioF()).toPoint());
+    }
+    void turnWheel(int notches, Qt::KeyboardModifiers modifiers)
+    {
+        const QPointF middle(0.5 * viewport().width(), 0.5 * viewport().height());
+        QWheelEvent wheel(middle, viewport().mapToGlobal(middle), {}, {0, 120 * notches}, Qt::NoButton, modifiers,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&viewport(), &wheel);
+    }
+    /// Writes a volume of 2 mm voxels about the origin: `value` of each place.
+    template<class Value>
+    std::filesystem::path writeImage(const char* name, int half, Value value)
+    {
+        const std::filesystem::path file = m_desk->folder() / name;
+        std::ofstream out(file, std::ios::binary);
+        out << "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+            << "Offset = " << -2 * half << ' ' << -2 * half << ' ' << -2 * half << "\nElementSpacing = 2 2 2\n"
+            << "DimSize = " << 2 * half + 1 << ' ' << 2 * half + 1 << ' ' << 2 * half + 1
+            << "\nElementType = MET_SHORT\nElementDataFile = LOCAL\n";
+        for (int z = -half; z <= half; ++z) {
+            for (int y = -half; y <= half; ++y) {
+                for (int x = -half; x <= half; ++x) {
+                    const auto number = static_cast<std::int16_t>(value(Vec3(2 * x, 2 * y, 2 * z)));
+                    out.write(reinterpret_cast<const char*>(&number), sizeof number);
+                }
+            }
+        }
+        return file;
+    }
+
+  private Q_SLOTS:
+    void initTestCase()
+    {
+        if (!test::Desk::hasDisplay()) {
+            QSKIP(test::Desk::kNoDisplay);
+        }
+        m_desk = std::make_unique<test::Desk>();
+        m_desk->writeStl("organ.stl", test::sphere(16, 40.0));
+        m_desk->writeStl("core.stl", test::sphere(8, 15.0));
+        std::ofstream(m_desk->folder() / "balls.palpate.json") << R"({"version": 1, "structures": [
+            {"mesh": "organ.stl", "name": "organ", "colour": [0.8, 0.2, 0.2]},
+            {"mesh": "core.stl", "name": "core", "colour": [0.2, 0.2, 0.8], "layer": 1}]})";
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->open({m_desk->folder() / "balls.palpate.json"}));
+        view().look(view::ViewFrom::Front);
+        viewport().setFocus();
+    }
+    void cleanupTestCase() { m_desk.reset(); }
+
+    void cutsThroughTheMiddleAndMovesInMillimetres()
+    {
+        QVERIFY(!bar().isVisible() && !m_desk->command("section-side").isEnabled());
+        m_desk->pressKeyOf("section");
+        QVERIFY(bar().isVisible() && view().section());
+        QCOMPARE(bar().line(), QStringLiteral("coronal, 0.0 mm posterior · the hand still feels everything"));
+        QVERIFY(colourAt(Vec3(0, 0, 0)).blue() > 190 && colourAt(Vec3(-28, 0, 0)).red() > 190);
+        // The wheel: away from the user is away from the viewer, here to the back.
+        const double step_mm = field("Position of the section").singleStep();
+        QCOMPARE(step_mm, 0.5);
+        turnWheel(3, Qt::ShiftModifier);
+        QCOMPARE(view().section()->p_W.y(), 3.0 * step_mm);
+        QCOMPARE(bar().line(), QStringLiteral("coronal, 1.5 mm posterior · the hand still feels everything"));
+        m_desk->pressKeyOf("section-nearer");
+        QCOMPARE(view().section()->p_W.y(), 2.0 * step_mm);
+        field("Position of the section").setValue(-12.5);
+        QCOMPARE(bar().line(), QStringLiteral("coronal, 12.5 mm anterior · the hand still feels everything"));
+        field("Position of the section").setValue(55.0);
+        QCOMPARE(bar().line(), QStringLiteral("coronal, 55.0 mm posterior · cuts no visible structure"));
+        field("Position of the section").setValue(4.0);
+        m_desk->pressKeyOf("section-side");
+        QVERIFY(view().section()->n_W.y() > 0.0);
+        m_desk->pressKeyOf("section-here");
+        QVERIFY(std::abs(view().section()->p_W.y()) < 1e-9);
+    }
+
+    void directionsAreThoseOfThePatient()
+    {
+        m_desk->command("section").setChecked(true);
+        auto& direction = *bar().findChild<QComboBox*>();
+        const auto choose = [&](int index) {
+            direction.setCurrentIndex(index);
+            Q_EMIT direction.activated(index);
+            field("Position of the section").setValue(-3.0);
+        };
+        choose(0);
+        QVERIFY(std::abs(view().section()->n_W.z()) > 0.999 && bar().line().startsWith("axial, 3.0 mm inferior"));
+        m_desk->pressKeyOf("section-direction");
+        QVERIFY(std::abs(view().section()->n_W.y()) > 0.999);
+        choose(2);
+        QVERIFY(std::abs(view().section()->n_W.x()) > 0.999 && bar().line().startsWith("sagittal, 3.0 mm right"));
+        view().look(view::ViewFrom::Oblique);
+        choose(3);
+        const Vec3 toViewer_W = -Vec3(view().camera().GetDirectionOfProjection());
+        QVERIFY((view().section()->n_W - toViewer_W).norm() < 1e-9);
+        QVERIFY(bar().line().startsWith("free, 3.0 mm nearer"));
+        for (QToolButton* button : bar().findChildren<QToolButton*>()) {
+            if (button->accessibleName() == "End the section") {
+                button->click();
+            }
+        }
+        QVERIFY(!view().section() && !bar().isVisible());
+        view().look(view::ViewFrom::Front);
+    }
+
+    void peekLastsWhileTheKeyIsHeld()
+    {
+        m_desk->window().findChild<ui::StructurePanel*>()->select(1);
+        viewport().setFocus();
+        QTest::keyPress(&viewport(), Qt::Key_G);
+        QCOMPARE(opacity(0), 0.2);
+        QCOMPARE(opacity(1), 1.0);
+        QTest::keyRelease(&viewport(), Qt::Key_G);
+        QCOMPARE(opacity(0), 1.0);
+        QTest::keyPress(&viewport(), Qt::Key_G);
+        QCOMPARE(opacity(0), 0.2);
+        m_desk->window().findChild<ui::StructurePanel*>()->setFocus();
+        QTRY_COMPARE(opacity(0), 1.0);
+        QTest::keyRelease(&viewport(), Qt::Key_G);
+        // Nothing is above the outer ball.
+        m_desk->window().findChild<ui::StructurePanel*>()->select(0);
+        viewport().setFocus();
+        QTest::keyPress(&viewport(), Qt::Key_G);
+        QVERIFY(opacity(0) == 1.0 && opacity(1) == 1.0);
+        QTest::keyRelease(&viewport(), Qt::Key_G);
+    }
+
+    /// Numbers rise along z, from 0 at the feet to 200 at the head.
+    void showsAnImageInTheSectionAndKeepsItInTheScene()
+    {
+        const auto file = writeImage("ct.mha", 25, [](const Vec3& p) { return 2.0 * p.z() + 100.0; });
+        m_desk->window().open({file});
+        auto& messages = *m_desk->window().findChild<ui::MessageBar*>();
+        QVERIFY(test::newest(messages.text()).startsWith("ct.mha: is it an image"));
+        test::answerOf(messages)->click();
+        PALPATE_TRY_VERIFY(view().section() && bar().findChild<QCheckBox*>()->isVisible());
+        field("Window").setValue(200.0);
+        field("Level").setValue(100.0);
+        const auto isGrey = [](const QColor& c, int value) {
+            return std::abs(c.red() - value) < 5 && c.red() == c.green() && c.red() == c.blue();
+        };
+        QVERIFY(isGrey(colourAt(Vec3(5, 0, 0)), 128));
+        QVERIFY(isGrey(colourAt(Vec3(5, 0, 25)), 191) && isGrey(colourAt(Vec3(5, 0, -25)), 64));
+        field("Level").setValue(150.0);
+        QVERIFY(isGrey(colourAt(Vec3(5, 0, 0)), 64));
+        // Without the image the structures are filled.
+        bar().findChild<QCheckBox*>()->setChecked(false);
+        QVERIFY(colourAt(Vec3(5, 0, 0)).blue() > 190);
+        bar().findChild<QCheckBox*>()->setChecked(true);
+        // Undo removes the image, redo shows it again, and the scene file keeps it.
+        m_desk->command("undo").trigger();
+        QVERIFY(!bar().findChild<QCheckBox*>()->isVisible());
+        m_desk->command("redo").trigger();
+        PALPATE_TRY_VERIFY(bar().findChild<QCheckBox*>()->isVisible());
+        m_desk->command("save").trigger();
+        const auto saved = meshio::readScene(m_desk->folder() / "balls.palpate.json");
+        QVERIFY(saved.isOk());
+        QCOMPARE(saved.value().image, std::filesystem::absolute(file));
+        QVERIFY(m_desk->open({m_desk->folder() / "balls.palpate.json"}));
+        QVERIFY(!view().section());
+        m_desk->command("section").setChecked(true);
+        PALPATE_TRY_VERIFY(bar().findChild<QCheckBox*>()->isVisible());
+        // A file that cannot be read says so.
+        std::ofstream(m_desk->folder() / "broken.mha") << "NDims = 3\n";
+        m_desk->window().open({m_desk->folder() / "broken.mha"});
+        test::answerOf(messages)->click();
+        PALPATE_TRY_VERIFY(messages.text().contains("broken.mha: "));
+        QVERIFY(!bar().findChild<QCheckBox*>()->isVisible());
+        m_desk->command("undo").trigger();
+    }
+
+    /// The picture of resources/docs/window.md.
+    void drawsTheFigure()
+    {
+        const QString folder = qEnvironmentVariable("PALPATE_TEST_PICTURES");
+        if (folder.isEmpty()) {
+            QSKIP("set PALPATE_TEST_PICTURES to a folder to draw window-section.png");
+        }
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->openPhantom());
+        m_desk->command("section").setChecked(true);
+        bar().findChild<QComboBox*>()->setCurrentIndex(0);
+        Q_EMIT bar().findChild<QComboBox*>()->activated(0);
+        QTest::qWait(1500);
+        QVERIFY(viewport().grab().save(folder + QStringLiteral("/window-section.png")));
+    }
+
+    void picturesForTheEye()
+    {
+        const QString pictures = qEnvironmentVariable("PALPATE_TEST_PICTURES");
+        if (pictures.isEmpty()) {
+            QSKIP("set PALPATE_TEST_PICTURES to a folder to keep pictures");
+        }
+        const auto keep = [&](const char* name) {
+            QTest::qWait(1500);
+            QVERIFY(m_desk->picture().save(QStringLiteral("%1/%2.png").arg(pictures, QLatin1String(name))));
+        };
+        QVERIFY(m_desk->show());
+        QVERIFY(m_desk->openPhantom());
+        m_desk->command("section").setChecked(true);
+        keep("phantom-section");
+        bar().findChild<QComboBox*>()->setCurrentIndex(0);
+        Q_EMIT bar().findChild<QComboBox*>()->activated(0);
+        keep("phantom-axial");
+        const auto rows = m_desk->window().model().rows();
+        // Numbers as in a portal venous CT.
+        const auto image = writeImage(
+            "ct.mha", 60,
+            [&, z = 1e9, fills = std::vector<std::vector<geometry::SectionStrip>>()](const Vec3& p) mutable {
+                const auto plane = geometry::SectionPlane::through(p, Vec3::UnitZ());
+                static geometry::SectionPlane level;
+                if (p.z() != z) {
+                    z = p.z();
+                    level = plane;
+                    fills.clear();
+                    for (const study::OpenStructure& row : rows) {
+                        const auto& surface = *row.loaded.surface;
+                        fills.push_back(geometry::filled(geometry::sectionOf(
+                            surface.mesh.vertices, surface.mesh.triangles, surface.twoSided, level)));
+                    }
+                }
+                double number = -80.0;
+                for (std::size_t i = 0; i < fills.size(); ++i) {
+                    const bool isIn = std::any_of(fills[i].begin(), fills[i].end(),
+                                                  [&](const auto& one) { return one.contains(level.inPlane(p)); });
+                    const QString name = QString::fromStdString(rows[i].loaded.description.name);
+                    number = !isIn ? number : name.contains("vein") ? 170.0 : name.contains("lump") ? 60.0 : 110.0;
+                }
+                return number + 12.0 * std::sin(13.7 * p.x() + 3.1 * p.y()) * std::cos(7.9 * p.z() + 5.3 * p.y());
+            });
+        m_desk->window().open({image});
+        test::answerOf(*m_desk->window().findChild<ui::MessageBar*>())->click();
+        PALPATE_TRY_VERIFY(bar().findChild<QCheckBox*>()->isVisible());
+        keep("phantom-image");
+        m_desk->command("section").setChecked(false);
+        m_desk->window().findChild<ui::StructurePanel*>()->select(1);
+        m_desk->command("peek").setChecked(true);
+        keep("phantom-peek");
+        const std::filesystem::path liver = std::filesystem::path(PALPATE_SHARED_DIR) / "anatomy/vh_f_liver_scene";
+        if (!std::filesystem::exists(liver)) {
+            QSKIP("the reference anatomy is not there");
+        }
+        meshio::ReadOptions options;
+        options.unit_mm = 1000.0;
+        options.frame = core::FileFrame::YUp;
+        QVERIFY(m_desk->show());
+        QSignalSpy ready(&m_desk->window(), &MainWindow::ready);
+        m_desk->window().open({liver}, options);
+        PALPATE_TRY_VERIFY(ready.count() > 0);
+        m_desk->command("section").setChecked(true);
+        keep("liver-section");
+    }
+};
+
+PALPATE_TEST(Inside)
+#include "tst_Inside.moc"
