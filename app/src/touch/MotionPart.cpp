@@ -102,6 +102,8 @@ void MotionPart::refresh()
     if (m_hasMotion != hadMotion) {
         m_hasMotion ? m_frames.start() : m_frames.stop();
         m_dock->setVisible(m_hasMotion);
+    } else if (!m_hasMotion) {
+        m_dock->hide(); // a restored layout may have shown it
     }
 }
 
