@@ -267,6 +267,10 @@
         <source>Quit Palpate</source>
         <translation>Palpate beenden</translation>
     </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Schnittebene</translation>
+    </message>
 </context>
 <context>
     <name>MeasuresDialog</name>
@@ -628,6 +632,29 @@
         <source>95th percentile: the force stayed below this value for 95 % of the contact time. Research measures, not a diagnosis.</source>
         <translation>95. Perzentil: Während 95 % der Kontaktzeit blieb die Kraft unter diesem Wert. Maße für die Forschung, keine Diagnose.</translation>
     </message>
+    <message>
+        <source>%1 % of the surface of %2</source>
+        <translation>%1 % der Oberfläche von %2</translation>
+    </message>
+    <message>
+        <source>The hand was in contact for %1 min, with a peak force of %2 N.</source>
+        <translation>Die Hand hatte %1 min Kontakt, mit einer größten Kraft von %2 N.</translation>
+    </message>
+    <message>
+        <source>Examined: %1, with a peak force of %2 N.</source>
+        <translation>Untersucht: %1, mit einer größten Kraft von %2 N.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) were marked.</source>
+        <translation>
+            <numerusform>%n Befund(e) wurde(n) markiert.</numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Of %1 lumps, %2 are palpable by a trained hand; %3 of these were pressed hard enough to feel.</source>
+        <translation>Von %1 Knoten sind %2 für eine geübte Hand tastbar; %3 davon wurden fest genug gedrückt.</translation>
+    </message>
 </context>
 <context>
     <name>SceneDocument</name>
@@ -638,6 +665,14 @@
     <message>
         <source>Unsaved changes would be lost in a crash. Save the scene. %1</source>
         <translation>Ungesicherte Änderungen gingen bei einem Absturz verloren. Sichern Sie die Szene. %1</translation>
+    </message>
+    <message>
+        <source>Remove the image</source>
+        <translation>Bild entfernen</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
     </message>
 </context>
 <context>
@@ -2193,10 +2228,6 @@
     <message>
         <source>%1: opening was cancelled</source>
         <translation>%1: das Öffnen wurde abgebrochen</translation>
-    </message>
-    <message>
-        <source>%1: is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the marks in with File &gt; Import findings</source>
-        <translation>%1: ist eine Liste von Marken aus 3D Slicer, keine Szene von Palpate: erst die Anatomie öffnen, dann die Marken mit Datei &gt; Befunde einlesen dazunehmen</translation>
     </message>
     <message>
         <source>%1: is not a Palpate scene: found neither `version` nor `structures`; expected a file that Palpate saved (.palpate.json)</source>
@@ -5219,14 +5250,6 @@
         <translation>Fläche %1 cm², Ausdehnung %2 × %3 × %4 mm</translation>
     </message>
     <message>
-        <source>%1: %2; %3</source>
-        <translation>%1: %2; %3</translation>
-    </message>
-    <message>
-        <source>%1: volume %2 ml (a ball of %3 mm), %4</source>
-        <translation>%1: Volumen %2 ml (eine Kugel von %3 mm), %4</translation>
-    </message>
-    <message>
         <source>%1 to %2: 0 mm, they cross or touch at %3</source>
         <translation>%1 zu %2: 0 mm, sie schneiden oder berühren sich bei %3</translation>
     </message>
@@ -5243,18 +5266,6 @@
         <translation>%1 zu %2: %3 mm, von %4 bis %5</translation>
     </message>
     <message>
-        <source>&lt; %1 mm: %2 %</source>
-        <translation>&lt; %1 mm: %2 %</translation>
-    </message>
-    <message>
-        <source>%1 to %2 mm: %3 %</source>
-        <translation>%1 bis %2 mm: %3 %</translation>
-    </message>
-    <message>
-        <source>&gt; %1 mm: %2 %</source>
-        <translation>&gt; %1 mm: %2 %</translation>
-    </message>
-    <message>
         <source>inside: %1 %</source>
         <translation>innen: %1 %</translation>
     </message>
@@ -5269,6 +5280,846 @@
     <message>
         <source>the volume is that of the closed parts: %1 of %2</source>
         <translation>das Volumen ist das der geschlossenen Teile: %1 von %2</translation>
+    </message>
+    <message>
+        <source>--out: found &quot;%1&quot;, expected a name that ends in .pdf or .html</source>
+        <translation>--out: &quot;%1&quot; gefunden, erwartet wurde ein Name, der auf .pdf oder .html endet</translation>
+    </message>
+    <message>
+        <source>This report has no pictures: %1.</source>
+        <translation>Dieser Bericht enthält keine Bilder: %1.</translation>
+    </message>
+    <message>
+        <source>the report was cancelled</source>
+        <translation>der Bericht wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>Drawing the pictures</source>
+        <translation>Bilder werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Bericht wird geschrieben</translation>
+    </message>
+    <message>
+        <source>a place as three numbers</source>
+        <translation>einen Ort als drei Zahlen</translation>
+    </message>
+    <message>
+        <source>%1: is a list of 3D Slicer marks, not a Palpate scene: import it into a scene as findings, with File &gt; Import findings in the window, or with `palpate findings SCENE.palpate.json --import %1 --out NEW.palpate.json`</source>
+        <translation>%1: ist eine Liste von Marken aus 3D Slicer, keine Szene von Palpate: als Befunde in eine Szene einlesen, im Fenster mit Datei &gt; Befunde einlesen oder mit `palpate findings SZENE.palpate.json --import %1 --out NEU.palpate.json`</translation>
+    </message>
+    <message>
+        <source>the path of a volume</source>
+        <translation>der Pfad eines Volumens</translation>
+    </message>
+    <message>
+        <source>volume %1 ml (a ball of %2 mm), %3</source>
+        <translation>Volumen %1 ml (eine Kugel von %2 mm), %3</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm, from %3 to %4</source>
+        <translation>%1: %2 mm, von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>&lt; %1 mm</source>
+        <translation>&lt; %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>&gt; %1 mm</source>
+        <translation>&gt; %1 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2 %</source>
+        <translation>%1: %2 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>+%1 %</source>
+        <translation>+%1 %</translation>
+    </message>
+    <message>
+        <source>lump</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>hard area</source>
+        <translation>harter Bereich</translation>
+    </message>
+    <message>
+        <source>soft area</source>
+        <translation>weicher Bereich</translation>
+    </message>
+    <message>
+        <source>landmark</source>
+        <translation>Orientierungspunkt</translation>
+    </message>
+    <message>
+        <source>keep away</source>
+        <translation>Abstand halten</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>sonstiges</translation>
+    </message>
+    <message>
+        <source>Palpation report</source>
+        <translation>Palpationsbericht</translation>
+    </message>
+    <message>
+        <source>Research, training and planning rehearsal. Not a medical device.</source>
+        <translation>Forschung, Ausbildung und Planungsübung. Kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>keine Angabe</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>Examiner</source>
+        <translation>Untersucher</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Report made</source>
+        <translation>Bericht erstellt</translation>
+    </message>
+    <message>
+        <source>The hand was in contact for %1 s of %2 s. The greatest force was %3 N, the median %4 N. Marked findings: %5.</source>
+        <translation>Die Hand war %1 s von %2 s in Kontakt. Die größte Kraft betrug %3 N, der Median %4 N. Markierte Befunde: %5.</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>The scene from the front with %1 findings and a scale bar.</source>
+        <translation>Die Szene von vorn mit %1 Befunden und einem Maßstab.</translation>
+    </message>
+    <message>
+        <source>From the patient&apos;s left</source>
+        <translation>Von der linken Seite des Patienten</translation>
+    </message>
+    <message>
+        <source>The scene from the left with %1 findings and a scale bar.</source>
+        <translation>Die Szene von links mit %1 Befunden und einem Maßstab.</translation>
+    </message>
+    <message>
+        <source>The scale bar holds at the depth of the middle of the picture. Numbers are those of the findings.</source>
+        <translation>Der Maßstab gilt in der Tiefe der Bildmitte. Die Nummern sind die der Befunde.</translation>
+    </message>
+    <message>
+        <source>Findings as marked by the examiner; force and depth at the time of marking</source>
+        <translation>Befunde, wie vom Untersucher markiert; Kraft und Tiefe zum Zeitpunkt der Markierung</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Place (x y z) [mm]</source>
+        <translation>Ort (x y z) [mm]</translation>
+    </message>
+    <message>
+        <source>Size [mm]</source>
+        <translation>Größe [mm]</translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation>Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Depth [mm]</source>
+        <translation>Tiefe [mm]</translation>
+    </message>
+    <message>
+        <source>Marked at [s]</source>
+        <translation>Markiert bei [s]</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3</source>
+        <translation>%1 %2 %3</translation>
+    </message>
+    <message>
+        <source>How the findings were examined: contact within %1 mm of the place</source>
+        <translation>Wie die Befunde untersucht wurden: Kontakt innerhalb von %1 mm um den Ort</translation>
+    </message>
+    <message>
+        <source>Time in contact [s]</source>
+        <translation>Kontaktzeit [s]</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Besuche</translation>
+    </message>
+    <message>
+        <source>Mean force [N]</source>
+        <translation>Mittlere Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Peak force [N]</source>
+        <translation>Größte Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Findings felt through several layers, at the time of marking</source>
+        <translation>Durch mehrere Schichten ertastete Befunde, zum Zeitpunkt der Markierung</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>No findings were marked.</source>
+        <translation>Es wurden keine Befunde markiert.</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>The place of finding %1, %2, with a scale bar.</source>
+        <translation>Der Ort von Befund %1, %2, mit einem Maßstab.</translation>
+    </message>
+    <message>
+        <source>Pictures are shown of the first %1 of %2 findings.</source>
+        <translation>Bilder gibt es von den ersten %1 von %2 Befunden.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Notes of the examiner</source>
+        <translation>Notizen des Untersuchers</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Written at [s]</source>
+        <translation>Geschrieben bei [s]</translation>
+    </message>
+    <message>
+        <source>they cross or touch</source>
+        <translation>sie schneiden oder berühren sich</translation>
+    </message>
+    <message>
+        <source>%1 lies inside, %2 mm from the surface</source>
+        <translation>%1 liegt innen, %2 mm von der Oberfläche</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>getrennt</translation>
+    </message>
+    <message>
+        <source>Least distances</source>
+        <translation>Kleinste Abstände</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Distance [mm]</source>
+        <translation>Abstand [mm]</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Margins: share of the lump&apos;s surface by its distance to the structure [%]</source>
+        <translation>Sicherheitsabstände: Anteil der Knotenoberfläche nach dem Abstand zur Struktur [%]</translation>
+    </message>
+    <message>
+        <source>Lump</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>Distances and margins</source>
+        <translation>Abstände und Sicherheitsabstände</translation>
+    </message>
+    <message>
+        <source>Distances were not measured, because the scene is missing.</source>
+        <translation>Abstände wurden nicht gemessen, weil die Szene fehlt.</translation>
+    </message>
+    <message>
+        <source>There are no two structures to measure between.</source>
+        <translation>Es gibt keine zwei Strukturen, zwischen denen gemessen werden könnte.</translation>
+    </message>
+    <message>
+        <source>Volumes and areas</source>
+        <translation>Volumen und Flächen</translation>
+    </message>
+    <message>
+        <source>Sizes were not measured, because the scene is missing.</source>
+        <translation>Größen wurden nicht gemessen, weil die Szene fehlt.</translation>
+    </message>
+    <message>
+        <source>Sizes of the structures</source>
+        <translation>Größen der Strukturen</translation>
+    </message>
+    <message>
+        <source>Volume [ml]</source>
+        <translation>Volumen [ml]</translation>
+    </message>
+    <message>
+        <source>Ball of equal volume [mm]</source>
+        <translation>Kugel gleichen Volumens [mm]</translation>
+    </message>
+    <message>
+        <source>Area [cm²]</source>
+        <translation>Fläche [cm²]</translation>
+    </message>
+    <message>
+        <source>Extent x × y × z [mm]</source>
+        <translation>Ausdehnung x × y × z [mm]</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>Contact with each structure; forces are those of its own layer</source>
+        <translation>Kontakt mit jeder Struktur; Kräfte sind die ihrer eigenen Schicht</translation>
+    </message>
+    <message>
+        <source>Contact [s]</source>
+        <translation>Kontakt [s]</translation>
+    </message>
+    <message>
+        <source>Presses</source>
+        <translation>Mal gedrückt</translation>
+    </message>
+    <message>
+        <source>95th percentile [N]</source>
+        <translation>95. Perzentil [N]</translation>
+    </message>
+    <message>
+        <source>Peak depth [mm]</source>
+        <translation>Größte Tiefe [mm]</translation>
+    </message>
+    <message>
+        <source>Covered [%]</source>
+        <translation>Abgetastet [%]</translation>
+    </message>
+    <message>
+        <source>Longest dwell [s]</source>
+        <translation>Längste Verweildauer [s]</translation>
+    </message>
+    <message>
+        <source>Searching (the contact moves faster than 10 mm/s) and pressing (slower)</source>
+        <translation>Suchen (der Kontakt bewegt sich schneller als 10 mm/s) und Drücken (langsamer)</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>Phasen</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>searching</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>pressing</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Whole session</source>
+        <translation>Gesamte Sitzung</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>In contact</source>
+        <translation>In Kontakt</translation>
+    </message>
+    <message>
+        <source>%1 s, contacts: %2</source>
+        <translation>%1 s, Kontakte: %2</translation>
+    </message>
+    <message>
+        <source>Path of the hand</source>
+        <translation>Weg der Hand</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Path on the surface</source>
+        <translation>Weg auf der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Force in contact</source>
+        <translation>Kraft im Kontakt</translation>
+    </message>
+    <message>
+        <source>peak %1 N, mean %2 N, median %3 N, 95th percentile %4 N</source>
+        <translation>größte %1 N, mittlere %2 N, Median %3 N, 95. Perzentil %4 N</translation>
+    </message>
+    <message>
+        <source>Depth in contact</source>
+        <translation>Tiefe im Kontakt</translation>
+    </message>
+    <message>
+        <source>peak %1 mm, mean %2 mm, 95th percentile %3 mm</source>
+        <translation>größte %1 mm, mittlere %2 mm, 95. Perzentil %3 mm</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Berührung</translation>
+    </message>
+    <message>
+        <source>Nothing was touched.</source>
+        <translation>Nichts wurde berührt.</translation>
+    </message>
+    <message>
+        <source>Covered: share of the surface within %1 mm of the contact. 95th percentile: the force stayed below this value for 95 % of the contact time.</source>
+        <translation>Abgetastet: Anteil der Oberfläche innerhalb von %1 mm um den Kontakt. 95. Perzentil: Die Kraft blieb 95 % der Kontaktzeit unter diesem Wert.</translation>
+    </message>
+    <message>
+        <source>Force over time</source>
+        <translation>Kraft über der Zeit</translation>
+    </message>
+    <message>
+        <source>The recording contains no ticks.</source>
+        <translation>Die Aufzeichnung enthält keine Ticks.</translation>
+    </message>
+    <message>
+        <source>Smallest and greatest force of each of %1 spans of time; the numbers mark when the findings were marked</source>
+        <translation>Kleinste und größte Kraft in jedem von %1 Zeitabschnitten; die Nummern zeigen, wann die Befunde markiert wurden</translation>
+    </message>
+    <message>
+        <source>Curve of the force over %1 s, at most %2 N, with %3 findings.</source>
+        <translation>Kraftverlauf über %1 s, höchstens %2 N, mit %3 Befunden.</translation>
+    </message>
+    <message>
+        <source>Checking the recording</source>
+        <translation>Aufzeichnung wird geprüft</translation>
+    </message>
+    <message>
+        <source>Reading the surfaces</source>
+        <translation>Oberflächen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Computing the recording again</source>
+        <translation>Aufzeichnung wird erneut berechnet</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Messung läuft</translation>
+    </message>
+    <message>
+        <source>Computing what can be felt of lumps</source>
+        <translation>Tastbarkeit der Knoten wird berechnet</translation>
+    </message>
+    <message>
+        <source>Evaluating the search for lumps</source>
+        <translation>Suche nach Knoten wird ausgewertet</translation>
+    </message>
+    <message>
+        <source>Measuring distances</source>
+        <translation>Abstände werden gemessen</translation>
+    </message>
+    <message>
+        <source>Reading the force</source>
+        <translation>Kraft wird gelesen</translation>
+    </message>
+    <message>
+        <source>The recording was interrupted: %1.</source>
+        <translation>Die Aufzeichnung wurde unterbrochen: %1.</translation>
+    </message>
+    <message>
+        <source>Ticks missing in the recording: %1.</source>
+        <translation>In der Aufzeichnung fehlende Ticks: %1.</translation>
+    </message>
+    <message>
+        <source>The recording is damaged, or was changed after it was made. Damaged places: %1. Ticks that do not match their checksum are left out of all numbers.</source>
+        <translation>Die Aufzeichnung ist beschädigt oder wurde nachträglich verändert. Beschädigte Stellen: %1. Ticks, deren Prüfsumme nicht stimmt, fehlen in allen Zahlen.</translation>
+    </message>
+    <message>
+        <source>The recording is damaged, or was changed after it was made: %1.</source>
+        <translation>Die Aufzeichnung ist beschädigt oder wurde nachträglich verändert: %1.</translation>
+    </message>
+    <message>
+        <source>The recording was not computed again, so its forces are not verified: %1.</source>
+        <translation>Die Aufzeichnung wurde nicht erneut berechnet, ihre Kräfte sind daher nicht geprüft: %1.</translation>
+    </message>
+    <message>
+        <source>Computing the recording again gives other forces, so they are not verified: %1.</source>
+        <translation>Die erneute Berechnung ergibt andere Kräfte, sie sind daher nicht geprüft: %1.</translation>
+    </message>
+    <message>
+        <source>Surfaces not available, so without coverage: %1.</source>
+        <translation>Nicht verfügbare Oberflächen, daher ohne Abdeckung: %1.</translation>
+    </message>
+    <message>
+        <source>The scene is not available, so pictures, sizes, distances and lumps are missing: %1.</source>
+        <translation>Die Szene ist nicht verfügbar, daher fehlen Bilder, Größen, Abstände und Knoten: %1.</translation>
+    </message>
+    <message>
+        <source>not by hand</source>
+        <translation>nicht mit der Hand</translation>
+    </message>
+    <message>
+        <source>by a trained hand</source>
+        <translation>mit geübter Hand</translation>
+    </message>
+    <message>
+        <source>plainly</source>
+        <translation>deutlich</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>stiffness ratio not known</source>
+        <translation>Steifigkeitsverhältnis unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 (at %2: %3; at %4: %5)</source>
+        <translation>%1 (bei %2: %3; bei %4: %5)</translation>
+    </message>
+    <message>
+        <source>as typed</source>
+        <translation>wie eingegeben</translation>
+    </message>
+    <message>
+        <source>from the moduli</source>
+        <translation>aus den Moduln</translation>
+    </message>
+    <message>
+        <source>from the tissues&apos; stiffness</source>
+        <translation>aus der Steifigkeit der Gewebe</translation>
+    </message>
+    <message>
+        <source>published for such lumps</source>
+        <translation>veröffentlicht für solche Knoten</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3) times as stiff, %4</source>
+        <translation>%1-mal (%2 bis %3) so steif, %4</translation>
+    </message>
+    <message>
+        <source>%1 times as stiff, %2</source>
+        <translation>%1-mal so steif, %2</translation>
+    </message>
+    <message>
+        <source>Which lumps a hand can find, as predicted by the model of buried lumps (an estimate), with the stiffness ratio to the organ that this rests on</source>
+        <translation>Welche Knoten eine Hand finden kann, nach dem Modell verborgener Knoten (eine Schätzung), mit dem zugrunde liegenden Steifigkeitsverhältnis zum Organ</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organ</translation>
+    </message>
+    <message>
+        <source>Stiffness ratio</source>
+        <translation>Steifigkeitsverhältnis</translation>
+    </message>
+    <message>
+        <source>Pressed %1 mm</source>
+        <translation>%1 mm gedrückt</translation>
+    </message>
+    <message>
+        <source>Touched lightly</source>
+        <translation>Leicht berührt</translation>
+    </message>
+    <message>
+        <source>How thoroughly each lump was searched for: recorded change of the force, and estimates of the model</source>
+        <translation>Wie gründlich nach jedem Knoten gesucht wurde: aufgezeichnete Änderung der Kraft und Schätzungen des Modells</translation>
+    </message>
+    <message>
+        <source>Largest recorded change under the hand</source>
+        <translation>Größte aufgezeichnete Änderung unter der Hand</translation>
+    </message>
+    <message>
+        <source>Predicted change</source>
+        <translation>Vorhergesagte Änderung</translation>
+    </message>
+    <message>
+        <source>Area where a trained hand can feel it [cm²]</source>
+        <translation>Fläche, auf der eine geübte Hand ihn spürt [cm²]</translation>
+    </message>
+    <message>
+        <source>Pressed hard enough [%]</source>
+        <translation>Fest genug gedrückt [%]</translation>
+    </message>
+    <message>
+        <source>Lumps</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Lumps were not evaluated, because the scene is missing.</source>
+        <translation>Knoten wurden nicht beurteilt, weil die Szene fehlt.</translation>
+    </message>
+    <message>
+        <source>No lump in an organ could be evaluated.</source>
+        <translation>Kein Knoten in einem Organ konnte beurteilt werden.</translation>
+    </message>
+    <message>
+        <source>ball of %1 mm radius</source>
+        <translation>Kugel von %1 mm Radius</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Device and recording conditions</source>
+        <translation>Gerät und Aufzeichnungsbedingungen</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Force limit of the device</source>
+        <translation>Kraftgrenze des Geräts</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation>Ticks</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Verspätete Ticks</translation>
+    </message>
+    <message>
+        <source>Lost ticks</source>
+        <translation>Verlorene Ticks</translation>
+    </message>
+    <message>
+        <source>Fingertip</source>
+        <translation>Fingerspitze</translation>
+    </message>
+    <message>
+        <source>Distance that counts as touched</source>
+        <translation>Abstand, der als berührt gilt</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>nonlinear</source>
+        <translation>nichtlinear</translation>
+    </message>
+    <message>
+        <source>with friction</source>
+        <translation>mit Reibung</translation>
+    </message>
+    <message>
+        <source>with maps or motion</source>
+        <translation>mit Karten oder Bewegung</translation>
+    </message>
+    <message>
+        <source>Tissue at the start of the recording</source>
+        <translation>Gewebe zu Beginn der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Stiffness [N/mm]</source>
+        <translation>Steifigkeit [N/mm]</translation>
+    </message>
+    <message>
+        <source>Damping [N·s/mm]</source>
+        <translation>Dämpfung [N·s/mm]</translation>
+    </message>
+    <message>
+        <source>Force law</source>
+        <translation>Kraftgesetz</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>Own surface palpable</source>
+        <translation>Eigene Oberfläche tastbar</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Not computed again: %1.</source>
+        <translation>Nicht erneut berechnet: %1.</translation>
+    </message>
+    <message>
+        <source>Ticks computed again: %1. Every position and force is the same, bit for bit.</source>
+        <translation>Erneut berechnete Ticks: %1. Alle Positionen und Kräfte sind Bit für Bit gleich.</translation>
+    </message>
+    <message>
+        <source>Ticks computed again: %1. Of these, %2 differ by rounding: by at most %3 mm and %4 N.</source>
+        <translation>Erneut berechnete Ticks: %1. Davon weichen %2 durch Rundung ab: um höchstens %3 mm und %4 N.</translation>
+    </message>
+    <message>
+        <source>Ticks computed again: %1. The forces differ by more than rounding: %2.</source>
+        <translation>Erneut berechnete Ticks: %1. Die Kräfte weichen um mehr als Rundung ab: %2.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the scene</source>
+        <translation>SHA-256 der Szene</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Recorded by</source>
+        <translation>Aufgezeichnet mit</translation>
+    </message>
+    <message>
+        <source>Palpate %1 (%2)</source>
+        <translation>Palpate %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Report made by</source>
+        <translation>Bericht erstellt mit</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Oberflächen</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the geometry, as palpated</source>
+        <translation>SHA-256 der Geometrie, wie ertastet</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>A hand with a haptic device, a mouse or a script palpated surface models of segmented anatomy. Forces are those of the model before any limit of the device; depths are distances between the hand and the surface. Positions and lengths are in mm in the frame LPS (x to the patient&apos;s left, y to the back, z to the head). Surfaces, and therefore distances, are as uncertain as the segmentation, about one voxel.</source>
+        <translation>Eine Hand mit einem haptischen Gerät, einer Maus oder einem Skript hat Oberflächenmodelle segmentierter Anatomie abgetastet. Kräfte sind die des Modells vor jeder Begrenzung durch das Gerät; Tiefen sind Abstände zwischen Hand und Oberfläche. Positionen und Längen sind in mm im System LPS (x zur linken Seite des Patienten, y zum Rücken, z zum Kopf). Oberflächen und damit Abstände sind so unsicher wie die Segmentierung, etwa ein Voxel.</translation>
+    </message>
+    <message>
+        <source>The recording describes no scene.</source>
+        <translation>Die Aufzeichnung beschreibt keine Szene.</translation>
+    </message>
+    <message>
+        <source>Data and verification</source>
+        <translation>Daten und Prüfung</translation>
+    </message>
+    <message>
+        <source>Database intact, checksums of %1 ticks correct.</source>
+        <translation>Datenbank unversehrt, Prüfsummen von %1 Ticks richtig.</translation>
+    </message>
+    <message>
+        <source>Damaged, or changed after it was recorded: %1.</source>
+        <translation>Beschädigt oder nach der Aufzeichnung verändert: %1.</translation>
+    </message>
+    <message>
+        <source>More damaged places: %1.</source>
+        <translation>Weitere beschädigte Stellen: %1.</translation>
+    </message>
+    <message>
+        <source>%1: found another extension, expected a name that ends in .pdf or .html</source>
+        <translation>%1: andere Endung gefunden, erwartet wurde ein Name, der auf .pdf oder .html endet</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>found no display with OpenGL to draw them; app/run.sh draws without a display</source>
+        <translation>keine Anzeige mit OpenGL gefunden, um sie zu zeichnen; app/run.sh zeichnet ohne Anzeige</translation>
     </message>
 </context>
 <context>
@@ -5347,6 +6198,29 @@
     <message>
         <source>Restore the force</source>
         <translation>Kraft wiederherstellen</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::DistancesPart</name>
+    <message>
+        <source>Distances and sizes</source>
+        <translation>Abstände und Größen</translation>
+    </message>
+    <message>
+        <source>Measure the distances and margins of lumps to other structures, and list the tapes</source>
+        <translation>Abstände und Ränder der Knoten zu anderen Strukturen messen und die Maßbänder auflisten</translation>
+    </message>
+    <message>
+        <source>Tape</source>
+        <translation>Maßband</translation>
+    </message>
+    <message>
+        <source>Measure between two places: click on both, or touch both and press T each time; snaps to findings</source>
+        <translation>Zwischen zwei Orten messen: beide anklicken, oder beide berühren und jedes Mal T drücken; rastet an Befunden ein</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Abstände</translation>
     </message>
 </context>
 <context>
@@ -5695,6 +6569,45 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     </message>
 </context>
 <context>
+    <name>palpate::app::ImagePart</name>
+    <message>
+        <source>Show an image…</source>
+        <translation>Bild zeigen…</translation>
+    </message>
+    <message>
+        <source>Show a CT, MR or ultrasound volume in sections</source>
+        <translation>Ein CT-, MR- oder Ultraschallvolumen in Schnitten zeigen</translation>
+    </message>
+    <message>
+        <source>Remove the image</source>
+        <translation>Bild entfernen</translation>
+    </message>
+    <message>
+        <source>Show sections without the image; the file is kept</source>
+        <translation>Schnitte ohne das Bild zeigen; die Datei bleibt</translation>
+    </message>
+    <message>
+        <source>Show an image</source>
+        <translation>Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Images (%1);;All files (*)</source>
+        <translation>Bilder (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 wird gelesen…</translation>
+    </message>
+    <message>
+        <source>%1 is shown in sections (X).</source>
+        <translation>%1 wird in Schnitten gezeigt (X).</translation>
+    </message>
+    <message>
+        <source>%1 lies beside all structures. Do the axes and units of image and meshes agree?</source>
+        <translation>%1 liegt neben allen Strukturen. Passen Achsen und Einheiten von Bild und Netzen zusammen?</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::Language</name>
     <message>
         <source>Language</source>
@@ -5776,6 +6689,25 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     </message>
 </context>
 <context>
+    <name>palpate::app::MotionPart</name>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Show or hide the controls of moving tissue</source>
+        <translation>Die Bedienung bewegten Gewebes zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Hold breath</source>
+        <translation>Atem anhalten</translation>
+    </message>
+    <message>
+        <source>Hold breathing tissue where it is</source>
+        <translation>Atmendes Gewebe anhalten, wo es ist</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::Notices</name>
     <message>
         <source>Messages</source>
@@ -5787,14 +6719,37 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     </message>
 </context>
 <context>
+    <name>palpate::app::PeekPart</name>
+    <message>
+        <source>Peek inside</source>
+        <translation>Hineinsehen</translation>
+    </message>
+    <message>
+        <source>Make everything above the touched structure, or else the selected one, nearly transparent; or hold G</source>
+        <translation>Alles über der berührten, sonst der ausgewählten Struktur fast durchsichtig machen; oder G halten</translation>
+    </message>
+    <message>
+        <source>hold G</source>
+        <translation>G halten</translation>
+    </message>
+    <message>
+        <source>look through what is above the structure</source>
+        <translation>durch das hindurchsehen, was über der Struktur liegt</translation>
+    </message>
+    <message>
+        <source>Peek: touch or select the structure that you want to see.</source>
+        <translation>Hineinsehen: Berühren oder wählen Sie die Struktur, die Sie sehen möchten.</translation>
+    </message>
+    <message>
+        <source>Peek: nothing is above %1.</source>
+        <translation>Hineinsehen: Über %1 liegt nichts.</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::PicturePart</name>
     <message>
         <source>Snapshot</source>
         <translation>Foto</translation>
-    </message>
-    <message>
-        <source>Save a picture of the view</source>
-        <translation>Ein Bild der Ansicht speichern</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -5805,12 +6760,16 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <translation>Alles in die Ansicht einpassen</translation>
     </message>
     <message>
-        <source>Picture saved to %1</source>
-        <translation>Bild nach %1 gespeichert</translation>
-    </message>
-    <message>
         <source>%1: the picture could not be written. Is the folder writable and the disk not full?</source>
         <translation>%1: das Bild konnte nicht geschrieben werden. Ist der Ordner beschreibbar und der Datenträger nicht voll?</translation>
+    </message>
+    <message>
+        <source>Save a picture of the view with a caption, and copy it</source>
+        <translation>Ein Bild der Ansicht mit Bildunterschrift speichern und kopieren</translation>
+    </message>
+    <message>
+        <source>Picture copied, and saved to %1</source>
+        <translation>Bild kopiert und gespeichert unter %1</translation>
     </message>
 </context>
 <context>
@@ -5909,6 +6868,79 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     </message>
 </context>
 <context>
+    <name>palpate::app::ReportDialog</name>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>The report contains views, findings, lumps, distances and the force of the open recording. Both fields may stay empty.</source>
+        <translation>Der Bericht enthält Ansichten, Befunde, Knoten, Abstände und die Kraft der geöffneten Aufzeichnung. Beide Felder dürfen leer bleiben.</translation>
+    </message>
+    <message>
+        <source>Write report…</source>
+        <translation>Bericht schreiben…</translation>
+    </message>
+    <message>
+        <source>&amp;Case</source>
+        <translation>&amp;Fall</translation>
+    </message>
+    <message>
+        <source>&amp;Examiner</source>
+        <translation>&amp;Untersucher</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ReportPart</name>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Write a report of the recording as PDF or web page</source>
+        <translation>Einen Bericht der Aufzeichnung als PDF oder Webseite schreiben</translation>
+    </message>
+    <message>
+        <source>PDF for printing (*.pdf)</source>
+        <translation>PDF zum Drucken (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page, for screen readers too (*.html)</source>
+        <translation>Webseite, auch für Bildschirmleser (*.html)</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 already exists. Enter the full file name to replace the file.</source>
+        <translation>Nichts wurde geschrieben: %1 ist schon vorhanden. Zum Ersetzen den vollständigen Dateinamen eingeben.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 must end in .pdf or .html.</source>
+        <translation>Es wurde nichts geschrieben: %1 muss auf .pdf oder .html enden.</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>Bericht nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Report cancelled</source>
+        <translation>Bericht abgebrochen</translation>
+    </message>
+    <message>
+        <source>Report written to %1; it lists the missing parts</source>
+        <translation>Bericht nach %1 geschrieben; er nennt, was fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ReportRun</name>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::ResultsPart</name>
     <message>
         <source>Results…</source>
@@ -5968,14 +7000,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>%1 structures: %2 (%3 and others; the sign in the list of structures has the details)</source>
         <translation>%1 Strukturen: %2 (%3 und andere; Einzelheiten am Zeichen in der Liste der Strukturen)</translation>
-    </message>
-    <message>
-        <source>%1: the hand feels the motion of the scene file, but the view shows the shape at rest.</source>
-        <translation>%1: Die Hand fühlt die Bewegung aus der Szenendatei, aber die Ansicht zeigt die Form in Ruhe.</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>OK</translation>
     </message>
 </context>
 <context>
@@ -6052,6 +7076,18 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <source>%1 has points of 3D Slicer, which become findings. Open the anatomy first, or both at once.</source>
         <translation>%1 enthält Punkte von 3D Slicer, die zu Befunden werden. Öffnen Sie zuerst die Anatomie, oder beides zugleich.</translation>
     </message>
+    <message>
+        <source>%1: is it an image of the open scene, or a segmentation?</source>
+        <translation>%1: Ist das ein Bild der offenen Szene oder eine Segmentierung?</translation>
+    </message>
+    <message>
+        <source>Show the image</source>
+        <translation>Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Open the segmentation</source>
+        <translation>Segmentierung öffnen</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::SceneSurfaces</name>
@@ -6106,6 +7142,105 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Turn them around</source>
         <translation>Alle umdrehen</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::SectionPart</name>
+    <message>
+        <source>axial, %1 mm superior</source>
+        <translation>axial, %1 mm kranial</translation>
+    </message>
+    <message>
+        <source>axial, %1 mm inferior</source>
+        <translation>axial, %1 mm kaudal</translation>
+    </message>
+    <message>
+        <source>coronal, %1 mm posterior</source>
+        <translation>koronal, %1 mm posterior</translation>
+    </message>
+    <message>
+        <source>coronal, %1 mm anterior</source>
+        <translation>koronal, %1 mm anterior</translation>
+    </message>
+    <message>
+        <source>sagittal, %1 mm left</source>
+        <translation>sagittal, %1 mm links</translation>
+    </message>
+    <message>
+        <source>sagittal, %1 mm right</source>
+        <translation>sagittal, %1 mm rechts</translation>
+    </message>
+    <message>
+        <source>free, %1 mm deeper</source>
+        <translation>frei, %1 mm tiefer</translation>
+    </message>
+    <message>
+        <source>free, %1 mm nearer</source>
+        <translation>frei, %1 mm näher</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut the picture through the hand, the selected finding or the middle of the view; the hand still feels everything</source>
+        <translation>Das Bild durch die Hand, den ausgewählten Befund oder die Mitte der Ansicht schneiden; die Hand fühlt weiterhin alles</translation>
+    </message>
+    <message>
+        <source>Next direction of the section</source>
+        <translation>Nächste Richtung des Schnitts</translation>
+    </message>
+    <message>
+        <source>Axial, coronal, sagittal, or facing the viewer</source>
+        <translation>Axial, koronal, sagittal oder zum Betrachter</translation>
+    </message>
+    <message>
+        <source>Other side of the section</source>
+        <translation>Andere Seite des Schnitts</translation>
+    </message>
+    <message>
+        <source>Show the side that is hidden</source>
+        <translation>Die verdeckte Seite zeigen</translation>
+    </message>
+    <message>
+        <source>Section through the hand</source>
+        <translation>Schnitt durch die Hand</translation>
+    </message>
+    <message>
+        <source>Move the section to the hand, the selected finding or the middle of the view</source>
+        <translation>Den Schnitt zur Hand, zum ausgewählten Befund oder zur Mitte der Ansicht bewegen</translation>
+    </message>
+    <message>
+        <source>Section deeper</source>
+        <translation>Schnitt tiefer</translation>
+    </message>
+    <message>
+        <source>Move the section away from the viewer</source>
+        <translation>Den Schnitt vom Betrachter weg bewegen</translation>
+    </message>
+    <message>
+        <source>Section nearer</source>
+        <translation>Schnitt näher</translation>
+    </message>
+    <message>
+        <source>Move the section towards the viewer</source>
+        <translation>Den Schnitt zum Betrachter hin bewegen</translation>
+    </message>
+    <message>
+        <source>Shift+wheel</source>
+        <translation>Umschalt+Rad</translation>
+    </message>
+    <message>
+        <source>move the section</source>
+        <translation>den Schnitt bewegen</translation>
+    </message>
+    <message>
+        <source>%1 · cuts no visible structure</source>
+        <translation>%1 · schneidet keine sichtbare Struktur</translation>
+    </message>
+    <message>
+        <source>%1 · the hand still feels everything</source>
+        <translation>%1 · die Hand fühlt weiterhin alles</translation>
     </message>
 </context>
 <context>
@@ -6312,6 +7447,29 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Opacities chosen by name: %1.</source>
         <translation>Nach dem Namen gewählte Deckkraft: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::TouchMapPart</name>
+    <message>
+        <source>Map of touch</source>
+        <translation>Karte der Berührung</translation>
+    </message>
+    <message>
+        <source>Next map of touch</source>
+        <translation>Nächste Karte der Berührung</translation>
+    </message>
+    <message>
+        <source>Previous map of touch</source>
+        <translation>Vorige Karte der Berührung</translation>
+    </message>
+    <message>
+        <source>Map of touch: %1</source>
+        <translation>Karte der Berührung: %1</translation>
+    </message>
+    <message>
+        <source>Colour the examined surface, in the recording up to the moment shown, or live</source>
+        <translation>Färbt die untersuchte Oberfläche: in der Aufnahme bis zum gezeigten Zeitpunkt oder live</translation>
     </message>
 </context>
 <context>
@@ -6575,6 +7733,93 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Not supported yet: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
         <translation>Noch nicht unterstützt: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. Ein Geräte-Plugin bindet einen solchen Arm an; die Seite „device-plugin“ der Dokumentation beschreibt, wie man eines schreibt.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::DistancesPanel</name>
+    <message>
+        <source>0, they cross</source>
+        <translation>0, sie schneiden sich</translation>
+    </message>
+    <message>
+        <source>inside, %1 below</source>
+        <translation>innen, %1 tief</translation>
+    </message>
+    <message>
+        <source>around, %1</source>
+        <translation>außen herum, %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Measure from</source>
+        <translation>Messen von</translation>
+    </message>
+    <message>
+        <source>Borders of the bands in millimetres</source>
+        <translation>Grenzen der Bänder in Millimetern</translation>
+    </message>
+    <message>
+        <source>Borders of the bands of the margin [mm], at most four, such as 5; 10</source>
+        <translation>Grenzen der Bänder des Rands [mm], höchstens vier, zum Beispiel 5; 10</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Bands [mm]</source>
+        <translation>Bänder [mm]</translation>
+    </message>
+    <message>
+        <source>Distances between structures</source>
+        <translation>Abstände zwischen Strukturen</translation>
+    </message>
+    <message>
+        <source>Tapes</source>
+        <translation>Maßbänder</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the selected tapes (Del)</source>
+        <translation>Die gewählten Maßbänder löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>T: tape between two places</source>
+        <translation>T: Maßband zwischen zwei Orten</translation>
+    </message>
+    <message>
+        <source>Bands: found “%1”, expected at most four ascending distances in mm, such as 5; 10.</source>
+        <translation>Bänder: „%1“ gefunden, erwartet höchstens vier aufsteigende Abstände in mm, zum Beispiel 5; 10.</translation>
+    </message>
+    <message>
+        <source>lumps</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Messe…</translation>
+    </message>
+    <message>
+        <source>No lump here: choose the structure to measure from.</source>
+        <translation>Kein Knoten vorhanden: wählen Sie die Struktur, von der gemessen wird.</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>%1 of its area</source>
+        <translation>%1 der Fläche</translation>
     </message>
 </context>
 <context>
@@ -7953,6 +9198,17 @@ Hier klicken oder F4 drücken für alle Meldungen</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::MarginOverlay</name>
+    <message>
+        <source>%1
+to %2,
+share of its area</source>
+        <translation>%1
+bis %2,
+Anteil der Fläche</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::MessageBar</name>
     <message>
         <source> … and %1 more lines (F4)</source>
@@ -8014,6 +9270,61 @@ Hier klicken oder F4 drücken für alle Meldungen</translation>
     <message>
         <source>Information</source>
         <translation>Information</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MotionPanel</name>
+    <message>
+        <source>Let the tissue move, or stop it where it is</source>
+        <translation>Das Gewebe bewegen lassen oder anhalten, wo es ist</translation>
+    </message>
+    <message>
+        <source>Hold breath</source>
+        <translation>Atem anhalten</translation>
+    </message>
+    <message>
+        <source>Hold breathing tissue where it is; pulses and tracked poses go on</source>
+        <translation>Atmendes Gewebe anhalten, wo es ist; Pulse und verfolgte Lagen laufen weiter</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source>Rate of the motion</source>
+        <translation>Tempo der Bewegung</translation>
+    </message>
+    <message>
+        <source>Speed of all motions; 1 is that of the scene file</source>
+        <translation>Geschwindigkeit aller Bewegungen; 1 ist die der Szenendatei</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Amplitude of the breath</source>
+        <translation>Amplitude der Atmung</translation>
+    </message>
+    <message>
+        <source>Share of the displacement of the scene file; at 0 % breathing tissue rests</source>
+        <translation>Anteil der Verschiebung der Szenendatei; bei 0 % ruht atmendes Gewebe</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -8093,6 +9404,17 @@ Hier klicken oder F4 drücken für alle Meldungen</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::SceneDistances</name>
+    <message>
+        <source>Measuring distances</source>
+        <translation>Abstände werden gemessen</translation>
+    </message>
+    <message>
+        <source>Measuring distances was cancelled.</source>
+        <translation>Das Messen der Abstände wurde abgebrochen.</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::SceneLoader</name>
     <message>
         <source>Nothing to open.</source>
@@ -8121,6 +9443,73 @@ Hier klicken oder F4 drücken für alle Meldungen</translation>
     <message>
         <source>%1: opened together with another scene; not imported: %2</source>
         <translation>%1: zusammen mit einer anderen Szene geöffnet; nicht übernommen: %2</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::SectionBar</name>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Direction of the section</source>
+        <translation>Richtung des Schnitts</translation>
+    </message>
+    <message>
+        <source>Direction of the section; Free faces the viewer when chosen</source>
+        <translation>Richtung des Schnitts; „Frei“ zeigt beim Auswählen zum Betrachter</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Position of the section</source>
+        <translation>Position des Schnitts</translation>
+    </message>
+    <message>
+        <source>Position from the origin of the coordinates towards left, back or head. Shift and the wheel over the view move the section</source>
+        <translation>Position vom Ursprung der Koordinaten nach links, hinten oder kopfwärts. Umschalt und das Rad über der Ansicht bewegen den Schnitt</translation>
+    </message>
+    <message>
+        <source>Show the other side of the section</source>
+        <translation>Die andere Seite des Schnitts zeigen</translation>
+    </message>
+    <message>
+        <source>End the section</source>
+        <translation>Schnitt beenden</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Range of numbers from black to white</source>
+        <translation>Bereich der Werte von Schwarz bis Weiß</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Number shown in medium grey</source>
+        <translation>Wert, der mittelgrau erscheint</translation>
     </message>
 </context>
 <context>
@@ -8766,6 +10155,18 @@ Einzelheiten: %3</translation>
         <source>Reopen the holes</source>
         <translation>Löcher wieder öffnen</translation>
     </message>
+    <message>
+        <source>Feel</source>
+        <translation>Tastgefühl</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Erweitert</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureTree</name>
@@ -8835,6 +10236,76 @@ Einzelheiten: %3</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::TapeTool</name>
+    <message>
+        <source>Tape: click on two places, or touch a place and press T, then another. Esc ends.</source>
+        <translation>Maßband: zwei Orte anklicken, oder einen Ort berühren und T drücken, dann einen zweiten. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>The tape is put away.</source>
+        <translation>Das Maßband ist weggelegt.</translation>
+    </message>
+    <message>
+        <source>Tape: click on a structure.</source>
+        <translation>Maßband: klicken Sie auf eine Struktur.</translation>
+    </message>
+    <message>
+        <source>Tape: first end set.</source>
+        <translation>Maßband: erstes Ende gesetzt.</translation>
+    </message>
+    <message>
+        <source>Tape: first end on %1.</source>
+        <translation>Maßband: erstes Ende auf %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::TapesModel</name>
+    <message>
+        <source>Tape %1</source>
+        <translation>Maßband %1</translation>
+    </message>
+    <message>
+        <source>Measure %1</source>
+        <translation>%1 messen</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Delete %1 tapes</source>
+        <translation>%1 Maßbänder löschen</translation>
+    </message>
+    <message>
+        <source>Tape</source>
+        <translation>Maßband</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::TouchChart</name>
     <message>
         <source>Chart of force and depth over the last ten seconds</source>
@@ -8875,6 +10346,69 @@ Einzelheiten: %3</translation>
     <message>
         <source>now %1 N, %2 mm deep; maximum %3 N, %4 mm</source>
         <translation>jetzt %1 N, %2 mm tief; Maximum %3 N, %4 mm</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::TouchMap</name>
+    <message>
+        <source>%1 cm², %2 %</source>
+        <translation>%1 cm², %2 %</translation>
+    </message>
+    <message>
+        <source>Examined surface</source>
+        <translation>Untersuchte Oberfläche</translation>
+    </message>
+    <message>
+        <source>Time spent</source>
+        <translation>Verweilzeit</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>Stiffness felt</source>
+        <translation>Gefühlte Steifigkeit</translation>
+    </message>
+    <message>
+        <source>No map</source>
+        <translation>Keine Karte</translation>
+    </message>
+    <message>
+        <source>Time spent, s</source>
+        <translation>Verweilzeit, s</translation>
+    </message>
+    <message>
+        <source>Largest force, N</source>
+        <translation>Größte Kraft, N</translation>
+    </message>
+    <message>
+        <source>Stiffness felt, N/mm</source>
+        <translation>Gefühlte Steifigkeit, N/mm</translation>
+    </message>
+    <message>
+        <source>live, %1 s (preview)</source>
+        <translation>live, %1 s (Vorschau)</translation>
+    </message>
+    <message>
+        <source>up to %1 s</source>
+        <translation>bis %1 s</translation>
+    </message>
+    <message>
+        <source>nothing touched yet</source>
+        <translation>noch nichts berührt</translation>
+    </message>
+    <message>
+        <source>touched: %1</source>
+        <translation>berührt: %1</translation>
+    </message>
+    <message>
+        <source>above %1: %2</source>
+        <translation>über %1: %2</translation>
+    </message>
+    <message>
+        <source>touched</source>
+        <translation>berührt</translation>
     </message>
 </context>
 <context>

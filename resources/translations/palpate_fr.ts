@@ -267,6 +267,10 @@
         <source>Quit Palpate</source>
         <translation>Quitter Palpate</translation>
     </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Plan de coupe</translation>
+    </message>
 </context>
 <context>
     <name>MeasuresDialog</name>
@@ -628,6 +632,29 @@
         <source>95th percentile: the force stayed below this value for 95 % of the contact time. Research measures, not a diagnosis.</source>
         <translation>95ᵉ centile&#x202f;: la force est restée sous cette valeur pendant 95 % du temps de contact. Mesures de recherche, pas un diagnostic.</translation>
     </message>
+    <message>
+        <source>%1 % of the surface of %2</source>
+        <translation>%1 % de la surface de %2</translation>
+    </message>
+    <message>
+        <source>The hand was in contact for %1 min, with a peak force of %2 N.</source>
+        <translation>La main a été en contact pendant %1 min, avec une force maximale de %2 N.</translation>
+    </message>
+    <message>
+        <source>Examined: %1, with a peak force of %2 N.</source>
+        <translation>Examiné&#x202f;: %1, avec une force maximale de %2 N.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n finding(s) were marked.</source>
+        <translation>
+            <numerusform>%n observation(s) ont été marquées.</numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Of %1 lumps, %2 are palpable by a trained hand; %3 of these were pressed hard enough to feel.</source>
+        <translation>Sur %1 nodules, %2 sont palpables par une main exercée&#x202f;; %3 d’entre eux ont été pressés assez fort.</translation>
+    </message>
 </context>
 <context>
     <name>SceneDocument</name>
@@ -638,6 +665,14 @@
     <message>
         <source>Unsaved changes would be lost in a crash. Save the scene. %1</source>
         <translation>Les modifications non enregistrées seraient perdues en cas de plantage. Enregistrez la scène. %1</translation>
+    </message>
+    <message>
+        <source>Remove the image</source>
+        <translation>Retirer l’image</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Afficher %1</translation>
     </message>
 </context>
 <context>
@@ -2193,10 +2228,6 @@
     <message>
         <source>%1: opening was cancelled</source>
         <translation>%1&#x202f;: l’ouverture a été annulée</translation>
-    </message>
-    <message>
-        <source>%1: is a list of 3D Slicer marks, not a Palpate scene: open the anatomy, then take the marks in with File &gt; Import findings</source>
-        <translation>%1&#x202f;: est une liste de marques de 3D Slicer, non une scène de Palpate&#x202f;: ouvrir l’anatomie, puis reprendre les marques par Fichier &gt; Importer des points repérés</translation>
     </message>
     <message>
         <source>%1: is not a Palpate scene: found neither `version` nor `structures`; expected a file that Palpate saved (.palpate.json)</source>
@@ -5219,14 +5250,6 @@
         <translation>aire %1 cm², étendue %2 × %3 × %4 mm</translation>
     </message>
     <message>
-        <source>%1: %2; %3</source>
-        <translation>%1&#x202f;: %2&#x202f;; %3</translation>
-    </message>
-    <message>
-        <source>%1: volume %2 ml (a ball of %3 mm), %4</source>
-        <translation>%1&#x202f;: volume %2 ml (une boule de %3 mm), %4</translation>
-    </message>
-    <message>
         <source>%1 to %2: 0 mm, they cross or touch at %3</source>
         <translation>%1 à %2&#x202f;: 0 mm, elles se croisent ou se touchent en %3</translation>
     </message>
@@ -5243,18 +5266,6 @@
         <translation>%1 à %2&#x202f;: %3 mm, de %4 à %5</translation>
     </message>
     <message>
-        <source>&lt; %1 mm: %2 %</source>
-        <translation>&lt; %1 mm&#x202f;: %2 %</translation>
-    </message>
-    <message>
-        <source>%1 to %2 mm: %3 %</source>
-        <translation>%1 à %2 mm&#x202f;: %3 %</translation>
-    </message>
-    <message>
-        <source>&gt; %1 mm: %2 %</source>
-        <translation>&gt; %1 mm&#x202f;: %2 %</translation>
-    </message>
-    <message>
         <source>inside: %1 %</source>
         <translation>à l’intérieur&#x202f;: %1 %</translation>
     </message>
@@ -5269,6 +5280,846 @@
     <message>
         <source>the volume is that of the closed parts: %1 of %2</source>
         <translation>le volume est celui des parties fermées&#x202f;: %1 sur %2</translation>
+    </message>
+    <message>
+        <source>--out: found &quot;%1&quot;, expected a name that ends in .pdf or .html</source>
+        <translation>--out&#x202f;: «&#x202f;%1&#x202f;» trouvé, un nom finissant par .pdf ou .html était attendu</translation>
+    </message>
+    <message>
+        <source>This report has no pictures: %1.</source>
+        <translation>Ce rapport ne contient pas d’images&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>the report was cancelled</source>
+        <translation>le rapport a été annulé</translation>
+    </message>
+    <message>
+        <source>Drawing the pictures</source>
+        <translation>Dessin des images</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Écriture du rapport</translation>
+    </message>
+    <message>
+        <source>a place as three numbers</source>
+        <translation>un point sous forme de trois nombres</translation>
+    </message>
+    <message>
+        <source>%1: is a list of 3D Slicer marks, not a Palpate scene: import it into a scene as findings, with File &gt; Import findings in the window, or with `palpate findings SCENE.palpate.json --import %1 --out NEW.palpate.json`</source>
+        <translation>%1&#x202f;: est une liste de marques de 3D Slicer, non une scène de Palpate&#x202f;: l’importer dans une scène comme points repérés, par Fichier &gt; Importer des points repérés dans la fenêtre, ou par `palpate findings SCÈNE.palpate.json --import %1 --out NOUVELLE.palpate.json`</translation>
+    </message>
+    <message>
+        <source>the path of a volume</source>
+        <translation>le chemin d’un volume</translation>
+    </message>
+    <message>
+        <source>volume %1 ml (a ball of %2 mm), %3</source>
+        <translation>volume %1 ml (une boule de %2 mm), %3</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm, from %3 to %4</source>
+        <translation>%1&#x202f;: %2 mm, de %3 à %4</translation>
+    </message>
+    <message>
+        <source>&lt; %1 mm</source>
+        <translation>&lt; %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 à %2 mm</translation>
+    </message>
+    <message>
+        <source>&gt; %1 mm</source>
+        <translation>&gt; %1 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2 %</source>
+        <translation>%1&#x202f;: %2 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>+%1 %</source>
+        <translation>+%1 %</translation>
+    </message>
+    <message>
+        <source>lump</source>
+        <translation>nodule</translation>
+    </message>
+    <message>
+        <source>hard area</source>
+        <translation>zone dure</translation>
+    </message>
+    <message>
+        <source>soft area</source>
+        <translation>zone molle</translation>
+    </message>
+    <message>
+        <source>landmark</source>
+        <translation>repère</translation>
+    </message>
+    <message>
+        <source>keep away</source>
+        <translation>à éviter</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>autre</translation>
+    </message>
+    <message>
+        <source>Palpation report</source>
+        <translation>Rapport de palpation</translation>
+    </message>
+    <message>
+        <source>Research, training and planning rehearsal. Not a medical device.</source>
+        <translation>Recherche, formation et répétition de planification. Pas un dispositif médical.</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Cas</translation>
+    </message>
+    <message>
+        <source>Examiner</source>
+        <translation>Examinateur</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Enregistré</translation>
+    </message>
+    <message>
+        <source>Report made</source>
+        <translation>Rapport établi</translation>
+    </message>
+    <message>
+        <source>The hand was in contact for %1 s of %2 s. The greatest force was %3 N, the median %4 N. Marked findings: %5.</source>
+        <translation>La main était en contact pendant %1 s sur %2 s. La force maximale était de %3 N, la médiane de %4 N. Points repérés&#x202f;: %5.</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>De face</translation>
+    </message>
+    <message>
+        <source>The scene from the front with %1 findings and a scale bar.</source>
+        <translation>La scène de face avec %1 points repérés et une échelle.</translation>
+    </message>
+    <message>
+        <source>From the patient&apos;s left</source>
+        <translation>Depuis la gauche du patient</translation>
+    </message>
+    <message>
+        <source>The scene from the left with %1 findings and a scale bar.</source>
+        <translation>La scène depuis la gauche avec %1 points repérés et une échelle.</translation>
+    </message>
+    <message>
+        <source>The scale bar holds at the depth of the middle of the picture. Numbers are those of the findings.</source>
+        <translation>L’échelle est valable à la profondeur du centre de l’image. Les numéros sont ceux des points repérés.</translation>
+    </message>
+    <message>
+        <source>Findings as marked by the examiner; force and depth at the time of marking</source>
+        <translation>Points repérés par l’examinateur&#x202f;; force et profondeur au moment du marquage</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Sur</translation>
+    </message>
+    <message>
+        <source>Place (x y z) [mm]</source>
+        <translation>Position (x y z) [mm]</translation>
+    </message>
+    <message>
+        <source>Size [mm]</source>
+        <translation>Taille [mm]</translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation>Force [N]</translation>
+    </message>
+    <message>
+        <source>Depth [mm]</source>
+        <translation>Profondeur [mm]</translation>
+    </message>
+    <message>
+        <source>Marked at [s]</source>
+        <translation>Marqué à [s]</translation>
+    </message>
+    <message>
+        <source>%1 %2 %3</source>
+        <translation>%1 %2 %3</translation>
+    </message>
+    <message>
+        <source>How the findings were examined: contact within %1 mm of the place</source>
+        <translation>Examen des points repérés&#x202f;: contact à moins de %1 mm de la position</translation>
+    </message>
+    <message>
+        <source>Time in contact [s]</source>
+        <translation>Durée de contact [s]</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Passages</translation>
+    </message>
+    <message>
+        <source>Mean force [N]</source>
+        <translation>Force moyenne [N]</translation>
+    </message>
+    <message>
+        <source>Peak force [N]</source>
+        <translation>Force maximale [N]</translation>
+    </message>
+    <message>
+        <source>Findings felt through several layers, at the time of marking</source>
+        <translation>Points perçus à travers plusieurs couches, au moment du marquage</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structure</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Points repérés</translation>
+    </message>
+    <message>
+        <source>No findings were marked.</source>
+        <translation>Aucun point n’a été repéré.</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>The place of finding %1, %2, with a scale bar.</source>
+        <translation>La position du point repéré %1, %2, avec une échelle.</translation>
+    </message>
+    <message>
+        <source>Pictures are shown of the first %1 of %2 findings.</source>
+        <translation>Des images sont données pour les %1 premiers des %2 points repérés.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Notes of the examiner</source>
+        <translation>Notes de l’examinateur</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Written at [s]</source>
+        <translation>Écrite à [s]</translation>
+    </message>
+    <message>
+        <source>they cross or touch</source>
+        <translation>elles se croisent ou se touchent</translation>
+    </message>
+    <message>
+        <source>%1 lies inside, %2 mm from the surface</source>
+        <translation>%1 est à l’intérieur, à %2 mm de la surface</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>séparées</translation>
+    </message>
+    <message>
+        <source>Least distances</source>
+        <translation>Distances minimales</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Distance [mm]</source>
+        <translation>Distance [mm]</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Situation</translation>
+    </message>
+    <message>
+        <source>Margins: share of the lump&apos;s surface by its distance to the structure [%]</source>
+        <translation>Marges&#x202f;: part de la surface du nodule selon sa distance à la structure [%]</translation>
+    </message>
+    <message>
+        <source>Lump</source>
+        <translation>Nodule</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>À l’intérieur</translation>
+    </message>
+    <message>
+        <source>Distances and margins</source>
+        <translation>Distances et marges</translation>
+    </message>
+    <message>
+        <source>Distances were not measured, because the scene is missing.</source>
+        <translation>Les distances n’ont pas été mesurées, car la scène manque.</translation>
+    </message>
+    <message>
+        <source>There are no two structures to measure between.</source>
+        <translation>Il n’y a pas deux structures entre lesquelles mesurer.</translation>
+    </message>
+    <message>
+        <source>Volumes and areas</source>
+        <translation>Volumes et aires</translation>
+    </message>
+    <message>
+        <source>Sizes were not measured, because the scene is missing.</source>
+        <translation>Les tailles n’ont pas été mesurées, car la scène manque.</translation>
+    </message>
+    <message>
+        <source>Sizes of the structures</source>
+        <translation>Tailles des structures</translation>
+    </message>
+    <message>
+        <source>Volume [ml]</source>
+        <translation>Volume [ml]</translation>
+    </message>
+    <message>
+        <source>Ball of equal volume [mm]</source>
+        <translation>Boule de même volume [mm]</translation>
+    </message>
+    <message>
+        <source>Area [cm²]</source>
+        <translation>Aire [cm²]</translation>
+    </message>
+    <message>
+        <source>Extent x × y × z [mm]</source>
+        <translation>Étendue x × y × z [mm]</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>Contact with each structure; forces are those of its own layer</source>
+        <translation>Contact avec chaque structure&#x202f;; les forces sont celles de sa propre couche</translation>
+    </message>
+    <message>
+        <source>Contact [s]</source>
+        <translation>Contact [s]</translation>
+    </message>
+    <message>
+        <source>Presses</source>
+        <translation>Appuis</translation>
+    </message>
+    <message>
+        <source>95th percentile [N]</source>
+        <translation>95ᵉ centile [N]</translation>
+    </message>
+    <message>
+        <source>Peak depth [mm]</source>
+        <translation>Profondeur maximale [mm]</translation>
+    </message>
+    <message>
+        <source>Covered [%]</source>
+        <translation>Couvert [%]</translation>
+    </message>
+    <message>
+        <source>Longest dwell [s]</source>
+        <translation>Plus long arrêt [s]</translation>
+    </message>
+    <message>
+        <source>Searching (the contact moves faster than 10 mm/s) and pressing (slower)</source>
+        <translation>Recherche (le contact se déplace à plus de 10 mm/s) et pression (plus lentement)</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Main</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>Phases</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Temps [s]</translation>
+    </message>
+    <message>
+        <source>searching</source>
+        <translation>recherche</translation>
+    </message>
+    <message>
+        <source>pressing</source>
+        <translation>pression</translation>
+    </message>
+    <message>
+        <source>Whole session</source>
+        <translation>Séance entière</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>In contact</source>
+        <translation>En contact</translation>
+    </message>
+    <message>
+        <source>%1 s, contacts: %2</source>
+        <translation>%1 s, contacts&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>Path of the hand</source>
+        <translation>Trajet de la main</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Path on the surface</source>
+        <translation>Trajet sur la surface</translation>
+    </message>
+    <message>
+        <source>Force in contact</source>
+        <translation>Force en contact</translation>
+    </message>
+    <message>
+        <source>peak %1 N, mean %2 N, median %3 N, 95th percentile %4 N</source>
+        <translation>maximum %1 N, moyenne %2 N, médiane %3 N, 95e centile %4 N</translation>
+    </message>
+    <message>
+        <source>Depth in contact</source>
+        <translation>Profondeur en contact</translation>
+    </message>
+    <message>
+        <source>peak %1 mm, mean %2 mm, 95th percentile %3 mm</source>
+        <translation>maximum %1 mm, moyenne %2 mm, 95e centile %3 mm</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Toucher</translation>
+    </message>
+    <message>
+        <source>Nothing was touched.</source>
+        <translation>Rien n’a été touché.</translation>
+    </message>
+    <message>
+        <source>Covered: share of the surface within %1 mm of the contact. 95th percentile: the force stayed below this value for 95 % of the contact time.</source>
+        <translation>Couvert&#x202f;: part de la surface à moins de %1 mm du contact. 95e centile&#x202f;: la force est restée inférieure à cette valeur pendant 95 % du temps de contact.</translation>
+    </message>
+    <message>
+        <source>Force over time</source>
+        <translation>Force au cours du temps</translation>
+    </message>
+    <message>
+        <source>The recording contains no ticks.</source>
+        <translation>L’enregistrement ne contient aucun tick.</translation>
+    </message>
+    <message>
+        <source>Smallest and greatest force of each of %1 spans of time; the numbers mark when the findings were marked</source>
+        <translation>Force minimale et maximale de chacun de %1 intervalles de temps&#x202f;; les numéros indiquent quand les points ont été repérés</translation>
+    </message>
+    <message>
+        <source>Curve of the force over %1 s, at most %2 N, with %3 findings.</source>
+        <translation>Courbe de la force sur %1 s, au plus %2 N, avec %3 points repérés.</translation>
+    </message>
+    <message>
+        <source>Checking the recording</source>
+        <translation>Vérification de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Reading the surfaces</source>
+        <translation>Lecture des surfaces</translation>
+    </message>
+    <message>
+        <source>Computing the recording again</source>
+        <translation>Recalcul de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Mesure en cours</translation>
+    </message>
+    <message>
+        <source>Computing what can be felt of lumps</source>
+        <translation>Calcul de la palpabilité des nodules</translation>
+    </message>
+    <message>
+        <source>Evaluating the search for lumps</source>
+        <translation>Évaluation de la recherche des nodules</translation>
+    </message>
+    <message>
+        <source>Measuring distances</source>
+        <translation>Mesure des distances</translation>
+    </message>
+    <message>
+        <source>Reading the force</source>
+        <translation>Lecture de la force</translation>
+    </message>
+    <message>
+        <source>The recording was interrupted: %1.</source>
+        <translation>L’enregistrement a été interrompu&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>Ticks missing in the recording: %1.</source>
+        <translation>Ticks manquants dans l’enregistrement&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>The recording is damaged, or was changed after it was made. Damaged places: %1. Ticks that do not match their checksum are left out of all numbers.</source>
+        <translation>L’enregistrement est endommagé ou a été modifié après coup. Endroits endommagés&#x202f;: %1. Les ticks dont la somme de contrôle est fausse sont exclus de tous les nombres.</translation>
+    </message>
+    <message>
+        <source>The recording is damaged, or was changed after it was made: %1.</source>
+        <translation>L’enregistrement est endommagé ou a été modifié après coup&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>The recording was not computed again, so its forces are not verified: %1.</source>
+        <translation>L’enregistrement n’a pas été recalculé, ses forces ne sont donc pas vérifiées&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>Computing the recording again gives other forces, so they are not verified: %1.</source>
+        <translation>Le recalcul donne d’autres forces, elles ne sont donc pas vérifiées&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>Surfaces not available, so without coverage: %1.</source>
+        <translation>Surfaces non disponibles, donc sans couverture&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>The scene is not available, so pictures, sizes, distances and lumps are missing: %1.</source>
+        <translation>La scène n’est pas disponible&#x202f;; images, tailles, distances et nodules manquent donc&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>not by hand</source>
+        <translation>pas à la main</translation>
+    </message>
+    <message>
+        <source>by a trained hand</source>
+        <translation>par une main exercée</translation>
+    </message>
+    <message>
+        <source>plainly</source>
+        <translation>nettement</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>non jugé</translation>
+    </message>
+    <message>
+        <source>stiffness ratio not known</source>
+        <translation>rapport de raideur inconnu</translation>
+    </message>
+    <message>
+        <source>%1 (at %2: %3; at %4: %5)</source>
+        <translation>%1 (à %2&#x202f;: %3&#x202f;; à %4&#x202f;: %5)</translation>
+    </message>
+    <message>
+        <source>as typed</source>
+        <translation>tel que saisi</translation>
+    </message>
+    <message>
+        <source>from the moduli</source>
+        <translation>d’après les modules</translation>
+    </message>
+    <message>
+        <source>from the tissues&apos; stiffness</source>
+        <translation>d’après la raideur des tissus</translation>
+    </message>
+    <message>
+        <source>published for such lumps</source>
+        <translation>publié pour de tels nodules</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3) times as stiff, %4</source>
+        <translation>%1 fois (%2 à %3) plus raide, %4</translation>
+    </message>
+    <message>
+        <source>%1 times as stiff, %2</source>
+        <translation>%1 fois plus raide, %2</translation>
+    </message>
+    <message>
+        <source>Which lumps a hand can find, as predicted by the model of buried lumps (an estimate), with the stiffness ratio to the organ that this rests on</source>
+        <translation>Nodules qu’une main peut trouver d’après le modèle des nodules enfouis (une estimation), avec le rapport de raideur à l’organe sur lequel cela repose</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>Organe</translation>
+    </message>
+    <message>
+        <source>Stiffness ratio</source>
+        <translation>Rapport de raideur</translation>
+    </message>
+    <message>
+        <source>Pressed %1 mm</source>
+        <translation>Pressé de %1 mm</translation>
+    </message>
+    <message>
+        <source>Touched lightly</source>
+        <translation>Touché légèrement</translation>
+    </message>
+    <message>
+        <source>How thoroughly each lump was searched for: recorded change of the force, and estimates of the model</source>
+        <translation>Rigueur de la recherche de chaque nodule&#x202f;: variation enregistrée de la force et estimations du modèle</translation>
+    </message>
+    <message>
+        <source>Largest recorded change under the hand</source>
+        <translation>Plus grande variation enregistrée sous la main</translation>
+    </message>
+    <message>
+        <source>Predicted change</source>
+        <translation>Variation prédite</translation>
+    </message>
+    <message>
+        <source>Area where a trained hand can feel it [cm²]</source>
+        <translation>Aire où une main exercée le sent [cm²]</translation>
+    </message>
+    <message>
+        <source>Pressed hard enough [%]</source>
+        <translation>Assez appuyé [%]</translation>
+    </message>
+    <message>
+        <source>Lumps</source>
+        <translation>Nodules</translation>
+    </message>
+    <message>
+        <source>Lumps were not evaluated, because the scene is missing.</source>
+        <translation>Les nodules n’ont pas été évalués, car la scène manque.</translation>
+    </message>
+    <message>
+        <source>No lump in an organ could be evaluated.</source>
+        <translation>Aucun nodule dans un organe n’a pu être évalué.</translation>
+    </message>
+    <message>
+        <source>ball of %1 mm radius</source>
+        <translation>boule de %1 mm de rayon</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>point</translation>
+    </message>
+    <message>
+        <source>Device and recording conditions</source>
+        <translation>Appareil et conditions d’enregistrement</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Appareil</translation>
+    </message>
+    <message>
+        <source>Force limit of the device</source>
+        <translation>Limite de force de l’appareil</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Fréquence</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation>Ticks</translation>
+    </message>
+    <message>
+        <source>Late ticks</source>
+        <translation>Ticks en retard</translation>
+    </message>
+    <message>
+        <source>Lost ticks</source>
+        <translation>Ticks perdus</translation>
+    </message>
+    <message>
+        <source>Fingertip</source>
+        <translation>Bout du doigt</translation>
+    </message>
+    <message>
+        <source>Distance that counts as touched</source>
+        <translation>Distance comptée comme touchée</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linéaire</translation>
+    </message>
+    <message>
+        <source>nonlinear</source>
+        <translation>non linéaire</translation>
+    </message>
+    <message>
+        <source>with friction</source>
+        <translation>avec frottement</translation>
+    </message>
+    <message>
+        <source>with maps or motion</source>
+        <translation>avec cartes ou mouvement</translation>
+    </message>
+    <message>
+        <source>Tissue at the start of the recording</source>
+        <translation>Tissu au début de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Stiffness [N/mm]</source>
+        <translation>Raideur [N/mm]</translation>
+    </message>
+    <message>
+        <source>Damping [N·s/mm]</source>
+        <translation>Amortissement [N·s/mm]</translation>
+    </message>
+    <message>
+        <source>Force law</source>
+        <translation>Loi de force</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Couche</translation>
+    </message>
+    <message>
+        <source>Own surface palpable</source>
+        <translation>Surface propre palpable</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Not computed again: %1.</source>
+        <translation>Pas recalculé&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>Ticks computed again: %1. Every position and force is the same, bit for bit.</source>
+        <translation>Ticks recalculés&#x202f;: %1. Toutes les positions et forces sont identiques bit à bit.</translation>
+    </message>
+    <message>
+        <source>Ticks computed again: %1. Of these, %2 differ by rounding: by at most %3 mm and %4 N.</source>
+        <translation>Ticks recalculés&#x202f;: %1. Parmi eux, %2 diffèrent par arrondi&#x202f;: d’au plus %3 mm et %4 N.</translation>
+    </message>
+    <message>
+        <source>Ticks computed again: %1. The forces differ by more than rounding: %2.</source>
+        <translation>Ticks recalculés&#x202f;: %1. Les forces diffèrent de plus que l’arrondi&#x202f;: %2.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the scene</source>
+        <translation>SHA-256 de la scène</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Recorded by</source>
+        <translation>Enregistré avec</translation>
+    </message>
+    <message>
+        <source>Palpate %1 (%2)</source>
+        <translation>Palpate %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Report made by</source>
+        <translation>Rapport établi avec</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Surfaces</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the geometry, as palpated</source>
+        <translation>SHA-256 de la géométrie, telle que palpée</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>A hand with a haptic device, a mouse or a script palpated surface models of segmented anatomy. Forces are those of the model before any limit of the device; depths are distances between the hand and the surface. Positions and lengths are in mm in the frame LPS (x to the patient&apos;s left, y to the back, z to the head). Surfaces, and therefore distances, are as uncertain as the segmentation, about one voxel.</source>
+        <translation>Une main avec un appareil haptique, une souris ou un script a palpé des modèles de surface d’une anatomie segmentée. Les forces sont celles du modèle avant toute limite de l’appareil&#x202f;; les profondeurs sont des distances entre la main et la surface. Positions et longueurs sont en mm dans le repère LPS (x vers la gauche du patient, y vers le dos, z vers la tête). Les surfaces, donc les distances, sont aussi incertaines que la segmentation, environ un voxel.</translation>
+    </message>
+    <message>
+        <source>The recording describes no scene.</source>
+        <translation>L’enregistrement ne décrit aucune scène.</translation>
+    </message>
+    <message>
+        <source>Data and verification</source>
+        <translation>Données et vérification</translation>
+    </message>
+    <message>
+        <source>Database intact, checksums of %1 ticks correct.</source>
+        <translation>Base de données intacte, sommes de contrôle de %1 ticks correctes.</translation>
+    </message>
+    <message>
+        <source>Damaged, or changed after it was recorded: %1.</source>
+        <translation>Endommagé, ou modifié après l’enregistrement&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>More damaged places: %1.</source>
+        <translation>Autres endroits endommagés&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>%1: found another extension, expected a name that ends in .pdf or .html</source>
+        <translation>%1&#x202f;: autre extension trouvée, un nom finissant par .pdf ou .html était attendu</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Page %1 sur %2</translation>
+    </message>
+    <message>
+        <source>found no display with OpenGL to draw them; app/run.sh draws without a display</source>
+        <translation>aucun affichage avec OpenGL trouvé pour les dessiner&#x202f;; app/run.sh dessine sans affichage</translation>
     </message>
 </context>
 <context>
@@ -5347,6 +6198,29 @@
     <message>
         <source>Restore the force</source>
         <translation>Rétablir la force</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::DistancesPart</name>
+    <message>
+        <source>Distances and sizes</source>
+        <translation>Distances et tailles</translation>
+    </message>
+    <message>
+        <source>Measure the distances and margins of lumps to other structures, and list the tapes</source>
+        <translation>Mesurer les distances et les marges des nodules aux autres structures, et lister les mètres</translation>
+    </message>
+    <message>
+        <source>Tape</source>
+        <translation>Mètre</translation>
+    </message>
+    <message>
+        <source>Measure between two places: click on both, or touch both and press T each time; snaps to findings</source>
+        <translation>Mesurer entre deux points&#x202f;: cliquer sur les deux, ou toucher les deux en appuyant chaque fois sur T&#x202f;; s’aligne sur les observations</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Distances</translation>
     </message>
 </context>
 <context>
@@ -5695,6 +6569,45 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
 </context>
 <context>
+    <name>palpate::app::ImagePart</name>
+    <message>
+        <source>Show an image…</source>
+        <translation>Afficher une image…</translation>
+    </message>
+    <message>
+        <source>Show a CT, MR or ultrasound volume in sections</source>
+        <translation>Afficher un volume de TDM, d’IRM ou d’échographie dans les coupes</translation>
+    </message>
+    <message>
+        <source>Remove the image</source>
+        <translation>Retirer l’image</translation>
+    </message>
+    <message>
+        <source>Show sections without the image; the file is kept</source>
+        <translation>Afficher les coupes sans l’image&#x202f;; le fichier est conservé</translation>
+    </message>
+    <message>
+        <source>Show an image</source>
+        <translation>Afficher une image</translation>
+    </message>
+    <message>
+        <source>Images (%1);;All files (*)</source>
+        <translation>Images (%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>Lecture de %1…</translation>
+    </message>
+    <message>
+        <source>%1 is shown in sections (X).</source>
+        <translation>%1 est affiché dans les coupes (X).</translation>
+    </message>
+    <message>
+        <source>%1 lies beside all structures. Do the axes and units of image and meshes agree?</source>
+        <translation>%1 se trouve à côté de toutes les structures. Les axes et les unités de l’image et des maillages concordent-ils&#x202f;?</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::Language</name>
     <message>
         <source>Language</source>
@@ -5776,6 +6689,25 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
 </context>
 <context>
+    <name>palpate::app::MotionPart</name>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Show or hide the controls of moving tissue</source>
+        <translation>Afficher ou masquer les commandes du tissu en mouvement</translation>
+    </message>
+    <message>
+        <source>Hold breath</source>
+        <translation>Retenir le souffle</translation>
+    </message>
+    <message>
+        <source>Hold breathing tissue where it is</source>
+        <translation>Arrêter le tissu qui respire où il est</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::Notices</name>
     <message>
         <source>Messages</source>
@@ -5787,14 +6719,37 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
 </context>
 <context>
+    <name>palpate::app::PeekPart</name>
+    <message>
+        <source>Peek inside</source>
+        <translation>Regarder à l’intérieur</translation>
+    </message>
+    <message>
+        <source>Make everything above the touched structure, or else the selected one, nearly transparent; or hold G</source>
+        <translation>Rendre presque transparent tout ce qui recouvre la structure touchée, ou sinon la structure sélectionnée&#x202f;; ou maintenir G</translation>
+    </message>
+    <message>
+        <source>hold G</source>
+        <translation>maintenir G</translation>
+    </message>
+    <message>
+        <source>look through what is above the structure</source>
+        <translation>voir à travers ce qui recouvre la structure</translation>
+    </message>
+    <message>
+        <source>Peek: touch or select the structure that you want to see.</source>
+        <translation>Regarder à l’intérieur&#x202f;: touchez ou sélectionnez la structure à voir.</translation>
+    </message>
+    <message>
+        <source>Peek: nothing is above %1.</source>
+        <translation>Regarder à l’intérieur&#x202f;: rien ne recouvre %1.</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::PicturePart</name>
     <message>
         <source>Snapshot</source>
         <translation>Photo</translation>
-    </message>
-    <message>
-        <source>Save a picture of the view</source>
-        <translation>Enregistrer une image de la vue</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -5805,12 +6760,16 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <translation>Cadrer le tout dans la vue</translation>
     </message>
     <message>
-        <source>Picture saved to %1</source>
-        <translation>Image enregistrée dans %1</translation>
-    </message>
-    <message>
         <source>%1: the picture could not be written. Is the folder writable and the disk not full?</source>
         <translation>%1&#x202f;: l’image n’a pas pu être écrite. Le dossier est-il accessible en écriture, et le disque non plein&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Save a picture of the view with a caption, and copy it</source>
+        <translation>Enregistrer une image de la vue avec une légende, et la copier</translation>
+    </message>
+    <message>
+        <source>Picture copied, and saved to %1</source>
+        <translation>Image copiée et enregistrée dans %1</translation>
     </message>
 </context>
 <context>
@@ -5909,6 +6868,79 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
 </context>
 <context>
+    <name>palpate::app::ReportDialog</name>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>The report contains views, findings, lumps, distances and the force of the open recording. Both fields may stay empty.</source>
+        <translation>Le rapport contient vues, points repérés, nodules, distances et force de l’enregistrement ouvert. Les deux champs peuvent rester vides.</translation>
+    </message>
+    <message>
+        <source>Write report…</source>
+        <translation>Écrire le rapport…</translation>
+    </message>
+    <message>
+        <source>&amp;Case</source>
+        <translation>&amp;Cas</translation>
+    </message>
+    <message>
+        <source>&amp;Examiner</source>
+        <translation>&amp;Examinateur</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ReportPart</name>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>Write a report of the recording as PDF or web page</source>
+        <translation>Écrire un rapport de l’enregistrement en PDF ou page web</translation>
+    </message>
+    <message>
+        <source>PDF for printing (*.pdf)</source>
+        <translation>PDF à imprimer (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Web page, for screen readers too (*.html)</source>
+        <translation>Page web, aussi pour lecteurs d’écran (*.html)</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 already exists. Enter the full file name to replace the file.</source>
+        <translation>Rien n’a été écrit&#x202f;: %1 existe déjà. Pour remplacer le fichier, saisir le nom complet.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 must end in .pdf or .html.</source>
+        <translation>Rien n’a été écrit&#x202f;: %1 doit finir par .pdf ou .html.</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>Rapport écrit dans %1</translation>
+    </message>
+    <message>
+        <source>Report cancelled</source>
+        <translation>Rapport annulé</translation>
+    </message>
+    <message>
+        <source>Report written to %1; it lists the missing parts</source>
+        <translation>Rapport écrit dans %1 ; il indique ce qui manque</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ReportRun</name>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::ResultsPart</name>
     <message>
         <source>Results…</source>
@@ -5968,14 +7000,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>%1 structures: %2 (%3 and others; the sign in the list of structures has the details)</source>
         <translation>%1 structures&#x202f;: %2 (%3 et d’autres&#x202f;; détails sur le signe dans la liste des structures)</translation>
-    </message>
-    <message>
-        <source>%1: the hand feels the motion of the scene file, but the view shows the shape at rest.</source>
-        <translation>%1&#x202f;: la main sent le mouvement du fichier de scène, mais la vue montre la forme au repos.</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>OK</translation>
     </message>
 </context>
 <context>
@@ -6052,6 +7076,18 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <source>%1 has points of 3D Slicer, which become findings. Open the anatomy first, or both at once.</source>
         <translation>%1 contient des points de 3D Slicer, qui deviennent des observations. Ouvrez d’abord l’anatomie, ou les deux à la fois.</translation>
     </message>
+    <message>
+        <source>%1: is it an image of the open scene, or a segmentation?</source>
+        <translation>%1&#x202f;: est-ce une image de la scène ouverte ou une segmentation&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Show the image</source>
+        <translation>Afficher l’image</translation>
+    </message>
+    <message>
+        <source>Open the segmentation</source>
+        <translation>Ouvrir la segmentation</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::SceneSurfaces</name>
@@ -6106,6 +7142,105 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Turn them around</source>
         <translation>Les retourner</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::SectionPart</name>
+    <message>
+        <source>axial, %1 mm superior</source>
+        <translation>axiale, %1 mm crânial</translation>
+    </message>
+    <message>
+        <source>axial, %1 mm inferior</source>
+        <translation>axiale, %1 mm caudal</translation>
+    </message>
+    <message>
+        <source>coronal, %1 mm posterior</source>
+        <translation>coronale, %1 mm postérieur</translation>
+    </message>
+    <message>
+        <source>coronal, %1 mm anterior</source>
+        <translation>coronale, %1 mm antérieur</translation>
+    </message>
+    <message>
+        <source>sagittal, %1 mm left</source>
+        <translation>sagittale, %1 mm à gauche</translation>
+    </message>
+    <message>
+        <source>sagittal, %1 mm right</source>
+        <translation>sagittale, %1 mm à droite</translation>
+    </message>
+    <message>
+        <source>free, %1 mm deeper</source>
+        <translation>libre, %1 mm plus profond</translation>
+    </message>
+    <message>
+        <source>free, %1 mm nearer</source>
+        <translation>libre, %1 mm plus proche</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Cut the picture through the hand, the selected finding or the middle of the view; the hand still feels everything</source>
+        <translation>Couper l’image au niveau de la main, du repère sélectionné ou du milieu de la vue&#x202f;; la main sent toujours tout</translation>
+    </message>
+    <message>
+        <source>Next direction of the section</source>
+        <translation>Direction suivante de la coupe</translation>
+    </message>
+    <message>
+        <source>Axial, coronal, sagittal, or facing the viewer</source>
+        <translation>Axiale, coronale, sagittale ou face à l’observateur</translation>
+    </message>
+    <message>
+        <source>Other side of the section</source>
+        <translation>Autre côté de la coupe</translation>
+    </message>
+    <message>
+        <source>Show the side that is hidden</source>
+        <translation>Montrer le côté masqué</translation>
+    </message>
+    <message>
+        <source>Section through the hand</source>
+        <translation>Coupe au niveau de la main</translation>
+    </message>
+    <message>
+        <source>Move the section to the hand, the selected finding or the middle of the view</source>
+        <translation>Déplacer la coupe vers la main, le repère sélectionné ou le milieu de la vue</translation>
+    </message>
+    <message>
+        <source>Section deeper</source>
+        <translation>Coupe plus profonde</translation>
+    </message>
+    <message>
+        <source>Move the section away from the viewer</source>
+        <translation>Éloigner la coupe de l’observateur</translation>
+    </message>
+    <message>
+        <source>Section nearer</source>
+        <translation>Coupe plus proche</translation>
+    </message>
+    <message>
+        <source>Move the section towards the viewer</source>
+        <translation>Rapprocher la coupe de l’observateur</translation>
+    </message>
+    <message>
+        <source>Shift+wheel</source>
+        <translation>Maj+molette</translation>
+    </message>
+    <message>
+        <source>move the section</source>
+        <translation>déplacer la coupe</translation>
+    </message>
+    <message>
+        <source>%1 · cuts no visible structure</source>
+        <translation>%1 · ne coupe aucune structure visible</translation>
+    </message>
+    <message>
+        <source>%1 · the hand still feels everything</source>
+        <translation>%1 · la main sent toujours tout</translation>
     </message>
 </context>
 <context>
@@ -6312,6 +7447,29 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Opacities chosen by name: %1.</source>
         <translation>Opacités choisies d’après le nom&#x202f;: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::TouchMapPart</name>
+    <message>
+        <source>Map of touch</source>
+        <translation>Carte du toucher</translation>
+    </message>
+    <message>
+        <source>Next map of touch</source>
+        <translation>Carte du toucher suivante</translation>
+    </message>
+    <message>
+        <source>Previous map of touch</source>
+        <translation>Carte du toucher précédente</translation>
+    </message>
+    <message>
+        <source>Map of touch: %1</source>
+        <translation>Carte du toucher&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>Colour the examined surface, in the recording up to the moment shown, or live</source>
+        <translation>Colorer la surface examinée, dans l’enregistrement jusqu’au moment affiché, ou en direct</translation>
     </message>
 </context>
 <context>
@@ -6575,6 +7733,93 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Not supported yet: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
         <translation>Pas encore pris en charge&#x202f;: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. Un greffon de périphérique relie un tel bras&#x202f;; la page «&#x202f;device-plugin&#x202f;» de la documentation décrit comment en écrire un.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::DistancesPanel</name>
+    <message>
+        <source>0, they cross</source>
+        <translation>0, ils se croisent</translation>
+    </message>
+    <message>
+        <source>inside, %1 below</source>
+        <translation>à l’intérieur, à %1 de profondeur</translation>
+    </message>
+    <message>
+        <source>around, %1</source>
+        <translation>autour, %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Measure from</source>
+        <translation>Mesurer depuis</translation>
+    </message>
+    <message>
+        <source>Borders of the bands in millimetres</source>
+        <translation>Limites des bandes en millimètres</translation>
+    </message>
+    <message>
+        <source>Borders of the bands of the margin [mm], at most four, such as 5; 10</source>
+        <translation>Limites des bandes de la marge [mm], quatre au plus, par exemple 5&#x202f;; 10</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Bands [mm]</source>
+        <translation>Bandes [mm]</translation>
+    </message>
+    <message>
+        <source>Distances between structures</source>
+        <translation>Distances entre structures</translation>
+    </message>
+    <message>
+        <source>Tapes</source>
+        <translation>Mètres</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Delete the selected tapes (Del)</source>
+        <translation>Supprimer les mètres choisis (Suppr)</translation>
+    </message>
+    <message>
+        <source>T: tape between two places</source>
+        <translation>T&#x202f;: mètre entre deux points</translation>
+    </message>
+    <message>
+        <source>Bands: found “%1”, expected at most four ascending distances in mm, such as 5; 10.</source>
+        <translation>Bandes&#x202f;: trouvé «&#x202f;%1&#x202f;», attendu quatre distances croissantes en mm au plus, par exemple 5&#x202f;; 10.</translation>
+    </message>
+    <message>
+        <source>lumps</source>
+        <translation>nodules</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Mesure…</translation>
+    </message>
+    <message>
+        <source>No lump here: choose the structure to measure from.</source>
+        <translation>Pas de nodule ici&#x202f;: choisissez la structure depuis laquelle mesurer.</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>%1 of its area</source>
+        <translation>%1 de sa surface</translation>
     </message>
 </context>
 <context>
@@ -7953,6 +9198,17 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::MarginOverlay</name>
+    <message>
+        <source>%1
+to %2,
+share of its area</source>
+        <translation>%1
+à %2,
+part de sa surface</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::MessageBar</name>
     <message>
         <source> … and %1 more lines (F4)</source>
@@ -8014,6 +9270,61 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     <message>
         <source>Information</source>
         <translation>Information</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::MotionPanel</name>
+    <message>
+        <source>Let the tissue move, or stop it where it is</source>
+        <translation>Laisser bouger le tissu, ou l’arrêter où il est</translation>
+    </message>
+    <message>
+        <source>Hold breath</source>
+        <translation>Retenir le souffle</translation>
+    </message>
+    <message>
+        <source>Hold breathing tissue where it is; pulses and tracked poses go on</source>
+        <translation>Arrêter le tissu qui respire où il est&#x202f;; les pouls et les poses suivies continuent</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source>Rate of the motion</source>
+        <translation>Vitesse du mouvement</translation>
+    </message>
+    <message>
+        <source>Speed of all motions; 1 is that of the scene file</source>
+        <translation>Vitesse de tous les mouvements&#x202f;; 1 est celle du fichier de scène</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Fréquence</translation>
+    </message>
+    <message>
+        <source>Amplitude of the breath</source>
+        <translation>Amplitude de la respiration</translation>
+    </message>
+    <message>
+        <source>Share of the displacement of the scene file; at 0 % breathing tissue rests</source>
+        <translation>Part du déplacement du fichier de scène&#x202f;; à 0 %, le tissu qui respire est au repos</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -8093,6 +9404,17 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::SceneDistances</name>
+    <message>
+        <source>Measuring distances</source>
+        <translation>Mesure des distances</translation>
+    </message>
+    <message>
+        <source>Measuring distances was cancelled.</source>
+        <translation>La mesure des distances a été annulée.</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::SceneLoader</name>
     <message>
         <source>Nothing to open.</source>
@@ -8121,6 +9443,73 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     <message>
         <source>%1: opened together with another scene; not imported: %2</source>
         <translation>%1&#x202f;: ouvert avec une autre scène&#x202f;; non repris&#x202f;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::SectionBar</name>
+    <message>
+        <source>Axial</source>
+        <translation>Axiale</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Coronale</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittale</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Direction of the section</source>
+        <translation>Direction de la coupe</translation>
+    </message>
+    <message>
+        <source>Direction of the section; Free faces the viewer when chosen</source>
+        <translation>Direction de la coupe&#x202f;; «&#x202f;Libre&#x202f;» fait face à l’observateur au moment du choix</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Position of the section</source>
+        <translation>Position de la coupe</translation>
+    </message>
+    <message>
+        <source>Position from the origin of the coordinates towards left, back or head. Shift and the wheel over the view move the section</source>
+        <translation>Position depuis l’origine des coordonnées vers la gauche, l’arrière ou la tête. Maj et la molette sur la vue déplacent la coupe</translation>
+    </message>
+    <message>
+        <source>Show the other side of the section</source>
+        <translation>Montrer l’autre côté de la coupe</translation>
+    </message>
+    <message>
+        <source>End the section</source>
+        <translation>Terminer la coupe</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>Range of numbers from black to white</source>
+        <translation>Plage des valeurs du noir au blanc</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Number shown in medium grey</source>
+        <translation>Valeur affichée en gris moyen</translation>
     </message>
 </context>
 <context>
@@ -8766,6 +10155,18 @@ Détails&#x202f;: %3</translation>
         <source>Reopen the holes</source>
         <translation>Rouvrir les trous</translation>
     </message>
+    <message>
+        <source>Feel</source>
+        <translation>Toucher</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Apparence</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Avancé</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureTree</name>
@@ -8835,6 +10236,76 @@ Détails&#x202f;: %3</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::TapeTool</name>
+    <message>
+        <source>Tape: click on two places, or touch a place and press T, then another. Esc ends.</source>
+        <translation>Mètre&#x202f;: cliquez sur deux points, ou touchez un point et appuyez sur T, puis un autre. Échap termine.</translation>
+    </message>
+    <message>
+        <source>The tape is put away.</source>
+        <translation>Le mètre est rangé.</translation>
+    </message>
+    <message>
+        <source>Tape: click on a structure.</source>
+        <translation>Mètre&#x202f;: cliquez sur une structure.</translation>
+    </message>
+    <message>
+        <source>Tape: first end set.</source>
+        <translation>Mètre&#x202f;: première extrémité placée.</translation>
+    </message>
+    <message>
+        <source>Tape: first end on %1.</source>
+        <translation>Mètre&#x202f;: première extrémité sur %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#x202f;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::TapesModel</name>
+    <message>
+        <source>Tape %1</source>
+        <translation>Mètre %1</translation>
+    </message>
+    <message>
+        <source>Measure %1</source>
+        <translation>Mesurer %1</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>Supprimer %1</translation>
+    </message>
+    <message>
+        <source>Delete %1 tapes</source>
+        <translation>Supprimer %1 mètres</translation>
+    </message>
+    <message>
+        <source>Tape</source>
+        <translation>Mètre</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Renommer %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::TouchChart</name>
     <message>
         <source>Chart of force and depth over the last ten seconds</source>
@@ -8875,6 +10346,69 @@ Détails&#x202f;: %3</translation>
     <message>
         <source>now %1 N, %2 mm deep; maximum %3 N, %4 mm</source>
         <translation>à présent %1 N, prof. %2 mm&#x202f;; maximum %3 N, %4 mm</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::TouchMap</name>
+    <message>
+        <source>%1 cm², %2 %</source>
+        <translation>%1 cm², %2 %</translation>
+    </message>
+    <message>
+        <source>Examined surface</source>
+        <translation>Surface examinée</translation>
+    </message>
+    <message>
+        <source>Time spent</source>
+        <translation>Temps passé</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Force maximale</translation>
+    </message>
+    <message>
+        <source>Stiffness felt</source>
+        <translation>Raideur ressentie</translation>
+    </message>
+    <message>
+        <source>No map</source>
+        <translation>Aucune carte</translation>
+    </message>
+    <message>
+        <source>Time spent, s</source>
+        <translation>Temps passé, s</translation>
+    </message>
+    <message>
+        <source>Largest force, N</source>
+        <translation>Force maximale, N</translation>
+    </message>
+    <message>
+        <source>Stiffness felt, N/mm</source>
+        <translation>Raideur ressentie, N/mm</translation>
+    </message>
+    <message>
+        <source>live, %1 s (preview)</source>
+        <translation>en direct, %1 s (aperçu)</translation>
+    </message>
+    <message>
+        <source>up to %1 s</source>
+        <translation>jusqu’à %1 s</translation>
+    </message>
+    <message>
+        <source>nothing touched yet</source>
+        <translation>rien de touché pour l’instant</translation>
+    </message>
+    <message>
+        <source>touched: %1</source>
+        <translation>touché&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>above %1: %2</source>
+        <translation>au-dessus de %1&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>touched</source>
+        <translation>touché</translation>
     </message>
 </context>
 <context>

@@ -81,6 +81,7 @@ my %others = (
     QKeySequence => [qw(QShortcut QAction)], QCoreApplication => [qw(QApplication QGuiApplication)],
     (map { $_ => ['QAccessible'] } qw(QAccessibleEvent QAccessibleValueInterface QAccessibleValueChangeEvent)),
     QGuiApplication => ['QApplication'], QRegularExpressionMatch => ['QRegularExpression'],
+    QTextLine => ['QTextLayout'],
 );
 
 my %text;  # path → source without comments and string literals

@@ -120,7 +120,7 @@ void ReportPart::write(std::filesystem::path out, const QString& ending, const Q
     connect(run, &ReportRun::written, this, [this, out](const QStringList& missing) {
         m_core.notices.warn(missing);
         m_core.notices.say(missing.isEmpty() ? tr("Report written to %1").arg(toText(out))
-                                             : tr("Report written to %1; it states what is missing").arg(toText(out)),
+                                             : tr("Report written to %1; it lists the missing parts").arg(toText(out)),
                            kShown_ms);
     });
     connect(run, &ReportRun::failed, this, [this](const QString& line) { m_core.notices.showError(line); });

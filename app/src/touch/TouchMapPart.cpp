@@ -50,7 +50,7 @@ TouchMapPart::~TouchMapPart()
 void TouchMapPart::addActions()
 {
     auto* menu = new QMenu(tr("Map of touch"), &m_core.window);
-    const QString tip = tr("Colour what the hand has examined, in the recording up to the moment shown, or live");
+    const QString tip = tr("Colour the examined surface, in the recording up to the moment shown, or live");
     auto* choices = new QActionGroup(this);
     for (int i = 0; i < ui::kTouchQuantities; ++i) {
         QAction* choice = menu->addAction(ui::touchQuantityText(static_cast<TouchQuantity>(i)));

@@ -47,7 +47,8 @@ void addLargeBallRows(std::vector<HardCase>& rows)
         HardCase ball =
             row(formatted("HIPs on the vertices of a sphere of 8,000 facets, ball of %g mm", radius_mm), mesh, path);
         ball.fingertip_mm = radius_mm;
-        // The exact sphere converges slowly here (minutes at 20 mm, half a minute at 4 mm); the adversary covers those positions.
+        // The exact sphere converges slowly here (minutes at 20 mm, half a minute at 4 mm); the adversary covers those
+        // positions.
         ball.checkEvery = radius_mm > 4.0 ? 1000 : radius_mm > 1.0 ? 100 : 50;
         ball.maxElsewhere_percent = 100.0;
         ball.mayReachBound = true; // for a large sphere, whose cell holds a thousand facets, at each jump

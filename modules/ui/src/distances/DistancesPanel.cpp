@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QModelIndexList>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QShortcut>

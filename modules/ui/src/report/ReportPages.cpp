@@ -4,6 +4,7 @@
 #include <QFontMetricsF>
 #include <QRegularExpression>
 #include <QTextLayout>
+#include <QTextOption>
 
 #include <algorithm>
 #include <numeric>

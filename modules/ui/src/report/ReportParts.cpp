@@ -7,6 +7,7 @@
 #include <palpate/core/AtomicFile.h>
 #include <palpate/core/VisibleText.h>
 
+#include <QColor>
 #include <QFontDatabase>
 #include <QFontMetricsF>
 #include <QLocale>

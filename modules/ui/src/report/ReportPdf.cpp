@@ -9,7 +9,10 @@
 #include <QBuffer>
 #include <QFontMetricsF>
 #include <QLocale>
+#include <QMarginsF>
+#include <QPageLayout>
 #include <QPageSize>
+#include <QPagedPaintDevice>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QTextOption>
