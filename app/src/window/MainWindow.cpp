@@ -32,6 +32,7 @@
 #include "touch/TouchMapPart.h"
 #include "touch/TouchPart.h"
 #include "window/SceneChanges.h"
+#include "window/ToolBar.h"
 
 #include <palpate/device/PluginHost.h>
 #include <palpate/ui/ChipRow.h>
@@ -42,7 +43,6 @@
 #include <palpate/ui/Pieces.h>
 #include <palpate/ui/Playback.h>
 #include <palpate/ui/Theme.h>
-#include <palpate/ui/ToolTexts.h>
 #include <palpate/ui/Tour.h>
 #include <palpate/ui/VtkViewport.h>
 
@@ -60,7 +60,6 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
-#include <QToolButton>
 #include <QUrl>
 
 #include <utility>
@@ -83,7 +82,7 @@ MainWindow::MainWindow()
     makeCentre();
     makeParts();
     makeMenus();
-    makeToolBar();
+    addToolBar(makeToolBar(m_actions, *m_chips, this));
     makeStatusBar();
     connectParts();
     connectTour();
@@ -198,34 +197,6 @@ void MainWindow::makeMenus()
     addLanguageMenu(*view, *this, [this](const QString& line) { m_notices->say(line); });
     m_actions.fill(*menuBar()->addMenu(tr("&Session")), ActionGroup::Session);
     m_actions.fill(*menuBar()->addMenu(tr("&Help")), ActionGroup::Help);
-}
-
-void MainWindow::makeToolBar()
-{
-    QToolBar* bar = addToolBar(tr("Tools"));
-    bar->setObjectName(QStringLiteral("tools"));
-    bar->setMovable(false);
-    keepIconSize(*bar, 22);
-    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    bar->setContextMenuPolicy(Qt::PreventContextMenu);
-    const auto add = [&](const char* id, bool hasText) {
-        QAction& action = m_actions.at(id);
-        bar->addAction(&action);
-        auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(&action));
-        button->setToolButtonStyle(hasText ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
-        button->setAccessibleName(action.text());
-    };
-    add("open", true);
-    bar->addSeparator();
-    for (const char* id : {"palpate", "record", "play"}) {
-        add(id, true);
-    }
-    bar->addSeparator();
-    for (const char* id : {"fit", "snapshot", "undo", "redo", "keys"}) {
-        add(id, false);
-    }
-    bar->addWidget(m_chips);
-    new ToolTexts(*bar);
 }
 
 void MainWindow::makeStatusBar()

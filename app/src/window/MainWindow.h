@@ -87,7 +87,6 @@ class MainWindow : public QMainWindow
     void makeCentre();
     void makeParts();
     void makeMenus();
-    void makeToolBar();
     void makeStatusBar();
     void connectParts();
     void connectTour();
