@@ -647,8 +647,8 @@
     <message numerus="yes">
         <source>%n finding(s) were marked.</source>
         <translation>
-            <numerusform>%n Befund(e) wurde(n) markiert.</numerusform>
-            <numerusform></numerusform>
+            <numerusform>%n Befund wurde markiert.</numerusform>
+            <numerusform>%n Befunde wurden markiert.</numerusform>
         </translation>
     </message>
     <message>
@@ -7820,6 +7820,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>%1 of its area</source>
         <translation>%1 der Fläche</translation>
+    </message>
+    <message>
+        <source>Select a row to see its closest points.</source>
+        <translation>Wählen Sie eine Zeile, um ihre nächsten Punkte zu sehen.</translation>
     </message>
 </context>
 <context>

@@ -647,8 +647,8 @@
     <message numerus="yes">
         <source>%n finding(s) were marked.</source>
         <translation>
-            <numerusform>%n observation(s) ont été marquées.</numerusform>
-            <numerusform></numerusform>
+            <numerusform>%n observation a été marquée.</numerusform>
+            <numerusform>%n observations ont été marquées.</numerusform>
         </translation>
     </message>
     <message>
@@ -6930,7 +6930,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Report written to %1; it lists the missing parts</source>
-        <translation>Rapport écrit dans %1 ; il indique ce qui manque</translation>
+        <translation>Rapport écrit dans %1&#x202f;; il indique ce qui manque</translation>
     </message>
 </context>
 <context>
@@ -7820,6 +7820,10 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>%1 of its area</source>
         <translation>%1 de sa surface</translation>
+    </message>
+    <message>
+        <source>Select a row to see its closest points.</source>
+        <translation>Sélectionnez une ligne pour voir ses points les plus proches.</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSettings>
 #include <QTemporaryDir>
 
 #include <cmath>
@@ -92,7 +93,12 @@ class LawEditor : public QObject
 {
     Q_OBJECT
   private Q_SLOTS:
-    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void initTestCase()
+    {
+        QLocale::setDefault(QLocale::c());
+        QSettings().setValue(QStringLiteral("properties/advanced"), true); // the group of the law is folded at first
+    }
+    void cleanupTestCase() { QSettings().remove(QStringLiteral("properties/advanced")); }
 
     void aLawIsChosenTypedAndUndone()
     {

@@ -14,6 +14,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLocale>
+#include <QSettings>
 #include <QTemporaryDir>
 
 #include <cmath>
@@ -125,7 +126,12 @@ class MapEditor : public QObject
 {
     Q_OBJECT
   private Q_SLOTS:
-    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void initTestCase()
+    {
+        QLocale::setDefault(QLocale::c());
+        QSettings().setValue(QStringLiteral("properties/advanced"), true); // the group of the map is folded at first
+    }
+    void cleanupTestCase() { QSettings().remove(QStringLiteral("properties/advanced")); }
 
     void aNameThatSaysItIsFeltAtOnce()
     {

@@ -20,6 +20,7 @@
 #include <QSignalSpy>
 #include <QTreeView>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace palpate;
@@ -315,7 +316,12 @@ class Panels : public QObject
         panel.setGreatest({0.3, 0.004}, {});
         panel.select(0);
         QCOMPARE(stiffness->value(), 0.7);
-        panel.findChildren<QDoubleSpinBox*>()[1]->setValue(0.001); // damping
+        const auto fields = panel.findChildren<QDoubleSpinBox*>();
+        const auto damping = std::find_if(fields.begin(), fields.end(), [](const QDoubleSpinBox* field) {
+            return field->accessibleName().startsWith(QLatin1String("Damping"));
+        });
+        QVERIFY(damping != fields.end());
+        (*damping)->setValue(0.001);
         QCOMPARE(model.structure(0).tissue.damping_Ns_per_mm, 0.001);
         QCOMPARE(model.structure(0).tissue.stiffness_N_per_mm, 0.7);
         stiffness->setValue(0.6);

@@ -122,6 +122,10 @@ class TouchMap : public QObject
         m_desk->pressKeyOf("touch-map-next");
         QVERIFY(!m_desk->command("felt").isChecked());
         PALPATE_TRY_VERIFY(title().startsWith("Examined surface"));
+        m_desk->pressKeyOf("distances"); // colours the lump
+        QCOMPARE(map().quantity(), ui::TouchQuantity::None);
+        m_desk->pressKeyOf("touch-map-next");
+        QVERIFY(!m_desk->command("distances").isChecked());
     }
 
     /// A press by the pointer, without a recording.

@@ -23,6 +23,7 @@ using ui::TouchQuantity;
 
 namespace {
 
+constexpr const char* kOthers[] = {"felt", "distances"}; // colour structures and use the legend, too
 constexpr int kSample_ms = 16;
 constexpr double kLongest_s = 0.1; // between two displayed ticks; after a pause the time in between is not known
 constexpr double kPoint_mm = 5.0, kLeast_mm = 1.0; // distance that counts as touched, see docs/measures.md
@@ -70,18 +71,22 @@ void TouchMapPart::addActions()
     connect(m_core.actions.add("touch-map-back", ActionGroup::View, tr("Previous map of touch"), tip,
                                {QKeySequence(Qt::SHIFT | Qt::Key_D)}),
             &QAction::triggered, this, [step] { step(-1); });
-    connect(&m_core.actions.at("felt"), &QAction::toggled, this, [this](bool isShown) {
-        if (isShown && m_map->quantity() != TouchQuantity::None) { // both colour the organs
-            select(0);
-        }
-    });
+    for (const char* id : kOthers) {
+        connect(&m_core.actions.at(id), &QAction::toggled, this, [this](bool isShown) {
+            if (isShown && m_map->quantity() != TouchQuantity::None) {
+                select(0);
+            }
+        });
+    }
 }
 
 void TouchMapPart::select(int quantity)
 {
     const auto which = static_cast<TouchQuantity>(quantity);
     if (which != TouchQuantity::None) {
-        m_core.actions.at("felt").setChecked(false);
+        for (const char* id : kOthers) {
+            m_core.actions.at(id).setChecked(false);
+        }
     }
     m_choices[static_cast<std::size_t>(quantity)]->setChecked(true);
     m_map->show(which);

@@ -161,9 +161,10 @@ void MainWindow::makeParts()
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files, m_document,  picture,  report,        structures, m_touch,   m_device,    fingertip,
-                          motion,  m_recording, findings, results,       lumps,      touchMap,  m_distances, section,
-                          image,   peek,        m_view,   m_coordinates, m_docks,    m_notices, engineering, m_help};
+    const Parts menuOrder{m_files,  m_document,    picture,  report,      structures,  m_touch,
+                          m_device, fingertip,     motion,   m_recording, findings,    results,
+                          lumps,    m_distances,   touchMap, section,     image,       peek,
+                          m_view,   m_coordinates, m_docks,  m_notices,   engineering, m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }

@@ -71,6 +71,11 @@ void setUp(QTableView& table, const QString& name)
     table.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 
+QString unselectedText()
+{
+    return DistancesPanel::tr("Select a row to see its closest points.");
+}
+
 } // namespace
 
 DistancesPanel::DistancesPanel(SceneDistances& distances, MarginOverlay& overlay, TapesModel& tapes,
@@ -85,7 +90,7 @@ DistancesPanel::DistancesPanel(SceneDistances& distances, MarginOverlay& overlay
     left->addWidget(makeTop());
     makeTable();
     left->addWidget(m_table, 1);
-    m_detail = new QLabel(this);
+    m_detail = new QLabel(unselectedText(), this);
     m_detail->setObjectName(QStringLiteral("distanceDetail"));
     m_detail->setMinimumWidth(1); // the tool tip of the row has the whole text
     m_detail->setTextFormat(Qt::PlainText);
@@ -99,7 +104,7 @@ DistancesPanel::DistancesPanel(SceneDistances& distances, MarginOverlay& overlay
     connect(&distances, &SceneDistances::outdated, this, [this] {
         m_rows.clear();
         m_table->setRowCount(0);
-        m_detail->clear();
+        m_detail->setText(unselectedText());
         fillChoice();
     });
     fill();
@@ -319,7 +324,7 @@ QString DistancesPanel::textOf(std::size_t pair) const
 void DistancesPanel::showChosen()
 {
     const std::optional<std::size_t> pair = chosen();
-    m_detail->setText(pair ? textOf(*pair) : QString());
+    m_detail->setText(pair ? textOf(*pair) : unselectedText());
     m_overlay.choose(pair);
 }
 

@@ -169,6 +169,11 @@ void StructurePanel::addHead(QFormLayout& form, QWidget* box)
     m_size->setForegroundRole(QPalette::PlaceholderText);
     m_size->setTextInteractionFlags(Qt::TextSelectableByMouse);
     form.addRow(m_size);
+    // About rows of any group, so in none that may be folded.
+    m_refusal = makeWarning(tr("Reason for rejecting the value"), box);
+    form.addRow(m_refusal);
+    m_mapWarning = makeWarning(tr("Stability warning for the map"), box);
+    form.addRow(m_mapWarning);
     connect(m_colour, &QToolButton::clicked, this, &StructurePanel::chooseColour);
 }
 
@@ -246,8 +251,6 @@ void StructurePanel::addMap(QFormLayout& form, QWidget* box)
 {
     m_map = new MapEditor(box);
     form.addRow(m_map);
-    m_mapWarning = makeWarning(tr("Stability warning for the map"), box);
-    form.addRow(m_mapWarning);
     connect(m_map, &MapEditor::edited, this, [this](const MapEditor::Maps& maps) {
         if (!m_isShowing && selectedRows().size() == 1) {
             meshio::SceneStructure changed = m_model.structure(currentRow());
@@ -311,9 +314,7 @@ void StructurePanel::addStiffness(QFormLayout& form, QWidget* box)
     static_assert(core::kTissueTerms.front().member == &haptics::Tissue::stiffness_N_per_mm);
     addTerm(0, form, box);
     m_bound = makeWarning(tr("Effective stiffness"), box);
-    m_refusal = makeWarning(tr("Reason for rejecting the value"), box);
     form.addRow(m_bound);
-    form.addRow(m_refusal);
 }
 
 void StructurePanel::addOtherTerms(QFormLayout& form, QWidget* box)

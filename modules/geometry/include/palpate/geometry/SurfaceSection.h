@@ -60,7 +60,7 @@ struct SectionStrip
     double leftLow = 0.0, rightLow = 0.0, leftHigh = 0.0, rightHigh = 0.0; ///< first coordinate
 
     [[nodiscard]] double area_mm2() const { return 0.5 * (high - low) * (rightLow - leftLow + rightHigh - leftHigh); }
-    [[nodiscard]] bool contains(const Eigen::Vector2d& q) const;
+    [[nodiscard]] PALPATE_EXPORT bool contains(const Eigen::Vector2d& q) const;
 };
 
 /// Fills the area that the closed contours enclose: points with a winding number other than 0. A cavity whose normals
