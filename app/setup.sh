@@ -76,7 +76,8 @@ build() {
     ) 9>"$palpate_root/build/$preset/.lock" || fail "the build failed, see above"
 }
 
-# headless COMMAND…: runs the command on a virtual display.
+# headless COMMAND…: runs the command on a virtual display. It starts anew when its last client leaves, and refuses the
+# next one meanwhile, unless told not to.
 headless() {
-    xvfb-run -a -s "-screen 0 1600x1000x24" "$@"
+    xvfb-run -a -s "-screen 0 1600x1000x24 -noreset" "$@"
 }
