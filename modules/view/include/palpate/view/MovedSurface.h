@@ -22,7 +22,8 @@ struct MovedSurface
 
 /// Moves the picture of a rest shape.
 /// @param points,normals  of the rest shape; not changed
-/// @par Thread Any. @par Cost 0.1 to 0.3 µs per vertex.
+/// @par Thread Any
+/// @par Cost 0.1 to 0.3 µs per vertex
 [[nodiscard]] PALPATE_EXPORT MovedSurface movedSurface(std::shared_ptr<const geometry::SurfaceMotion> motion,
                                                        double time_s, const vtkSmartPointer<vtkFloatArray>& points,
                                                        const vtkSmartPointer<vtkFloatArray>& normals);
