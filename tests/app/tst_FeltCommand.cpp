@@ -80,6 +80,14 @@ class FeltCommand : public QObject
         QVERIFY(read("felt.vtp").contains("FeltRatioHigh"));
     }
 
+    void infoNamesTheVerdictsToo()
+    {
+        const Outcome outcome =
+            test::runProgram(QString::fromStdString(m_folder.path("").string()), {"info", "scene.json"});
+        QCOMPARE(outcome.exitCode, 0);
+        QVERIFY2(outcome.out.contains("  lump: lump in organ: 3 times as stiff"), outcome.out.constData());
+    }
+
     void ratioRadiusAndPressAreTaken()
     {
         const auto ratioAt = [&](const QStringList& options) {

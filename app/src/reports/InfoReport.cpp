@@ -206,12 +206,6 @@ void printRead(const FileReport& report)
             print("    - %s\n", sentence.c_str());
         }
     }
-    for (const std::string& line : study::lumpLines(report.scene, report.lumps)) {
-        print("  lump: %s\n", line.c_str());
-    }
-    for (const std::string& note : notes(report)) {
-        print("  note: %s\n", note.c_str());
-    }
 }
 
 void printTouch(const FileReport& report)
@@ -238,6 +232,12 @@ void printExamination(const FileReport& report)
         }
     }
     print("  examined in %.0f ms\n", report.examine_s * 1e3);
+    for (const std::string& line : study::lumpLines(report.scene, report.lumps)) {
+        print("  lump: %s\n", line.c_str());
+    }
+    for (const std::string& note : notes(report)) {
+        print("  note: %s\n", note.c_str());
+    }
 }
 
 namespace {

@@ -40,7 +40,7 @@ struct FileReport
 void printRead(const FileReport& report);
 /// Prints notes on the surfaces, memory and times, after the haptic surfaces were built.
 void printTouch(const FileReport& report);
-/// Prints the results of the examination.
+/// Prints the results of the examination, the verdicts on buried lumps, and all other notes.
 void printExamination(const FileReport& report);
 /// Converts the report to JSON, including the SHA-256 of each geometry. Fields: resources/docs/info.md.
 [[nodiscard]] QJsonObject toJson(const FileReport& report);
