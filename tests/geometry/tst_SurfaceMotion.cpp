@@ -46,7 +46,7 @@ class SurfaceMotionTest : public QObject
         breath.period_s = 4.0;
         const auto motion = SurfaceMotion::breath(breath, kBox).value();
         QVERIFY(motion->isMoving() && motion->strain() == 0.0);
-        for (int i = 0; i < 5000; ++i) {
+        for (int i = 0; i < trials(5000); ++i) {
             const double t = 0.0017 * i, share = std::pow(std::sin(std::numbers::pi * t / 4.0), 4);
             const auto moment = motion->at(t);
             QVERIFY((motion->toWorld(moment, Vec3(1, 2, 3)) - Vec3(1, 2, 3) - share * breath.amplitude_mm).norm() <
@@ -79,7 +79,7 @@ class SurfaceMotionTest : public QObject
             const auto motion = isRandom ? randomMotion(kBox, 10.0, 4, 100 + static_cast<unsigned>(trial))
                                          : SurfaceMotion::breath(ramp(15.0, 100.0), kBox).value();
             QVERIFY(motion->strain() > 0.2 && motion->strain() <= SurfaceMotion::kMaxStrain);
-            for (int i = 0; i < 2000; ++i) {
+            for (int i = 0; i < trials(2000); ++i) {
                 const Vec3 X(80.0 * of(random), 80.0 * of(random), 80.0 * of(random));
                 const auto moment = motion->at(2.0 + 2.0 * of(random));
                 const Vec3 p = motion->toWorld(moment, X);
@@ -145,7 +145,7 @@ class SurfaceMotionTest : public QObject
             keys.push_back({i / 32.0, pose});
         }
         const auto motion = SurfaceMotion::poses(keys, true).value();
-        for (int i = 0; i < 3000; ++i) {
+        for (int i = 0; i < trials(3000); ++i) {
             const double t = -1.0 + 0.003 * i, turn = std::numbers::pi * t, h = 1e-5;
             const Vec3 X(3, -4, 5);
             const auto moment = motion->at(t);
@@ -227,7 +227,7 @@ class SurfaceMotionTest : public QObject
             longer.resize(longer.size() + 8);
             QVERIFY(!SurfaceMotion::fromBytes(longer).isOk());
             std::mt19937 at(11);
-            for (int i = 0; i < 300; ++i) {
+            for (int i = 0; i < trials(300); ++i) {
                 auto changed = bytes;
                 changed[at() % std::min<std::size_t>(changed.size(), i % 2 == 0 ? 400 : changed.size())] ^=
                     static_cast<std::byte>(1 + at() % 255);

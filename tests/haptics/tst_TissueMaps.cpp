@@ -3,6 +3,7 @@
 #include "Known.h"
 #include "Shapes.h"
 #include "TestRunner.h"
+#include "Trials.h"
 
 #include <palpate/haptics/Palpator.h>
 
@@ -420,7 +421,7 @@ class TissueMaps : public QObject
         const Vec3 home = hip;
         double input = 0.0;
         (void)on.at(Vec3(0, 0, 1));
-        for (int i = 0; i < 100000; ++i) {
+        for (int i = 0; i < test::trials(100000); ++i) {
             if ((hip - goal).norm() < 0.1) {
                 goal = i < 99000 ? Vec3(across(random), across(random), -deep(random)) : home;
             }

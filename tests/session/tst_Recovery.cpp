@@ -3,6 +3,7 @@
 #include "FileLimits.h"
 #include "Sessions.h"
 #include "TestRunner.h"
+#include "Trials.h"
 #include "recording/RecordingCopy.h"
 
 #include <palpate/session/GeometryHash.h>
@@ -300,7 +301,7 @@ class Recovery : public QObject
         const auto size = static_cast<rlim_t>(std::filesystem::file_size(path("w.palpate")));
         write("x.palpate", bytes("w.palpate").left(4096));
         const QByteArray old = bytes("x.palpate");
-        for (rlim_t limit = 0; limit < size; limit += 3'001) {
+        for (rlim_t limit = 0; limit < size; limit += test::kIsSanitized ? 30'011 : 3'001) {
             const test::FileLimit full(limit);
             const auto recovered = session::recoverRecording(path("w.palpate"), path("x.palpate"));
             QVERIFY(!recovered.isOk());
