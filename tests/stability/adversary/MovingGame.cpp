@@ -400,7 +400,10 @@ class MovingGame
             const double k = m_scene.rest.structures[one.contacts[0].structure].tissue.stiffness_N_per_mm;
             const double stored = 0.5 * k * (god_R - X).squaredNorm();
             m_power_mW += slope * stored;
-            m_powerSlack_mW += 1e-5 * std::abs(slope) * stored + 1e-6 * stored;
+            m_powerSlack_mW += 1e-5 * std::abs(slope) * stored;
+        }
+        if (motion->isPulsing()) { // the slope is rounded, also where differences of the factor are 0
+            m_powerSlack_mW += 5e-7 * is.force.norm() * (god_R - X).norm(); // 1e-6 of the energy
         }
     }
 

@@ -48,6 +48,8 @@ class RandomMotion
     /// Factor on the stored energy, and its change [1/s].
     [[nodiscard]] double factor(double t) const;
     [[nodiscard]] double factorSlope(double t) const;
+    /// Returns true if the factor changes with time.
+    [[nodiscard]] bool isPulsing() const { return m_pulse_s != 0.0 && m_rate != 0.0; }
 
     [[nodiscard]] double strain() const { return m_engine == nullptr ? 0.0 : m_engine->strain(); }
     /// Bound on the second derivatives of the displacement [1/mm]: a quadratic in Bernstein form.
