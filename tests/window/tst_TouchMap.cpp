@@ -100,6 +100,17 @@ class TouchMap : public QObject
         QCOMPARE(greatest(&ui::TouchedStructure::dwell_s), early_s);
     }
 
+    /// A structure that is not touched yet has its own opacity, also after the player moved back.
+    void movingBackRestoresTheLook()
+    {
+        const auto liver = [this] { return m_desk->window().viewport().view().structure(0).picture.appearance(); };
+        seek(8.0);
+        QCOMPARE(liver().opacity, 1.0);
+        seek(0.0);
+        QVERIFY(map().sums()->structures.empty());
+        QVERIFY(liver().opacity < 1.0);
+    }
+
     void legendNamesQuantityMomentAndShare()
     {
         seek(8.0);
@@ -141,6 +152,20 @@ class TouchMap : public QObject
         map().add(tick, 0.016);
         PALPATE_TRY_VERIFY(map().sums() != nullptr);
         QVERIFY2(title().contains("(preview)"), qPrintable(title()));
+    }
+
+    /// Another scene takes the map off; colours that are not of this map stay when a recording is opened.
+    void leavesOtherColoursAlone()
+    {
+        const std::filesystem::path phantom = std::filesystem::path(PALPATE_SOURCE_DIR) / "data" / "phantom";
+        QVERIFY(legend().isShown());
+        QVERIFY(m_desk->open({phantom / "phantom.palpate.json"}));
+        QVERIFY(!legend().isShown());
+        m_desk->pressKeyOf("felt");
+        PALPATE_TRY_VERIFY(legend().isShown());
+        m_desk->window().open({phantom / "palpation.palpate"});
+        PALPATE_TRY_VERIFY(playback().recording() != nullptr);
+        QVERIFY(legend().isShown());
     }
 };
 

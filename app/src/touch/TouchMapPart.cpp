@@ -88,9 +88,19 @@ void TouchMapPart::select(int quantity)
             m_core.actions.at(id).setChecked(false);
         }
     }
+    if (m_map->quantity() == TouchQuantity::None) {
+        restart();
+    }
     m_choices[static_cast<std::size_t>(quantity)]->setChecked(true);
     m_map->show(which);
     m_core.notices.hint().say(tr("Map of touch: %1").arg(ui::touchQuantityText(which)));
+}
+
+/// Starts the live map with the distance that the results of a recording would have.
+void TouchMapPart::restart()
+{
+    const double fingertip_mm = m_core.live.fingertip_mm();
+    m_map->restart(fingertip_mm > 0.0 ? std::max(fingertip_mm, kLeast_mm) : kPoint_mm);
 }
 
 void TouchMapPart::showState(const WindowState& state)
@@ -98,8 +108,7 @@ void TouchMapPart::showState(const WindowState& state)
     m_core.actions.setEnabled({"touch-map", "touch-map-next", "touch-map-back"}, state.hasScene);
     const bool isRecorded = state.hasRecording && !state.isRecording && m_playback.recording() != nullptr;
     if (state.isRecording && !m_isRecording) {
-        const double fingertip_mm = m_core.live.fingertip_mm();
-        m_map->restart(fingertip_mm > 0.0 ? std::max(fingertip_mm, kLeast_mm) : kPoint_mm);
+        restart();
     }
     m_isRecording = state.isRecording;
     m_map->setRecording(isRecorded ? m_playback.recording()->path() : std::filesystem::path());

@@ -32,6 +32,7 @@ class TouchMapPart : public WindowPart
 
   private:
     void select(int quantity);
+    void restart();
     void sample();
 
     WindowCore m_core;

@@ -113,11 +113,12 @@ TouchMap::TouchMap(VtkViewport& viewport, StructureModel& model, QObject* parent
         }
     });
     connect(&model, &QAbstractItemModel::modelReset, this, [this] { // the view has new pictures
-        m_drawn.clear();
         m_pictures.clear();
         m_sums = nullptr;
         m_live = nullptr;
         m_reader = nullptr;
+        m_drawn.clear();
+        undraw();
         read();
     });
 }
@@ -170,8 +171,9 @@ void TouchMap::restart(double distance_mm)
 
 void TouchMap::add(const servo::TickRecord& tick, double dt_s)
 {
-    if (m_live == nullptr && tick.felt.contactCount == 0) {
-        return; // the surfaces may not be ready yet
+    if (m_quantity == TouchQuantity::None || !m_recording.empty() ||
+        (m_live == nullptr && tick.felt.contactCount == 0)) { // before the first contact, surfaces may not be ready
+        return;
     }
     if (m_live == nullptr) {
         m_liveMeshes = meshes();
@@ -185,7 +187,7 @@ void TouchMap::add(const servo::TickRecord& tick, double dt_s)
     }
     m_live_s += dt_s;
     m_live->add(tick, m_live_s, dt_s);
-    if (m_quantity != TouchQuantity::None && m_recording.empty() && !m_redraw.isActive()) {
+    if (!m_redraw.isActive()) {
         m_redraw.start();
     }
 }
@@ -209,13 +211,14 @@ void TouchMap::read()
     }
     if (m_reader == nullptr) {
         m_meshes = meshes().size();
+        const auto number = ++m_readers;
         m_reader = std::make_unique<RecordedTouchSums>(
             m_recording, meshes(),
-            [this](std::shared_ptr<const TouchSums> sums) {
+            [this, number](std::shared_ptr<const TouchSums> sums) {
                 QMetaObject::invokeMethod(
                     this,
-                    [this, sums = std::move(sums), of = m_recording] {
-                        if (of == m_recording) {
+                    [this, number, sums = std::move(sums)] {
+                        if (number == m_readers && m_reader != nullptr) { // else of another recording or scene
                             take(sums);
                         }
                     },
@@ -264,7 +267,13 @@ void TouchMap::draw()
             values.push_back(valuesOf(found->second, m_quantity));
         }
     }
+    m_isShown = true;
     Q_EMIT shownChanged(true);
+    for (const int row : m_drawn) { // at this moment not touched yet
+        if (std::find(rows.begin(), rows.end(), row) == rows.end()) {
+            restore(row);
+        }
+    }
     const double high = m_quantity == TouchQuantity::Covered ? 1.0 : upperEnd(values);
     double all_mm2 = 0.0, covered_mm2 = 0.0, above_mm2 = 0.0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -313,13 +322,22 @@ void TouchMap::drawLegend(double high, double all_mm2, double covered_mm2, doubl
     m_viewport.view().legend().show(content);
 }
 
+/// Gives a structure its own colour and opacity again.
+void TouchMap::restore(int row)
+{
+    if (row < m_model.rowCount()) {
+        m_viewport.view().setPicture(static_cast<std::size_t>(row), m_model.picture(row));
+        m_viewport.view().setAppearance(static_cast<std::size_t>(row), m_model.appearanceOf(row));
+    }
+}
+
 void TouchMap::undraw()
 {
+    if (!std::exchange(m_isShown, false)) {
+        return; // the legend may be that of other colours
+    }
     for (const int row : m_drawn) {
-        if (row < m_model.rowCount()) {
-            m_viewport.view().setPicture(static_cast<std::size_t>(row), m_model.picture(row));
-            m_viewport.view().setAppearance(static_cast<std::size_t>(row), m_model.appearanceOf(row));
-        }
+        restore(row);
     }
     m_drawn.clear();
     m_viewport.view().legend().hide();

@@ -14,6 +14,7 @@
 #include <QTimer>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -38,8 +39,8 @@ inline constexpr int kTouchQuantities = 5;
 [[nodiscard]] PALPATE_EXPORT QString touchQuantityText(TouchQuantity quantity);
 
 /// Colours the touched parts of all structures by what the hand did there: in a recording up to the position of the
-/// player, else live since `restart` as a preview from the displayed ticks. Untouched parts keep their colour. Touched
-/// structures are drawn opaque.
+/// player, else live since `restart` as a preview from the displayed ticks. Ticks are counted while a map is shown.
+/// Untouched parts keep their colour. Touched structures are drawn opaque.
 ///
 /// @par Thread GUI thread only.
 class PALPATE_EXPORT TouchMap : public QObject
@@ -58,7 +59,8 @@ class PALPATE_EXPORT TouchMap : public QObject
     void setPosition(double time_s);
     /// Starts live sums again. @param distance_mm  distance within which a place counts as touched, > 0
     void restart(double distance_mm);
-    /// Adds a displayed tick to the live sums. @param dt_s  time since the last one
+    /// Adds a displayed tick to the live sums. No effect without a map, or with a recording. @param dt_s  time since
+    /// the last one
     void add(const servo::TickRecord& tick, double dt_s);
     /// The sums that are drawn; null before the first.
     [[nodiscard]] const TouchSums* sums() const noexcept { return m_sums.get(); }
@@ -80,6 +82,7 @@ class PALPATE_EXPORT TouchMap : public QObject
     void take(std::shared_ptr<const TouchSums> sums);
     void draw();
     void drawLegend(double high, double all_mm2, double covered_mm2, double above_mm2);
+    void restore(int row);
     void undraw();
     [[nodiscard]] session::MeshesByHash meshes() const;
     [[nodiscard]] vtkSmartPointer<vtkPolyData> plainPicture(int row, const TouchedStructure& touched);
@@ -89,7 +92,8 @@ class PALPATE_EXPORT TouchMap : public QObject
     TouchQuantity m_quantity = TouchQuantity::None;
     std::filesystem::path m_recording;
     double m_position_s = 0.0;
-    std::size_t m_meshes = 0; ///< surfaces known to the reader
+    std::size_t m_meshes = 0;    ///< surfaces known to the reader
+    std::uint64_t m_readers = 0; ///< number of the reader
     std::unique_ptr<RecordedTouchSums> m_reader;
     std::unique_ptr<session::TouchedSurfaces> m_live;
     session::MeshesByHash m_liveMeshes;
@@ -97,6 +101,7 @@ class PALPATE_EXPORT TouchMap : public QObject
     std::shared_ptr<const TouchSums> m_sums;
     std::map<int, Picture> m_pictures; ///< of split surfaces, by row
     std::vector<int> m_drawn;          ///< rows with the map's colours
+    bool m_isShown = false;            ///< colours, if any, and legend are those of the map
     QTimer m_redraw;                   ///< limits the rate of live updates
 };
 
