@@ -179,6 +179,21 @@ class Inside : public QObject
         QTest::keyRelease(&viewport(), Qt::Key_G);
     }
 
+    /// A message over the view does not cover the controls.
+    void theBarStaysBelowMessages()
+    {
+        if (!view().section()) {
+            m_desk->pressKeyOf("section");
+        }
+        auto& messages = *m_desk->window().findChild<ui::MessageBar*>();
+        messages.offer(QStringLiteral("An offer"), QStringLiteral("Take it"), [] {});
+        const auto globally = [](const QWidget& widget) { return QRect(widget.mapToGlobal(QPoint()), widget.size()); };
+        PALPATE_TRY_VERIFY(messages.isVisible() && !globally(messages).intersects(globally(bar())));
+        test::answerOf(messages)->click();
+        PALPATE_TRY_VERIFY(bar().y() < 20);
+        m_desk->pressKeyOf("section");
+    }
+
     /// Numbers rise along z, from 0 at the feet to 200 at the head.
     void showsAnImageInTheSectionAndKeepsItInTheScene()
     {

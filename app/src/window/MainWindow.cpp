@@ -321,14 +321,13 @@ void MainWindow::useCpu(int cpu)
     m_device->hand().useCpu(cpu);
 }
 
-/// Keeps the legend clear of the messages over the view.
+/// Keeps legend and section bar clear of the messages over the view.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 {
     const bool isTaken = QMainWindow::eventFilter(watched, event);
     const QEvent::Type type = event->type();
     if (watched == m_messages && (type == QEvent::Resize || type == QEvent::Show || type == QEvent::Hide)) {
-        m_viewport->view().setCoveredAbove(type == QEvent::Hide ? 0.0 : m_messages->height());
-        m_viewport->update();
+        m_viewport->setCoveredAbove(type == QEvent::Hide ? 0 : m_messages->height());
     }
     return isTaken;
 }

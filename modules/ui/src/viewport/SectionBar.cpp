@@ -73,6 +73,7 @@ SectionBar::SectionBar(VtkViewport& viewport)
     connect(side, &QToolButton::clicked, this, &SectionBar::otherSideWanted);
     connect(close, &QToolButton::clicked, this, &SectionBar::closeWanted);
     viewport.installEventFilter(this);
+    connect(&viewport, &VtkViewport::coveredAboveChanged, this, &SectionBar::place);
 }
 
 void SectionBar::setSection(SectionDirection direction, double position_mm, double step_mm, const QString& line)
@@ -159,7 +160,8 @@ void SectionBar::showEvent(QShowEvent* event)
 void SectionBar::place()
 {
     adjustSize();
-    move(qMax(0, parentWidget()->width() - width() - kBarMargin_px), kBarMargin_px);
+    const int top_px = static_cast<const VtkViewport*>(parentWidget())->coveredAbove_px() + kBarMargin_px;
+    move(qMax(0, parentWidget()->width() - width() - kBarMargin_px), top_px);
     raise();
 }
 

@@ -458,6 +458,14 @@ void VtkViewport::leaveEvent(QEvent* event)
     QOpenGLWidget::leaveEvent(event);
 }
 
+void VtkViewport::setCoveredAbove(int height_px)
+{
+    m_covered_px = height_px;
+    m_view.setCoveredAbove(height_px);
+    update();
+    Q_EMIT coveredAboveChanged();
+}
+
 } // namespace palpate::ui
 
 #include "palpate/ui/moc_VtkViewport.cpp"

@@ -57,6 +57,10 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     /// Rendering time of the newest frame. [ms]
     [[nodiscard]] double frame_ms() const noexcept { return m_frame_ms; }
 
+    /// Sets the height of the widgets that cover the upper edge, so that legend and section bar stay below. [logical px]
+    void setCoveredAbove(int height_px);
+    [[nodiscard]] int coveredAbove_px() const noexcept { return m_covered_px; }
+
   Q_SIGNALS:
     /// Pointer motion over the view, or view motion under the pointer. Palpation mode only, as the next signals.
     void pointerMoved();
@@ -81,6 +85,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
     /// Both modes: request to centre on this place.
     void centreWanted(const QPointF& place);
+    void coveredAboveChanged();
 
   protected:
     void initializeGL() override;
@@ -119,6 +124,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     double m_frame_ms = 0.0;
     double m_slowest_ms = 0.0; ///< slowest of the first frames, without the warm-up
     int m_frames = 0;
+    int m_covered_px = 0;
     QTimer m_still;
     bool m_isSlow = false;
     bool m_isStill = false; ///< the current frame is drawn because the picture has been still
