@@ -57,7 +57,8 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     /// Rendering time of the newest frame. [ms]
     [[nodiscard]] double frame_ms() const noexcept { return m_frame_ms; }
 
-    /// Sets the height of the widgets that cover the upper edge, so that legend and section bar stay below. [logical px]
+    /// Sets the height of the widgets that cover the upper edge, so that legend and section bar stay below. [logical
+    /// px]
     void setCoveredAbove(int height_px);
     [[nodiscard]] int coveredAbove_px() const noexcept { return m_covered_px; }
 
