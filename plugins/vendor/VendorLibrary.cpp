@@ -31,24 +31,34 @@ void* load(const char* name)
     return dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
 }
 
-/// Returns the files below `folder` that are named `soname`, then those with a longer version, the newest first.
-std::vector<path> filesNamed(const std::string& soname, const path& folder)
+/// Appends the files in `folder` that are named `soname` or have a longer version.
+/// @param depth  levels of subfolders to search as well
+void addFiles(const std::string& soname, const path& folder, int depth, std::vector<path>& found)
 {
-    std::vector<path> found;
     std::error_code error;
-    constexpr auto kOptions = std::filesystem::directory_options::skip_permission_denied;
-    for (std::filesystem::recursive_directory_iterator it(folder, kOptions, error), end; !error && it != end;
-         it.increment(error)) {
+    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
         const std::string name = it->path().filename().string();
+        std::error_code ignored;
         if (name == soname || name.starts_with(soname + '.')) {
             found.push_back(it->path());
-        }
-        if (it.depth() >= kDeepestFolder) {
-            it.disable_recursion_pending();
+        } else if (depth > 0 && it->is_directory(ignored) && !it->is_symlink(ignored)) {
+            addFiles(soname, it->path(), depth - 1, found);
         }
     }
+}
+
+/// Returns the files of all folders and trees: exact names first, then longer names, the newest version first.
+std::vector<path> filesNamed(const std::string& soname, const LibraryKind& kind)
+{
+    std::vector<path> found;
+    for (const path& folder : kind.folders) {
+        addFiles(soname, folder, 0, found);
+    }
+    for (const path& tree : kind.trees) {
+        addFiles(soname, tree, kDeepestFolder, found);
+    }
     std::sort(found.begin(), found.end(),
-              [](const path& a, const path& b) { return strverscmp(a.c_str(), b.c_str()) > 0; });
+              [](const path& a, const path& b) { return strverscmp(a.filename().c_str(), b.filename().c_str()) > 0; });
     std::stable_partition(found.begin(), found.end(),
                           [&soname](const path& file) { return file.filename() == soname; });
     return found;
@@ -113,12 +123,10 @@ core::Result<VendorLibrary> VendorLibrary::open(const LibraryKind& kind, const p
             return VendorLibrary(kind, handle);
         }
     }
-    for (const path& folder : kind.folders) {
-        for (const std::string& soname : kind.sonames) {
-            for (const path& file : filesNamed(soname, folder)) {
-                if (void* const handle = tryFile(file, false)) {
-                    return VendorLibrary(kind, handle);
-                }
+    for (const std::string& soname : kind.sonames) {
+        for (const path& file : filesNamed(soname, kind)) {
+            if (void* const handle = tryFile(file, false)) {
+                return VendorLibrary(kind, handle);
             }
         }
     }

@@ -14,8 +14,9 @@ struct LibraryKind
 {
     const char* plugin;                         ///< "forcedimension": prefix of each message
     std::vector<std::string> sonames;           ///< in order of preference: {"libdhd.so.3", "libdrd.so.3"}
-    std::vector<std::filesystem::path> folders; ///< searched with their subfolders after the loader's own folders
+    std::vector<std::filesystem::path> folders; ///< searched after the loader's own folders
     core::MessageText<> remedy;                 ///< next step when the library is missing or unsuitable
+    std::vector<std::filesystem::path> trees;   ///< searched last, with their subfolders: an unpacked SDK
 };
 
 /// Shared library of a device maker, opened at run time, so that Palpate neither includes nor links anything of the
@@ -32,15 +33,15 @@ class VendorLibrary
 {
   public:
     /// Opens the library. The loader's folders (LD_LIBRARY_PATH, the system's) come first, under the name of each
-    /// soname; then the folders of `kind`, where a longer name is accepted as well: makers ship "libdhd.so.3.14.0" and
-    /// leave the link "libdhd.so.3" to the user.
+    /// soname; then the folders and trees of `kind`, where a longer name is accepted as well: makers ship
+    /// "libdhd.so.3.14.0" and leave the link "libdhd.so.3" to the user.
     /// @param named  path from the user's settings, opened instead of searching; empty: search
     /// @return NotFound: no such file; Unreadable: a file that cannot be loaded, with the loader's reason;
     /// BadCommandLine: `named` is relative
     [[nodiscard]] static core::Result<VendorLibrary> open(const LibraryKind& kind,
                                                           const std::filesystem::path& named = {});
 
-    /// Resolves an entry point that the plugin cannot do without. `status` reports those that are missing.
+    /// Resolves an entry point that the plugin cannot do without. `status` reports missing ones.
     /// @param function  set to the entry point, or to nullptr
     template<class Function>
     VendorLibrary& require(const char* name, Function*& function)
