@@ -9,6 +9,9 @@
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace palpate::app {
 
@@ -32,6 +35,7 @@ int listDevices(const std::vector<std::filesystem::path>& folders)
             ids.push_back(entry.info.id);
         }
     }
+    std::set<std::string> driving; // ids of plugins that found a usable device
     for (const std::string& id : ids) {
         const auto found = host->find(id);
         for (const device::PluginEntry& entry : host->plugins()) {
@@ -48,13 +52,17 @@ int listDevices(const std::vector<std::filesystem::path>& folders)
             for (const device::FoundDevice& one : found.value()) {
                 print("    on the bus: %s (%s)%s%s\n", one.name.c_str(), one.address.c_str(),
                       one.problem.empty() ? "" : "; ", one.problem.c_str());
+                if (one.problem.empty()) {
+                    driving.insert(id);
+                }
             }
         }
     }
     if (ids.empty()) {
         print("  none\n");
     }
-    const auto others = device::recogniseOtherDevices();
+    auto others = device::recogniseOtherDevices();
+    std::erase_if(others, [&](const device::OtherDevice& other) { return driving.contains(other.plugin); });
     if (!others.empty()) {
         print("on the bus, but not driven\n");
         for (const device::OtherDevice& other : others) {

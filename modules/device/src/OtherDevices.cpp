@@ -17,6 +17,7 @@ struct Known
     std::string_view stated;  ///< substring of the manufacturer or product name; empty: any
     std::string_view name;
     std::string_view needs;
+    std::string_view plugin = {}; ///< as in OtherDevice
 };
 
 constexpr std::string_view kTouchNeeds =
@@ -25,7 +26,9 @@ constexpr std::string_view kFalconNeeds =
     "a plugin that speaks to its FTDI chip and loads its firmware at each start, as libnifalcon does";
 constexpr std::string_view kInverseNeeds =
     "the Haply Inverse service running, and a plugin that speaks its JSON over a WebSocket on port 10001";
-constexpr std::string_view kForceDimensionNeeds = "a plugin that is built on its maker's Force Dimension SDK";
+constexpr std::string_view kForceDimensionNeeds = "its maker's library libdhd.so.3 (Force Dimension SDK 3) and access "
+                                                  "to USB through Palpate's udev rule, as the page "
+                                                  "\"devices\" of the documentation describes";
 
 constexpr Known kKnown[] = {
     {"2988", "", "", "3D Systems Touch", kTouchNeeds},
@@ -35,8 +38,8 @@ constexpr Known kKnown[] = {
     {"0403", "cb48", "", "Novint Falcon", kFalconNeeds},
     {"", "", "Haply", "Haply Inverse3", kInverseNeeds},
     {"", "", "Inverse3", "Haply Inverse3", kInverseNeeds},
-    {"1451", "", "", "Force Dimension", kForceDimensionNeeds},
-    {"", "", "Force Dimension", "Force Dimension", kForceDimensionNeeds},
+    {"1451", "", "", "Force Dimension", kForceDimensionNeeds, "forcedimension"},
+    {"", "", "Force Dimension", "Force Dimension", kForceDimensionNeeds, "forcedimension"},
 };
 
 std::string firstLine(const std::filesystem::path& file)
@@ -69,7 +72,7 @@ std::vector<OtherDevice> recogniseOtherDevices(const std::filesystem::path& usb)
             if ((known.vendor.empty() || known.vendor == vendor) &&
                 (known.product.empty() || known.product == product) &&
                 (known.stated.empty() || stated.find(known.stated) != std::string::npos)) {
-                found.push_back({std::string(known.name), std::string(known.needs)});
+                found.push_back({std::string(known.name), std::string(known.needs), std::string(known.plugin)});
                 break;
             }
         }

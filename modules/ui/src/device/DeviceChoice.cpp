@@ -14,6 +14,10 @@
 #include <QMenu>
 #include <QMessageBox>
 
+#include <set>
+#include <string>
+#include <vector>
+
 namespace palpate::ui {
 
 using core::Status;
@@ -298,6 +302,7 @@ bool DeviceChoice::isTroubled() const
 void DeviceChoice::reportBusDevices()
 {
     QStringList lines;
+    std::set<std::string> driving; // ids of plugins that found a usable device
     if (m_plugins != nullptr) {
         std::vector<std::string> ids;
         for (const device::PluginEntry& entry : m_plugins->plugins()) {
@@ -312,11 +317,17 @@ void DeviceChoice::reportBusDevices()
             }
             for (const device::FoundDevice& one : found.value()) {
                 lines << QString::fromStdString(one.problem.empty() ? one.name : one.name + ": " + one.problem);
+                if (one.problem.empty()) {
+                    driving.insert(id);
+                }
             }
         }
     }
     for (const device::OtherDevice& other : device::recogniseOtherDevices()) {
-        lines << tr("%1: requires %2.").arg(QString::fromStdString(other.name), QString::fromStdString(other.needs));
+        if (!driving.contains(other.plugin)) {
+            lines
+                << tr("%1: requires %2.").arg(QString::fromStdString(other.name), QString::fromStdString(other.needs));
+        }
     }
     if (lines.isEmpty()) {
         lines << tr("No haptic device or 6-axis mouse is connected.");
@@ -332,7 +343,7 @@ void DeviceChoice::reportBusDevices()
     if (!supported.isEmpty()) {
         lines << tr("Supported: %1.").arg(supported.join(QStringLiteral("; ")));
     }
-    lines << tr("Not supported yet: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. A device plugin "
+    lines << tr("Not supported yet: 3D Systems Touch, Haply Inverse3, Novint Falcon. A device plugin "
                 "connects such an arm; the page “device-plugin” of the documentation describes how to write one.");
     if (m_plugins != nullptr) {
         for (const device::PluginEntry& entry : m_plugins->plugins()) {
