@@ -266,10 +266,12 @@ class DhdDevice : public QObject
         m_bench->with([](standin::DhdBench& b) { b.devices[0].largestForce_N = 0.0; });
     }
 
+    /// An omega.7: its gripper is a button, and torque and gripper force are sent with each force.
     void reportsOrientationAndButtons()
     {
         m_bench->with([](standin::DhdBench& b) {
-            b.devices[0].type = 34;
+            b.devices[0].type = 35;
+            b.devices[0].hasGripper = true;
             b.devices[0].hasWrist = true;
             b.devices[0].turn = {0.0, 0.5, 0.0}; // about the library's y axis, the user's x axis
             b.devices[0].buttons = 5;
@@ -277,7 +279,9 @@ class DhdDevice : public QObject
         const auto device = makeDhd(*m_host);
         QVERIFY(device->info().sensesOrientation);
         QVERIFY(device->start().isOk());
-        pushFor(*device, Vec3::Zero(), 0.05);
+        pushFor(*device, Vec3(0, 2, 0), 0.05);
+        QVERIFY((m_bench->motors() - Vec3(0, 2, 0)).norm() < 1e-12);
+        m_bench->with([](standin::DhdBench& b) { QVERIFY(b.devices[0].isGripperAButton); });
         const device::DeviceState state = device->read(core::monotonicNow_ns());
         QCOMPARE(state.buttons, 5U);
         const Eigen::AngleAxisd turn(state.q_D);

@@ -427,9 +427,11 @@ bool dhdHasWrist(char id)
     return handle != nullptr && deviceOf(*handle).hasWrist;
 }
 
-bool dhdHasGripper(char)
+bool dhdHasGripper(char id)
 {
-    return false;
+    Handle* const handle = enter(id, 0);
+    const Now now;
+    return handle != nullptr && deviceOf(*handle).hasGripper;
 }
 
 int dhdEnableExpertMode()
@@ -452,9 +454,15 @@ int dhdSetWatchdog(unsigned char units, char id)
     return 0;
 }
 
-int dhdEmulateButton(unsigned char, char id)
+int dhdEmulateButton(unsigned char isOn, char id)
 {
-    return enter(id, 0) == nullptr ? -1 : 0;
+    Handle* const handle = enter(id, 0);
+    if (handle == nullptr) {
+        return -1;
+    }
+    const Now now;
+    deviceOf(*handle).isGripperAButton = isOn != 0;
+    return 0;
 }
 
 double dhdGetMaxForce(char id)

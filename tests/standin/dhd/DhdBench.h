@@ -49,6 +49,8 @@ struct DhdDevice
     int serial = 1001;
     bool hasName = true;
     bool hasWrist = false;
+    bool hasGripper = false;
+    bool isGripperAButton = false; ///< set by dhdEmulateButton
     double reportedForce_N = -1.0; ///< answer of dhdGetMaxForce
     V3 turn{};                     ///< axis of the handle's orientation times angle, in the library's frame
     unsigned buttons = 0;
