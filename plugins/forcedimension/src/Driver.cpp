@@ -86,6 +86,20 @@ Trouble troubleOf(const std::array<int, Dhd::kStatusCount>& status)
     }
 }
 
+/// Tries to read a position.
+bool answers(OpenDevice& device)
+{
+    core::Vec3 p_mm = core::Vec3::Zero();
+    core::Quaternion q = core::Quaternion::Identity();
+    for (int i = 0; i < kStartAttempts; ++i) {
+        if (device.sense(p_mm, q) != Reading::Failed) {
+            return true;
+        }
+        core::sleepUntil_ns(core::monotonicNow_ns() + kMillisecond_ns);
+    }
+    return false;
+}
+
 } // namespace
 
 Driver::Driver(std::shared_ptr<Bus> bus, Settings settings, int serial)
@@ -94,16 +108,19 @@ Driver::Driver(std::shared_ptr<Bus> bus, Settings settings, int serial)
     , m_serial(serial)
     , m_model(limited(modelOf(-1), m_settings, 0.0))
 {
-    // Callers look at the limits before `start`, which repeats this and reports errors.
+    // Callers need the limits before `start`, which opens a missing device again and reports the reason.
     if (auto opened = m_bus->open(m_serial); opened.isOk()) {
-        adopt(*opened.value());
-        m_bus->close(std::move(opened).value());
+        m_ready = std::move(opened).value();
+        adopt(*m_ready);
     }
 }
 
 Driver::~Driver()
 {
     stop();
+    if (m_ready != nullptr) {
+        m_bus->close(std::move(m_ready));
+    }
 }
 
 void Driver::adopt(const OpenDevice& device)
@@ -137,23 +154,24 @@ Status Driver::start()
     if (m_thread.joinable()) {
         return {StatusCode::Internal, PALPATE_TEXT("%1: already started"), "forcedimension"};
     }
-    auto opened = m_bus->open(m_serial);
-    if (!opened.isOk()) {
-        return opened.status();
-    }
-    std::unique_ptr<OpenDevice> device = std::move(opened).value();
-    m_sensed = {};
-    Reading reading = Reading::Failed;
-    for (int i = 0; i < kStartAttempts && reading == Reading::Failed; ++i) {
-        reading = device->sense(m_sensed.p_D, m_sensed.q_D);
-        core::sleepUntil_ns(core::monotonicNow_ns() + kMillisecond_ns);
-    }
-    if (reading == Reading::Failed) {
+    std::unique_ptr<OpenDevice> device = std::move(m_ready);
+    if (device != nullptr && !answers(*device)) { // unplugged since
         m_bus->close(std::move(device));
-        return {StatusCode::DeviceLost,
-                PALPATE_TEXT("forcedimension: the device was opened but gives no position; switch it off and on")};
+    }
+    if (device == nullptr) {
+        auto opened = m_bus->open(m_serial);
+        if (!opened.isOk()) {
+            return opened.status();
+        }
+        device = std::move(opened).value();
+        if (!answers(*device)) {
+            m_bus->close(std::move(device));
+            return {StatusCode::DeviceLost,
+                    PALPATE_TEXT("forcedimension: the device was opened but gives no position; switch it off and on")};
+        }
     }
     adopt(*device);
+    m_sensed = {};
     m_isStopWanted = false;
     m_isLost = false;
     m_states = 0;

@@ -69,8 +69,9 @@ class Driver final : public device::HapticDevice
     std::shared_ptr<Bus> m_bus;
     Settings m_settings;
     int m_serial;
-    DeviceIdentity m_identity; ///< written before the thread starts
-    Model m_model;             ///< written before the thread starts
+    DeviceIdentity m_identity;           ///< written before the thread starts
+    Model m_model;                       ///< written before the thread starts
+    std::unique_ptr<OpenDevice> m_ready; ///< opened at construction, until `start`
     std::thread m_thread;
     std::atomic<bool> m_isStopWanted{false};
 

@@ -255,6 +255,19 @@ class DhdFaults : public QObject
         QVERIFY(m_host->find("forcedimension").value().empty());
     }
 
+    void startsAfterTheDeviceWasPluggedInAgain()
+    {
+        const auto device = makeDhd(*m_host); // has it open
+        QVERIFY(device != nullptr);
+        m_bench->with([](standin::DhdBench& b) { standin::plugDhd(first(b), false); });
+        QCOMPARE(device->start().code(), core::StatusCode::NotFound);
+        m_bench->with([](standin::DhdBench& b) { standin::plugDhd(first(b), true); });
+        QVERIFY(device->start().isOk());
+        device->stop();
+        m_bench->with([](standin::DhdBench& b) { first(b).faults.error = 7; });
+        QCOMPARE(device->start().code(), core::StatusCode::DeviceLost);
+    }
+
     void everythingAtRandom()
     {
         press();
