@@ -20,6 +20,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace palpate::app {
 
@@ -126,22 +127,21 @@ core::Result<session::SessionMeasures> measure(const RecordingReader& reader, co
     }
     session::MeasureOptions how;
     how.distance_mm = distance.value();
-    auto measures = session::measureSession(reader, meshes, how);
+    const auto scene = options.scene.empty() ? study::sceneOfRecording(options.file) : study::openScene(options.scene);
+    auto organs = scene.isOk() ? study::computePalpability(scene.value())
+                               : core::Result<std::vector<study::OrganPalpability>>(scene.status());
+    if (scene.isOk() && !organs.isOk()) {
+        return organs.status();
+    }
+    auto measures = scene.isOk()
+                        ? study::measureSearch(reader, meshes, scene.value(), std::move(organs).value(), std::move(how))
+                        : session::measureSession(reader, meshes, how);
     if (measures.isOk()) {
         std::string names;
         for (const std::string& name : measures.value().unmeasured) {
             names += (names.empty() ? "" : ", ") + name;
         }
         isWhole = names.empty();
-        const auto scene =
-            options.scene.empty() ? study::sceneOfRecording(options.file) : study::openScene(options.scene);
-        if (scene.isOk()) {
-            auto lumps = study::searchedLumps(reader, scene.value(), how.distance_mm);
-            if (!lumps.isOk()) {
-                return lumps.status();
-            }
-            measures.value().lumps = std::move(lumps).value();
-        }
         if (!isWhole) {
             printError(PALPATE_TEXT("%1: no coverage of %2: %3; say where the scene is with --scene"), options.file,
                        names,

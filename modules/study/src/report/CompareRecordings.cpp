@@ -27,11 +27,6 @@ using core::StatusCode;
 using internal::column;
 using session::RecordingReader;
 
-Status cancelledStatus()
-{
-    return {StatusCode::Cancelled, PALPATE_TEXT("the comparison was cancelled")};
-}
-
 using Readers = std::array<std::unique_ptr<RecordingReader>, 2>;
 
 /// Opens two recordings that can be compared.
@@ -77,7 +72,6 @@ class Comparing
     {
         Status status = readSurfaces();
         status = status.isOk() ? measure() : status;
-        status = status.isOk() ? searchLumps() : status;
         if (!status.isOk()) {
             return status;
         }
@@ -114,40 +108,29 @@ class Comparing
 
     Status measure()
     {
-        session::MeasureOptions how;
-        how.distance_mm = m_options.distance_mm.value_or(sharedDistance_mm(*m_readers[0], *m_readers[1], m_surfaces));
-        for (std::size_t i = 0; i < m_readers.size(); ++i) {
-            if (!goesOn(0.4 * static_cast<double>(i))) {
-                return cancelledStatus();
+        const auto scene =
+            m_options.scene.empty() ? sceneOfRecording(m_readers[0]->path()) : openScene(m_options.scene);
+        std::vector<OrganPalpability> organs;
+        if (scene.isOk()) { // else readSurfaces has named the reason
+            auto computed =
+                computePalpability(scene.value(), {}, nullptr, [this](double share) { return goesOn(0.2 * share); });
+            if (!computed.isOk()) {
+                return computed.status();
             }
-            auto measures = session::measureSession(*m_readers[i], m_surfaces, how);
+            organs = std::move(computed).value();
+        }
+        for (std::size_t i = 0; i < m_readers.size(); ++i) {
+            session::MeasureOptions how;
+            how.distance_mm =
+                m_options.distance_mm.value_or(sharedDistance_mm(*m_readers[0], *m_readers[1], m_surfaces));
+            how.progress = [this, i](double share) { return goesOn(0.2 + 0.4 * (static_cast<double>(i) + share)); };
+            auto measures = scene.isOk()
+                                ? measureSearch(*m_readers[i], m_surfaces, scene.value(), organs, std::move(how))
+                                : session::measureSession(*m_readers[i], m_surfaces, how);
             if (!measures.isOk()) {
                 return measures.status();
             }
             m_measures[i] = std::move(measures).value();
-        }
-        return {};
-    }
-
-    Status searchLumps()
-    {
-        auto scene = m_options.scene.empty() ? sceneOfRecording(m_readers[0]->path()) : openScene(m_options.scene);
-        if (!scene.isOk()) {
-            return {}; // readSurfaces has named the reason
-        }
-        auto organs =
-            computePalpability(scene.value(), {}, nullptr, [this](double share) { return goesOn(0.8 + 0.1 * share); });
-        if (!organs.isOk()) {
-            return organs.status();
-        }
-        for (std::size_t i = 0; i < m_readers.size(); ++i) {
-            auto searched =
-                searchedLumps(*m_readers[i], scene.value(), m_measures[i].distance_mm, organs.value(),
-                              [&](double share) { return goesOn(0.9 + 0.05 * (static_cast<double>(i) + share)); });
-            if (!searched.isOk()) {
-                return searched.status();
-            }
-            m_measures[i].lumps = std::move(searched).value();
         }
         return {};
     }
