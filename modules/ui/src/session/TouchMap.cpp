@@ -15,9 +15,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -26,7 +24,6 @@ namespace palpate::ui {
 namespace {
 
 constexpr int kRedraw_ms = 250;
-constexpr double kUpperShare = 0.98; // of the touched places lies below the end of the colours
 
 /// Values to draw: NaN where the quantity is not known.
 std::vector<float> valuesOf(const TouchedStructure& touched, TouchQuantity quantity)
@@ -40,34 +37,6 @@ std::vector<float> valuesOf(const TouchedStructure& touched, TouchQuantity quant
                                                      : value;
     }
     return values;
-}
-
-/// The smallest of 1, 2 and 5 times a power of ten that is not below a positive value.
-double roundedUp(double value)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double digit : {1.0, 2.0, 5.0}) {
-        if (value <= digit * power * (1.0 + 1e-9)) {
-            return digit * power;
-        }
-    }
-    return 10.0 * power;
-}
-
-/// End of the colours for all structures.
-double upperEnd(const std::vector<std::vector<float>>& all)
-{
-    std::vector<float> known;
-    for (const std::vector<float>& values : all) {
-        std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](float v) { return std::isfinite(v); });
-    }
-    if (known.empty()) {
-        return 1.0;
-    }
-    const auto at =
-        known.begin() + static_cast<std::ptrdiff_t>(kUpperShare * static_cast<double>(known.size() - 1) + 0.5);
-    std::nth_element(known.begin(), at, known.end());
-    return roundedUp(double{*at});
 }
 
 QString areaText(double area_mm2, double all_mm2)
@@ -336,10 +305,12 @@ void TouchMap::paint(int row, vtkPolyData& picture)
 void TouchMap::drawValues(const std::vector<Drawn>& touched)
 {
     std::vector<std::vector<float>> values;
+    std::vector<float> all;
     for (const Drawn& one : touched) {
         values.push_back(valuesOf(*one.first, m_quantity));
+        all.insert(all.end(), values.back().begin(), values.back().end());
     }
-    const double high = m_quantity == TouchQuantity::Covered ? 1.0 : upperEnd(values);
+    const double high = m_quantity == TouchQuantity::Covered ? 1.0 : session::mapEnd(all);
     double all_mm2 = 0.0, covered_mm2 = 0.0, above_mm2 = 0.0;
     for (std::size_t i = 0; i < touched.size(); ++i) {
         const TouchedStructure& one = *touched[i].first;
