@@ -3,6 +3,8 @@
 
 #include "shared/Console.h"
 
+#include <palpate/core/VisibleText.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <string>
