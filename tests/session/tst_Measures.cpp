@@ -5,6 +5,7 @@
 #include "Sessions.h"
 #include "tables/Contacts.h"
 
+#include <palpate/session/CompareSessions.h>
 #include <palpate/session/GeometryHash.h>
 #include <palpate/session/MeasureSession.h>
 #include <palpate/session/RecordingWriter.h>
@@ -67,6 +68,22 @@ class Measures : public QObject
         QCOMPARE(m.structures.begin()->first, std::string("liver"));
         QCOMPARE(m.structures.begin()->second.time_s, 3e-3);
         QCOMPARE(m.structures.begin()->second.meanForce_N, 1.0);
+    }
+
+    void compareForcesByTheThresholdOfTheHand()
+    {
+        session::ComparedMeasure force{"", {}, 4, true, 2.0, 2.13};
+        QCOMPARE(force.isNoticeable(), std::optional(false)); // 6.5 %
+        force.second = 1.85;
+        QCOMPARE(force.isNoticeable(), std::optional(true)); // -7.5 %
+        QVERIFY(std::abs(*force.difference() + 0.15) < 1e-12);
+        force.isForce = false;
+        QVERIFY(!force.isNoticeable()); // a depth, or a time
+        force.isForce = true;
+        force.first = 0.0;
+        QVERIFY(!force.isNoticeable() && !force.difference_percent());
+        force.first.reset(); // never touched
+        QVERIFY(!force.isNoticeable() && !force.difference());
     }
 
     void doNotCountMovesAcrossALoss()
@@ -269,8 +286,7 @@ class Measures : public QObject
             QCOMPARE(refused.status().code(), core::StatusCode::OutOfRange);
             QVERIFY(refused.status().message().find("expected at least 0.04 mm") != std::string::npos);
         }
-        const std::atomic<bool> yes{true};
-        QCOMPARE(session::measureSession(*reader.value(), {}, {4.0, &yes}).status().code(),
+        QCOMPARE(session::measureSession(*reader.value(), {}, {4.0, [](double) { return false; }}).status().code(),
                  core::StatusCode::Cancelled);
     }
 

@@ -234,6 +234,34 @@ class Recording : public QObject
         QVERIFY2(status.message().find(range.toStdString()) != std::string::npos, status.message().c_str());
     }
 
+    /// Blocks that were intact are read again without SHA-256, but not without a check.
+    void findsATickThatChangesAfterItWasRead()
+    {
+        QVERIFY(test::writeRecording(path("again.palpate"), test::palpationTicks(2000)));
+        const auto reader = RecordingReader::open(path("again.palpate"));
+        const auto read = [&reader] {
+            int ticks = 0;
+            return reader.value()->forEach(0, 1999, [&](const servo::TickRecord&) { return ++ticks > 0; }).isOk()
+                       ? ticks
+                       : -1;
+        };
+        QCOMPARE(read(), 2000);
+        QCOMPARE(read(), 2000);
+        QVERIFY(reader.value()->faults().empty() && reader.value()->verify().isOk());
+        QVERIFY(test::runSql(path("again.palpate"), "UPDATE ticks SET hip_x = hip_x + 1e-12 WHERE tick = 700"));
+        QCOMPARE(read(), 1750); // without the block of 250 ticks
+        QCOMPARE(reader.value()->faults().size(), std::size_t{1});
+        QVERIFY(reader.value()->faults().front().english().find("ticks 500 to 749") != std::string::npos);
+    }
+
+    void checksCanBeCancelled()
+    {
+        QVERIFY(test::writeRecording(path("again.palpate"), test::palpationTicks(2000)));
+        const auto reader = RecordingReader::open(path("again.palpate"));
+        QCOMPARE(reader.value()->verify([](double) { return false; }).code(), core::StatusCode::Cancelled);
+        QVERIFY(reader.value()->verify([](double share) { return share >= 0.0 && share <= 1.0; }).isOk());
+    }
+
     /// Numbers that would give unbounded forces: the file is rejected, and the intact part can be recovered.
     void refusesATissueThatNoSceneHas_data()
     {

@@ -222,7 +222,7 @@ class Report : public QObject
         QVERIFY2(warnings(report).isEmpty(), qPrintable(warnings(report).join('\n')));
         QVERIFY(all.verification.checksums.isOk());
         QVERIFY(all.verification.resimulated->isSame());
-        QCOMPARE(report.views.size(), std::size_t{4});
+        QCOMPARE(report.views.size(), std::size_t{8}); // 2 of the scene, 2 of findings, 4 maps of touch
         QCOMPARE(report.places.size(), std::size_t{2});
         // The verdict names the ratio that it rests on.
         const study::ReportTable* lumps = tableWith(report, "Stiffness ratio");
@@ -238,6 +238,37 @@ class Report : public QObject
         QCOMPARE(findings->rows[1][4].english, std::string("0.1 0.0 60.0"));
         QCOMPARE(findings->rows[1][6].english, std::string("1.25"));
         QCOMPARE(findings->rows[1][8].english, std::string("0.5"));
+    }
+
+    /// The legend has the covered area of the measures; few places lie beyond the end of the colours.
+    void mapsAgreeWithTheMeasures()
+    {
+        record(1);
+        const study::ReportFacts all = facts();
+        const study::Report report = study::composeReport(all);
+        QCOMPARE(report.maps.size(), std::size_t{2});
+        const auto surface = std::find_if(all.measures.surfaces.begin(), all.measures.surfaces.end(),
+                                          [](const session::SurfaceMeasures& one) { return one.surface != nullptr; });
+        QVERIFY(surface != all.measures.surfaces.end());
+        const auto rounded = [](double value, int digits) { return QString::number(value, 'g', digits); };
+        const QString touched =
+            QString("touched: %1 cm², %2 %")
+                .arg(rounded(0.01 * surface->coveredArea_mm2, 4), rounded(100.0 * surface->coverage(), 3));
+        for (const study::ReportMap& map : report.maps) {
+            QCOMPARE(QString::fromStdString(map.legend.at(1).english()), touched);
+            const std::vector<float> values = study::mapValues(*surface->surface, map.quantity);
+            const auto count = [&](double above) {
+                return std::count_if(values.begin(), values.end(), [above](float value) { return value > above; });
+            };
+            QVERIFY(count(0.0) > 10);
+            QVERIFY(50 * count(map.end) <= count(0.0) + 50); // 2 %
+            QVERIFY(count(0.39 * map.end) > 0);              // else a lower end of 1, 2 or 5 would do
+        }
+        QCOMPARE(report.maps[1].legend[0].english(), std::string("Largest force, N"));
+        for (const study::ReportView& view : report.views) {
+            QVERIFY(!view.map || view.from != study::ReportView::From::Finding);
+        }
+        QVERIFY(study::composeReport(all, core::Message(PALPATE_TEXT("none"))).maps.empty());
     }
 
     /// The curve keeps the peak however long the session is, in a fixed number of spans.
@@ -370,7 +401,7 @@ class Report : public QObject
     {
         record(500);
         const study::Report report = study::composeReport(facts());
-        QCOMPARE(report.views.size(), 2 + study::kReportedPictures);
+        QCOMPARE(report.views.size(), 2 + 4 + study::kReportedPictures);
         const QImage picture(40, 30, QImage::Format_RGB888);
         const QByteArray pdf = ui::reportPdf(report, std::vector<QImage>(report.views.size(), picture));
         QVERIFY(pdf.startsWith("%PDF-1."));
@@ -396,7 +427,7 @@ class Report : public QObject
     {
         record(5);
         const study::ReportFacts all = facts();
-        auto views = ui::ReportViews::create(*all.scene);
+        auto views = ui::ReportViews::create(all);
         if (!views.isOk()) {
             QCOMPARE(views.status().code(), core::StatusCode::Unsupported);
             QSKIP("no OpenGL: pictures are not drawn");
@@ -408,7 +439,7 @@ class Report : public QObject
             QCOMPARE(3 * pictures.back().width(), 4 * pictures.back().height());
             QVERIFY(i == 0 || pictures[i] != pictures[i - 1]);
         }
-        QCOMPARE(pictures.size(), std::size_t{7});
+        QCOMPARE(pictures.size(), std::size_t{11});
         if (const QString folder = qEnvironmentVariable("PALPATE_TEST_PICTURES"); !folder.isEmpty()) {
             for (const char* name : {"/report.pdf", "/report.html"}) {
                 QVERIFY(ui::writeReport((folder + name).toStdString(), report, pictures).isOk());

@@ -77,8 +77,9 @@ class SearchedLumps : public QObject
             return {};
         }
         const auto reader = session::RecordingReader::open(file);
-        const auto found = study::searchedLumps(*reader.value(), m_scene, kDistance_mm);
-        return found.isOk() && found.value().size() == 1 ? found.value()[0] : session::LumpSearch();
+        const auto organs = study::computePalpability(m_scene);
+        const auto found = study::measureSearch(*reader.value(), {}, m_scene, organs.value(), {kDistance_mm});
+        return found.isOk() && found.value().lumps.size() == 1 ? found.value().lumps[0] : session::LumpSearch();
     }
     /// Positions 3 mm apart that cover the top.
     static std::vector<Vec3> lattice()

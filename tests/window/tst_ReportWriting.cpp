@@ -112,7 +112,7 @@ class ReportWriting : public QObject
             const QByteArray base64 = html.mid(at, html.indexOf('"', at) - at);
             pictures << QImage::fromData(QByteArray::fromBase64(base64));
         }
-        QCOMPARE(pictures.size(), qsizetype{2});
+        QCOMPARE(pictures.size(), qsizetype{2 + 4}); // views, and maps of time and force
         for (const QImage& picture : pictures) {
             QCOMPARE(3 * picture.width(), 4 * picture.height());
             QVERIFY(picture.pixelColor(3, 3).lightness() > 245); // white around
@@ -125,6 +125,22 @@ class ReportWriting : public QObject
             QVERIFY2(tissue > picture.width() * picture.height() / 16 / 10, qPrintable(QString::number(tissue)));
         }
         QVERIFY(pictures[0] != pictures[1]);
+        // The brightest touched place is yellow, a colour that nothing in the scene has.
+        const auto yellows = [](const QImage& picture) {
+            int count = 0;
+            for (int x = 0; x < picture.width(); x += 4) {
+                for (int y = 0; y < picture.height(); y += 4) {
+                    const QColor c = picture.pixelColor(x, y);
+                    count += c.hue() > 40 && c.hue() < 65 && c.saturation() > 60 ? 1 : 0;
+                }
+            }
+            return count;
+        };
+        for (const int map : {2, 4}) { // from the front
+            QVERIFY2(yellows(pictures[map]) > yellows(pictures[0]) + 20,
+                     qPrintable(QString::number(yellows(pictures[map]))));
+        }
+        QVERIFY(pictures[2] != pictures[4]);
     }
 
     void refusesOtherNames()

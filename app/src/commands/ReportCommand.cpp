@@ -51,7 +51,7 @@ std::vector<QImage> drawPictures(const study::ReportFacts& facts, study::Report&
     if (facts.scene == nullptr) {
         return {};
     }
-    auto views = ui::ReportViews::create(*facts.scene);
+    auto views = ui::ReportViews::create(facts);
     if (!views.isOk()) {
         unpictured = views.status().text();
         report = study::composeReport(facts, unpictured);

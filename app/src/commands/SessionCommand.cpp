@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/Commands.h"
+#include "reports/ComparisonReport.h"
 #include "reports/MeasuresReport.h"
 #include "reports/SessionReport.h"
 #include "shared/Console.h"
@@ -9,6 +10,7 @@
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/Recovery.h>
 #include <palpate/session/Replay.h>
+#include <palpate/study/CompareRecordings.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/SearchedLumps.h>
 #include <palpate/study/SessionExport.h>
@@ -18,6 +20,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace palpate::app {
 
@@ -29,7 +32,7 @@ namespace {
 
 struct SessionOptions
 {
-    std::filesystem::path file, scene, csv, vtp, json, out;
+    std::filesystem::path file, second, scene, csv, vtp, json, out;
     std::string distance;  ///< empty: fingertip radius of the recording
     bool isForced = false; ///< allows replacing files
 };
@@ -124,22 +127,21 @@ core::Result<session::SessionMeasures> measure(const RecordingReader& reader, co
     }
     session::MeasureOptions how;
     how.distance_mm = distance.value();
-    auto measures = session::measureSession(reader, meshes, how);
+    const auto scene = options.scene.empty() ? study::sceneOfRecording(options.file) : study::openScene(options.scene);
+    auto organs = scene.isOk() ? study::computePalpability(scene.value())
+                               : core::Result<std::vector<study::OrganPalpability>>(scene.status());
+    if (scene.isOk() && !organs.isOk()) {
+        return organs.status();
+    }
+    auto measures = scene.isOk()
+                        ? study::measureSearch(reader, meshes, scene.value(), std::move(organs).value(), std::move(how))
+                        : session::measureSession(reader, meshes, how);
     if (measures.isOk()) {
         std::string names;
         for (const std::string& name : measures.value().unmeasured) {
             names += (names.empty() ? "" : ", ") + name;
         }
         isWhole = names.empty();
-        const auto scene =
-            options.scene.empty() ? study::sceneOfRecording(options.file) : study::openScene(options.scene);
-        if (scene.isOk()) {
-            auto lumps = study::searchedLumps(reader, scene.value(), how.distance_mm);
-            if (!lumps.isOk()) {
-                return lumps.status();
-            }
-            measures.value().lumps = std::move(lumps).value();
-        }
         if (!isWhole) {
             printError(PALPATE_TEXT("%1: no coverage of %2: %3; say where the scene is with --scene"), options.file,
                        names,
@@ -150,41 +152,95 @@ core::Result<session::SessionMeasures> measure(const RecordingReader& reader, co
     return measures;
 }
 
+/// JSON output of a command: a file, or stdout, which then contains only JSON.
+class JsonOutput
+{
+  public:
+    /// Checks the output and creates the file. @param path  "-": stdout; empty: none
+    Status open(const std::filesystem::path& path, const std::vector<std::filesystem::path>& inputs)
+    {
+        m_isPiped = path == "-";
+        if (path.empty() || m_isPiped) {
+            return {};
+        }
+        if (Status status = checkOutputs(inputs, {path}); !status.isOk()) {
+            return status;
+        }
+        auto file = core::AtomicFile::create(path);
+        if (file.isOk()) {
+            m_file = std::move(file).value();
+        }
+        return file.status();
+    }
+    [[nodiscard]] bool isPiped() const noexcept { return m_isPiped; }
+    Status write(const std::string& json)
+    {
+        if (m_isPiped) {
+            printJson(json);
+        }
+        if (!m_file) {
+            return {};
+        }
+        m_file->write(json);
+        return m_file->finish();
+    }
+
+  private:
+    bool m_isPiped = false;
+    std::optional<core::AtomicFile> m_file;
+};
+
 int runMeasure(const SessionOptions& options)
 {
     const auto opened = RecordingReader::open(options.file);
     if (!opened.isOk()) {
         return report(opened.status());
     }
-    const bool isPiped = options.json == "-"; // stdout then contains only JSON
-    if (const Status status = checkOutputs({options.file, options.scene}, {options.json}); !isPiped && !status.isOk()) {
+    JsonOutput json;
+    if (const Status status = json.open(options.json, {options.file, options.scene}); !status.isOk()) {
         return report(status);
-    }
-    std::optional<core::AtomicFile> json;
-    if (!options.json.empty() && !isPiped) {
-        auto file = core::AtomicFile::create(options.json);
-        if (!file.isOk()) {
-            return report(file.status());
-        }
-        json = std::move(file).value();
     }
     bool isWhole = true;
     const auto measures = measure(*opened.value(), options, isWhole);
     if (!measures.isOk()) {
         return report(measures.status());
     }
-    if (isPiped) {
-        printJson(study::measuresJson(measures.value()));
-    } else {
+    if (!json.isPiped()) {
         printMeasures(measures.value());
     }
-    if (json) {
-        json->write(study::measuresJson(measures.value()));
-        if (const Status status = json->finish(); !status.isOk()) {
-            return report(status);
-        }
+    if (const Status status = json.write(study::measuresJson(measures.value())); !status.isOk()) {
+        return report(status);
     }
     return reportDamage(options.file, measures.value().damaged, isWhole ? kDone : kSomeLost);
+}
+
+int runCompare(const SessionOptions& options)
+{
+    study::CompareOptions how;
+    how.scene = options.scene;
+    if (!options.distance.empty()) {
+        const auto distance = numberOption("--distance", options.distance, {.isAbove = true});
+        if (!distance.isOk()) {
+            return report(distance.status());
+        }
+        how.distance_mm = distance.value();
+    }
+    JsonOutput json;
+    if (const Status status = json.open(options.json, {options.file, options.second, options.scene}); !status.isOk()) {
+        return report(status);
+    }
+    const auto compared = study::compareRecordings(options.file, options.second, how);
+    if (!compared.isOk()) {
+        return report(compared.status());
+    }
+    if (!json.isPiped()) {
+        print("A: %s\nB: %s\n", options.file.string().c_str(), options.second.string().c_str());
+        printCompared(compared.value());
+    }
+    if (const Status status = json.write(study::comparisonJson(compared.value())); !status.isOk()) {
+        return report(status);
+    }
+    return reportLosses(compared.value().missing);
 }
 
 int exportAll(const SessionOptions& options, const RecordingReader& reader)
@@ -269,6 +325,10 @@ void addSessionCommand(CLI::App& app, Chosen& chosen)
     CLI::App* measure = add("measure", "Say what the hand did, in numbers", runMeasure);
     measure->add_option("--json", options->json, "Write the measures as JSON; - for stdout, and nothing else there");
     addSurfaceOptions(measure);
+    CLI::App* compare = add("compare", "Compare two recordings of the same surfaces", runCompare);
+    compare->add_option("SECOND", options->second, "Second recording")->required();
+    compare->add_option("--json", options->json, "Write the comparison as JSON; - for stdout, and nothing else there");
+    addSurfaceOptions(compare);
     CLI::App* exporter = add("export", "Write its ticks, path and touched surface in other forms", runExport);
     exporter->add_option("--csv", options->csv, "Write the ticks as CSV");
     exporter->add_option("--vtp", options->vtp,

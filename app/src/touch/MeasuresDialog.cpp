@@ -160,18 +160,16 @@ void MeasuresDialog::measure(session::MeshesByHash meshes)
                 }
             }
             session::MeasureOptions options;
-            options.isCancelled = &m_isClosing;
+            const auto goesOn = [this](double) { return !m_isClosing; };
+            options.progress = goesOn;
             options.distance_mm = study::defaultDistance_mm(*reader.value(), meshes);
             isFingertip = study::hasFingertip(*reader.value());
-            *measured = session::measureSession(*reader.value(), meshes, options);
             const auto scene = study::sceneOfRecording(m_recording);
-            if (measured->isOk() && scene.isOk()) {
-                auto lumps = study::searchedLumps(*reader.value(), scene.value(), options.distance_mm,
-                                                  [this](double) { return !m_isClosing; });
-                if (lumps.isOk()) {
-                    measured->value().lumps = std::move(lumps).value();
-                }
-            }
+            auto organs = scene.isOk() ? study::computePalpability(scene.value(), {}, nullptr, goesOn)
+                                       : core::Result<std::vector<study::OrganPalpability>>(scene.status());
+            *measured = organs.isOk() ? study::measureSearch(*reader.value(), meshes, scene.value(),
+                                                             std::move(organs).value(), std::move(options))
+                                      : session::measureSession(*reader.value(), meshes, options);
         }
         if (!m_isClosing) {
             QMetaObject::invokeMethod(

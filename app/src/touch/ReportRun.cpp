@@ -76,7 +76,7 @@ void ReportRun::takeFacts(core::Result<study::ReportFacts> facts)
         m_missing << ui::translated(one);
     }
     if (m_facts->scene != nullptr) {
-        auto views = ui::ReportViews::create(*m_facts->scene);
+        auto views = ui::ReportViews::create(*m_facts);
         if (views.isOk()) {
             m_views = std::move(views).value();
         } else {

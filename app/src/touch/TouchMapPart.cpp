@@ -39,6 +39,7 @@ TouchMapPart::TouchMapPart(const WindowCore& core, ui::MapDisplay& maps, const u
     m_sampling.setInterval(kSample_ms);
     connect(&m_sampling, &QTimer::timeout, this, &TouchMapPart::sample);
     connect(&playback, &ui::Playback::momentShown, m_map, &ui::TouchMap::setPosition);
+    connect(&playback, &ui::Playback::secondMomentShown, m_map, &ui::TouchMap::setSecondPosition);
     connect(m_map, &ui::TouchMap::shownChanged, &maps, &ui::MapDisplay::setCovered);
     connect(m_map, &ui::TouchMap::failed, this, [this](const QString& why) { m_core.notices.warn({why}); });
 }
@@ -103,6 +104,12 @@ void TouchMapPart::restart()
     m_map->restart(fingertip_mm > 0.0 ? std::max(fingertip_mm, kLeast_mm) : kPoint_mm);
 }
 
+void TouchMapPart::compare(double distance_mm)
+{
+    m_map->setSecond(m_playback.second()->path(), distance_mm);
+    select(static_cast<int>(TouchQuantity::Covered));
+}
+
 void TouchMapPart::showState(const WindowState& state)
 {
     m_core.actions.setEnabled({"touch-map", "touch-map-next", "touch-map-back"}, state.hasScene);
@@ -112,6 +119,9 @@ void TouchMapPart::showState(const WindowState& state)
     }
     m_isRecording = state.isRecording;
     m_map->setRecording(isRecorded ? m_playback.recording()->path() : std::filesystem::path());
+    if (m_playback.second() == nullptr) {
+        m_map->setSecond({}, 0.0);
+    }
     if (state.hasScene && !isRecorded) {
         m_sampling.start();
     } else {

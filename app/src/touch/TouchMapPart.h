@@ -29,6 +29,8 @@ class TouchMapPart : public WindowPart
     ~TouchMapPart() override;
     void addActions() override;
     void showState(const WindowState& state) override;
+    /// Shows what the two hands of the player touched. @param distance_mm  distance that counts as touched in both
+    void compare(double distance_mm);
 
   private:
     void select(int quantity);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window/MainWindow.h"
 
+#include "compare/ComparisonPart.h"
 #include "inside/ImagePart.h"
 #include "inside/PeekPart.h"
 #include "inside/SectionPart.h"
@@ -146,6 +147,7 @@ void MainWindow::makeParts()
     m_coordinates = keep(new CoordinatesPart(core, *m_document, *m_files));
     auto* lumps = keep(new LumpsPart(core, {structures->maps(), structures->pointed(), m_files->loader(), *progress}));
     auto* touchMap = keep(new TouchMapPart(core, structures->maps(), m_recording->playback()));
+    auto* comparison = keep(new ComparisonPart(core, m_recording->playback(), *touchMap));
     m_distances =
         keep(new DistancesPart(core, {*m_document, *m_touch, structures->maps(), structures->pointed(), *progress}));
     auto* engineering = keep(new EngineeringPart(core, m_touch->panel(), m_device->hand()));
@@ -161,10 +163,10 @@ void MainWindow::makeParts()
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files,  m_document,    picture,  report,      structures,  m_touch,
-                          m_device, fingertip,     motion,   m_recording, findings,    results,
-                          lumps,    m_distances,   touchMap, section,     image,       peek,
-                          m_view,   m_coordinates, m_docks,  m_notices,   engineering, m_help};
+    const Parts menuOrder{m_files,     m_document, picture,     report,   structures, m_touch,    m_device,
+                          fingertip,   motion,     m_recording, findings, results,    comparison, lumps,
+                          m_distances, touchMap,   section,     image,    peek,       m_view,     m_coordinates,
+                          m_docks,     m_notices,  engineering, m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }

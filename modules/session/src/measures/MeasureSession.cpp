@@ -139,6 +139,8 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
     TouchedSurfaces surfaces(
         meshes, [&reader](std::uint32_t scene, std::uint32_t structure) { return keyOf(reader, scene, structure); },
         options.distance_mm);
+    constexpr std::int64_t kAsk = 4096; // ticks between two calls of the progress
+    std::int64_t ticks = 0;
     bool isCancelled = false;
     const Status status = reader.forEach(
         std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
@@ -148,7 +150,10 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
             structurePhases.add(tick, reader);
             findings.add(tick);
             surfaces.add(tick, static_cast<double>(tick.tick) * dt_s, dt_s);
-            isCancelled = options.isCancelled != nullptr && *options.isCancelled;
+            if (options.sink) {
+                options.sink(tick);
+            }
+            isCancelled = ticks++ % kAsk == 0 && options.progress && !options.progress(reader.shareBefore(tick.tick));
             return !isCancelled;
         });
     if (!status.isOk()) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -168,6 +170,26 @@ double TouchedSurface::coveredArea_mm2() const
         covered_mm2 += m_dwell_s[i] > 0.0 ? m_share_mm2[i] : 0.0;
     }
     return covered_mm2;
+}
+
+double mapEnd(const std::vector<float>& values)
+{
+    constexpr double kShare = 0.98;
+    std::vector<float> touched;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(touched), [](float value) { return value > 0.0F; });
+    if (touched.empty()) {
+        return 1.0;
+    }
+    const auto at =
+        touched.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(touched.size() - 1) + 0.5);
+    std::nth_element(touched.begin(), at, touched.end());
+    const double end = *at, power = std::pow(10.0, std::floor(std::log10(end)));
+    for (const double digit : {1.0, 2.0, 5.0}) {
+        if (end <= digit * power * (1.0 + 1e-9)) {
+            return digit * power;
+        }
+    }
+    return 10.0 * power;
 }
 
 } // namespace palpate::session

@@ -277,6 +277,14 @@ Status RecordingReader::forEach(std::int64_t first, std::int64_t last,
     return {};
 }
 
+double RecordingReader::shareBefore(std::int64_t tick) const noexcept
+{
+    const RecordingExtent& extent = m_d->extent;
+    return std::clamp(static_cast<double>(tick - extent.firstTick) /
+                          static_cast<double>(std::max<std::int64_t>(1, extent.lastTick - extent.firstTick)),
+                      0.0, 1.0);
+}
+
 std::optional<servo::TickRecord> RecordingReader::at(std::int64_t tick) const
 {
     for (auto number = m_d->blockUpTo(tick); number; number = *number > 0 ? std::optional(*number - 1) : std::nullopt) {
@@ -330,9 +338,17 @@ core::Result<Motion> RecordingReader::motion() const
     return motion;
 }
 
-Status RecordingReader::verify() const
+Status RecordingReader::verify(const std::function<bool(double)>& progress) const
 {
-    const internal::Survey found = internal::survey(m_d->tables, m_d->meta);
+    bool isCancelled = false;
+    const internal::Survey found = internal::survey(m_d->tables, m_d->meta, [&](double share) {
+        isCancelled = progress && !progress(share);
+        return !isCancelled;
+    });
+    if (isCancelled) {
+        return {StatusCode::Cancelled, PALPATE_TEXT("the check was cancelled")};
+    }
+    m_d->lines.know(found.known);
     if (!found.faults.empty()) {
         const core::Message& first = found.faults.front();
         return m_d->named({StatusCode::Mismatch,

@@ -7,7 +7,7 @@
 
 namespace palpate::session::internal {
 
-Survey survey(const RecordingTables& tables, const MetaTable& meta)
+Survey survey(const RecordingTables& tables, const MetaTable& meta, const std::function<bool(double)>& progress)
 {
     Survey result;
     const auto note = [&result](const core::Status& status) {
@@ -30,11 +30,17 @@ Survey survey(const RecordingTables& tables, const MetaTable& meta)
     }
     CheckedLines lines(tables, meta, scenes, events);
     note(lines.read());
+    constexpr std::size_t kAsk = 64; // blocks between two calls of the progress
     for (std::size_t i = 0; i < lines.blocks().size(); ++i) {
+        if (i % kAsk == 0 && progress &&
+            !progress(static_cast<double>(i) / static_cast<double>(lines.blocks().size()))) {
+            return result;
+        }
         if (lines.block(i)->isIntact) {
             result.blocks.push_back(lines.blocks()[i]);
         }
     }
+    result.known = lines.known();
     result.covered = lines.covered();
     result.faults.insert(result.faults.end(), lines.faults().begin(), lines.faults().end());
     for (const std::string& hash : tables.embeddedHashes()) {

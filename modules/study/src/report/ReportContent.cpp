@@ -125,6 +125,7 @@ class Composition
         add(distances());
         add(sizes());
         add(touch());
+        add(mapsOfTouch());
         add(force());
         add(internal::methodSection(m_facts));
         add(internal::dataSection(m_facts));
@@ -516,6 +517,73 @@ class Composition
         return section;
     }
 
+    /// Makes a map of all touched surfaces.
+    ReportMap mapOf(ReportMap::Quantity quantity) const
+    {
+        std::vector<float> values;
+        double all_mm2 = 0.0, covered_mm2 = 0.0, above_mm2 = 0.0;
+        for (const session::SurfaceMeasures* one : m_touched) {
+            const std::vector<float> own = mapValues(*one->surface, quantity);
+            values.insert(values.end(), own.begin(), own.end());
+            all_mm2 += one->area_mm2;
+            covered_mm2 += one->coveredArea_mm2;
+        }
+        ReportMap map{quantity, session::mapEnd(values), {}};
+        std::size_t place = 0;
+        for (const session::SurfaceMeasures* one : m_touched) {
+            for (const double share_mm2 : one->surface->share_mm2()) {
+                above_mm2 += double{values[place++]} > map.end ? share_mm2 : 0.0;
+            }
+        }
+        const auto area = [all_mm2](double mm2) {
+            return Message(PALPATE_TEXT("%1 cm², %2 %"), Rounded{0.01 * mm2, 4}, Rounded{100.0 * mm2 / all_mm2, 3});
+        };
+        map.legend.push_back(quantity == ReportMap::Quantity::Dwell ? Message(PALPATE_TEXT("Time spent, s"))
+                                                                    : Message(PALPATE_TEXT("Largest force, N")));
+        map.legend.push_back({PALPATE_TEXT("touched: %1"), area(covered_mm2)});
+        if (above_mm2 > 0.0) {
+            map.legend.push_back({PALPATE_TEXT("above %1: %2"), map.end, area(above_mm2)});
+        }
+        return map;
+    }
+
+    /// Time and force on the touched surfaces, each from the front and the left.
+    ReportSection mapsOfTouch()
+    {
+        for (const session::SurfaceMeasures& surface : m_measures.surfaces) {
+            if (surface.surface != nullptr && surface.coveredArea_mm2 > 0.0) {
+                m_touched.push_back(&surface);
+            }
+        }
+        if (!m_hasPictures || m_touched.empty()) {
+            return {};
+        }
+        ReportSection section{{PALPATE_TEXT("Map of touch")}, {}};
+        for (const auto quantity : {ReportMap::Quantity::Dwell, ReportMap::Quantity::PeakForce}) {
+            const std::size_t number = m_report.maps.size();
+            m_report.maps.push_back(mapOf(quantity));
+            const std::vector<Message>& legend = m_report.maps.back().legend;
+            ReportPictures both;
+            for (const auto from : {ReportView::From::Front, ReportView::From::Left}) {
+                const Message side = from == ReportView::From::Front ? Message(PALPATE_TEXT("from the front"))
+                                                                     : Message(PALPATE_TEXT("from the patient's left"));
+                both.pictures.push_back({addView({from, 0, number}),
+                                         {PALPATE_TEXT("%1: %2"), legend.front(), side},
+                                         {PALPATE_TEXT("Map of touch %1. %2, colours up to %3; %4."), side,
+                                          legend.front(), m_report.maps.back().end, legend[1]}});
+            }
+            section.blocks.emplace_back(std::move(both));
+        }
+        section.blocks.emplace_back(ReportText{
+            {PALPATE_TEXT(
+                 "The brighter a place, the longer or more firmly the contact came within %1 mm. Places in the "
+                 "colour of the structure were not touched. Shares refer to the surfaces of the touched "
+                 "structures, which are drawn opaque. The colours end at the 98th percentile, rounded up."),
+             Rounded{m_measures.distance_mm, 3}},
+            false});
+        return section;
+    }
+
     ReportSection force() const
     {
         ReportSection section{{PALPATE_TEXT("Force over time")}, {}};
@@ -537,11 +605,21 @@ class Composition
     const ReportFacts& m_facts;
     const session::SessionMeasures& m_measures;
     std::vector<const session::FindingMeasures*> m_places; ///< findings with a place, by number
+    std::vector<const session::SurfaceMeasures*> m_touched;
     bool m_hasPictures = false;
     Report m_report;
 };
 
 } // namespace
+
+std::vector<float> mapValues(const session::TouchedSurface& surface, ReportMap::Quantity quantity)
+{
+    const std::vector<double>& values =
+        quantity == ReportMap::Quantity::Dwell ? surface.dwell_s() : surface.peakForce_N();
+    std::vector<float> out(values.size());
+    std::transform(values.begin(), values.end(), out.begin(), [](double value) { return static_cast<float>(value); });
+    return out;
+}
 
 Report composeReport(const ReportFacts& facts, const Message& unpictured)
 {

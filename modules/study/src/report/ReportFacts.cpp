@@ -36,7 +36,7 @@ class Gathering
     Result<ReportFacts> run()
     {
         for (Status (Gathering::*step)() : {&Gathering::checkFile, &Gathering::readSurfaces, &Gathering::resimulate,
-                                            &Gathering::measure, &Gathering::searchLumps, &Gathering::reduceForce}) {
+                                            &Gathering::computeLumps, &Gathering::measure, &Gathering::measureScene}) {
             if (Status status = (this->*step)(); !status.isOk()) {
                 return status;
             }
@@ -57,26 +57,28 @@ class Gathering
         }
     }
     const session::RecordingReader& reader() const { return *m_facts.recording; }
-    /// Returns the part of the recording before a tick, 0 to 1.
-    double shareAt(std::int64_t tick) const
+    /// Returns a progress callback for a step. @param from,  to  shares of the whole work
+    std::function<bool(double)> shown(double from, double to, const Message& step) const
     {
-        const session::RecordingExtent& extent = reader().extent();
-        return static_cast<double>(tick - extent.firstTick) /
-               static_cast<double>(std::max<std::int64_t>(1, extent.lastTick - extent.firstTick));
+        return [this, from, to, step](double share) {
+            show(from + (to - from) * share, step);
+            return !isCancelled();
+        };
     }
 
     Status checkFile()
     {
-        show(0.0, {PALPATE_TEXT("Checking the recording")});
+        const Message step(PALPATE_TEXT("Checking the recording"));
+        show(0.0, step);
         m_facts.sha256 = meshio::fileHash(reader().path());
-        m_facts.verification.checksums = reader().verify();
+        m_facts.verification.checksums = reader().verify(shown(0.05, 0.25, step));
         return {};
     }
 
     /// Finds the surfaces and the scene of the recording.
     Status readSurfaces()
     {
-        show(0.15, {PALPATE_TEXT("Reading the surfaces")});
+        show(0.25, {PALPATE_TEXT("Reading the surfaces")});
         auto surfaces = recordedSurfaces(reader(), m_options.scene);
         auto scene = m_options.scene.empty() ? sceneOfRecording(reader().path()) : openScene(m_options.scene);
         if (!m_options.scene.empty()) {
@@ -116,7 +118,7 @@ class Gathering
     Status resimulate()
     {
         const Message step(PALPATE_TEXT("Computing the recording again"));
-        show(0.25, step);
+        show(0.3, step);
         Verification& verification = m_facts.verification;
         if (!m_noSurfaces.isEmpty()) {
             verification.notResimulated = m_noSurfaces;
@@ -125,7 +127,7 @@ class Gathering
         std::int64_t ticks = 0;
         auto result = session::resimulate(reader(), indexedByHash(m_surfaces), [&](const servo::TickRecord& tick) {
             if (++ticks % kPolled == 0) {
-                show(0.25 + 0.25 * shareAt(tick.tick), step);
+                show(0.3 + 0.3 * reader().shareBefore(tick.tick), step);
             }
             return !isCancelled();
         });
@@ -137,82 +139,76 @@ class Gathering
         return {};
     }
 
-    Status measure()
-    {
-        show(0.5, {PALPATE_TEXT("Measuring")});
-        session::MeasureOptions how;
-        how.distance_mm = defaultDistance_mm(reader(), m_surfaces);
-        how.isCancelled = m_options.isCancelled;
-        auto measures = session::measureSession(reader(), m_surfaces, how);
-        if (!measures.isOk()) {
-            return measures.status();
-        }
-        m_facts.measures = std::move(measures).value();
-        return {};
-    }
-
-    Status searchLumps()
+    Status computeLumps()
     {
         if (m_facts.scene == nullptr) {
             return {};
         }
-        const auto shown = [this](double from, double to, const Message& step) {
-            return [this, from, to, step](double share) {
-                show(from + (to - from) * share, step);
-                return !isCancelled();
-            };
-        };
-        const meshio::LoadedScene& scene = *m_facts.scene;
-        auto organs = computePalpability(scene, {}, &m_facts.lumpNotes,
-                                         shown(0.65, 0.8, {PALPATE_TEXT("Computing what can be felt of lumps")}));
-        if (!organs.isOk()) {
-            return organs.status();
+        auto organs = computePalpability(*m_facts.scene, {}, &m_facts.lumpNotes,
+                                         shown(0.6, 0.65, {PALPATE_TEXT("Computing what can be felt of lumps")}));
+        if (organs.isOk()) {
+            m_facts.lumps = std::move(organs).value();
         }
-        m_facts.lumps = std::move(organs).value();
-        auto searched = searchedLumps(reader(), scene, m_facts.measures.distance_mm, m_facts.lumps,
-                                      shown(0.8, 0.9, {PALPATE_TEXT("Evaluating the search for lumps")}));
-        if (!searched.isOk()) {
-            return searched.status();
-        }
-        m_facts.measures.lumps = std::move(searched).value();
-        show(0.9, {PALPATE_TEXT("Measuring distances")});
-        m_facts.distances = measureDistances(scene, {});
-        return {};
+        return organs.status();
     }
 
-    /// Reads the force once and keeps the extremes of each span, so that memory is independent of the duration.
-    Status reduceForce()
+    /// Computes measures and force curve in one pass.
+    Status measure()
     {
-        const Message step(PALPATE_TEXT("Reading the force"));
-        show(0.95, step);
-        const session::RecordingExtent& extent = reader().extent();
-        ForceCurve& force = m_facts.force;
+        startForce();
+        session::MeasureOptions how;
+        how.distance_mm = defaultDistance_mm(reader(), m_surfaces);
+        how.progress = shown(0.65, 0.95, {PALPATE_TEXT("Measuring")});
+        how.sink = [this](const servo::TickRecord& tick) { addForce(tick); };
+        auto measures = m_facts.scene == nullptr
+                            ? session::measureSession(reader(), m_surfaces, how)
+                            : measureSearch(reader(), m_surfaces, *m_facts.scene, m_facts.lumps, std::move(how));
+        if (!measures.isOk()) {
+            return measures.status();
+        }
+        m_facts.measures = std::move(measures).value();
         std::size_t number = 0;
         for (const session::FindingMeasures& one : m_facts.measures.findings) {
             if (one.finding.hasPlace) {
-                force.marks.push_back({one.marked_s, ++number});
+                m_facts.force.marks.push_back({one.marked_s, ++number});
             }
         }
-        const std::int64_t all = extent.lastTick - extent.firstTick + 1;
-        if (all <= 0) {
-            return {};
+        return {};
+    }
+
+    Status measureScene()
+    {
+        if (m_facts.scene != nullptr) {
+            show(0.95, {PALPATE_TEXT("Measuring distances")});
+            m_facts.distances = measureDistances(*m_facts.scene, {});
         }
-        force.duration_s = static_cast<double>(all) * reader().info().dt_s; // with the ticks that are missing
-        force.spans.resize(static_cast<std::size_t>(std::min<std::int64_t>(all, ForceCurve::kSpans)));
-        std::int64_t ticks = 0;
-        return reader().forEach(
-            std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
-            [&](const servo::TickRecord& tick) {
-                const double at = static_cast<double>(tick.tick - extent.firstTick) / static_cast<double>(all);
-                const auto i = static_cast<std::size_t>(std::clamp(at * static_cast<double>(force.spans.size()), 0.0,
-                                                                   static_cast<double>(force.spans.size()) - 1.0));
-                ForceCurve::Span& span = force.spans[i];
-                const auto force_N = static_cast<float>(tick.felt.f_W.norm());
-                span.least_N = span.isRecorded ? std::min(span.least_N, force_N) : force_N;
-                span.greatest_N = std::max(span.greatest_N, force_N);
-                span.isRecorded = true;
-                return ++ticks % kPolled != 0 || !isCancelled();
-            });
+        return {};
+    }
+
+    /// Number of ticks of the force curve, including missing ones.
+    std::int64_t curveTicks() const { return reader().extent().lastTick - reader().extent().firstTick + 1; }
+
+    /// Keeps the extremes of each span, so that memory is independent of the duration.
+    void startForce()
+    {
+        const std::int64_t all = curveTicks();
+        if (all > 0) {
+            m_facts.force.duration_s = static_cast<double>(all) * reader().info().dt_s;
+            m_facts.force.spans.resize(static_cast<std::size_t>(std::min<std::int64_t>(all, ForceCurve::kSpans)));
+        }
+    }
+
+    void addForce(const servo::TickRecord& tick)
+    {
+        std::vector<ForceCurve::Span>& spans = m_facts.force.spans;
+        const double at =
+            static_cast<double>(tick.tick - reader().extent().firstTick) / static_cast<double>(curveTicks());
+        const auto count = static_cast<double>(spans.size());
+        ForceCurve::Span& span = spans[static_cast<std::size_t>(std::clamp(at * count, 0.0, count - 1.0))];
+        const auto force_N = static_cast<float>(tick.felt.f_W.norm());
+        span.least_N = span.isRecorded ? std::min(span.least_N, force_N) : force_N;
+        span.greatest_N = std::max(span.greatest_N, force_N);
+        span.isRecorded = true;
     }
 
     void lose(const Message& loss) { m_facts.missing.push_back(loss); }

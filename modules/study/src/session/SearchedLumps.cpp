@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,8 +19,6 @@ namespace palpate::study {
 namespace {
 
 using core::Result;
-using core::Status;
-using core::StatusCode;
 using session::LumpSearch;
 
 /// Logarithm of the stiffness change that a trained hand detects. The logarithm treats softer and stiffer places
@@ -181,49 +178,33 @@ class Ticks
 
 } // namespace
 
-Result<std::vector<LumpSearch>> searchedLumps(const session::RecordingReader& reader, const meshio::LoadedScene& scene,
-                                              double distance_mm, const std::function<bool(double)>& progress)
-{
-    auto organs = computePalpability(scene, {}, nullptr, progress);
-    return organs.isOk() ? searchedLumps(reader, scene, distance_mm, std::move(organs).value(), progress)
-                         : organs.status();
-}
-
-Result<std::vector<LumpSearch>> searchedLumps(const session::RecordingReader& reader, const meshio::LoadedScene& scene,
-                                              double distance_mm, std::vector<OrganPalpability> organs,
-                                              const std::function<bool(double)>& progress)
+Result<session::SessionMeasures> measureSearch(const session::RecordingReader& reader,
+                                               const session::MeshesByHash& meshes, const meshio::LoadedScene& scene,
+                                               std::vector<OrganPalpability> organs, session::MeasureOptions options)
 {
     std::vector<Searched> all;
     for (OrganPalpability& organ : organs) {
-        auto touched = std::make_unique<session::TouchedSurface>(organ.felt.surface, distance_mm);
+        auto touched = std::make_unique<session::TouchedSurface>(organ.felt.surface, options.distance_mm);
         const std::size_t lumps = organ.felt.lumps.size();
         all.push_back({scene.structures[organ.organ.organ].description.name, std::move(organ.felt), std::move(touched),
                        std::vector<std::optional<double>>(lumps)});
     }
-    if (all.empty()) {
-        return std::vector<LumpSearch>();
-    }
-    bool isCancelled = false;
-    std::int64_t ticks = 0;
     Ticks sums(reader, all);
-    constexpr std::int64_t kAsk = 100000;
-    const Status read = reader.forEach(std::numeric_limits<std::int64_t>::min(),
-                                       std::numeric_limits<std::int64_t>::max(), [&](const servo::TickRecord& tick) {
-                                           sums.add(tick);
-                                           isCancelled = ++ticks % kAsk == 0 && progress && !progress(1.0);
-                                           return !isCancelled;
-                                       });
-    if (!read.isOk()) {
-        return read;
+    if (!all.empty()) {
+        options.sink = [&sums, given = std::move(options.sink)](const servo::TickRecord& tick) {
+            sums.add(tick);
+            if (given) {
+                given(tick);
+            }
+        };
     }
-    if (isCancelled) {
-        return Status(StatusCode::Cancelled, PALPATE_TEXT("measuring was cancelled"));
+    auto measures = session::measureSession(reader, meshes, options);
+    if (measures.isOk()) {
+        for (const Searched& one : all) {
+            judge(one, measures.value().lumps);
+        }
     }
-    std::vector<LumpSearch> out;
-    for (const Searched& one : all) {
-        judge(one, out);
-    }
-    return out;
+    return measures;
 }
 
 } // namespace palpate::study

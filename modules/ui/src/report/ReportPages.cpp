@@ -137,11 +137,12 @@ void ReportPages::addTitle(const QString& title, const QString& notice)
     m_y += lineHeight(m_plain) + 8.0 * m_unit;
 }
 
-void ReportPages::addHeading(const core::Message& heading)
+void ReportPages::addHeading(const core::Message& heading, bool beginsWithPicture)
 {
     const QFont font = reportFont(12.0, m_unit, true);
     m_y += 12.0 * m_unit;
-    ensureRoom(lineHeight(font) + 80.0 * m_unit); // with the beginning of its content
+    constexpr double kText_pt = 80.0, kPicture_pt = 215.0; // beginning of the content
+    ensureRoom(lineHeight(font) + (beginsWithPicture ? kPicture_pt : kText_pt) * m_unit);
     addLines(linesOf(reportText(heading), font, m_body.width()), font, m_body.left(), m_body.width());
     m_y += 1.0 * m_unit;
     addRule(0.7, kRule);

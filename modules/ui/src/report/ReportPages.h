@@ -46,7 +46,8 @@ class ReportPages
     ReportPages(QPaintDevice& device, const QRectF& body, double unit, const std::vector<QImage>& pictures);
 
     void addTitle(const QString& title, const QString& notice);
-    void addHeading(const core::Message& heading);
+    /// @param beginsWithPicture  keeps the heading on the page of the picture or curve below
+    void addHeading(const core::Message& heading, bool beginsWithPicture);
     void operator()(const study::ReportText& block);
     void operator()(const study::ReportTable& table);
     void operator()(const study::ReportPictures& block);

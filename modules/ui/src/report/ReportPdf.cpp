@@ -100,7 +100,9 @@ QByteArray reportPdf(const study::Report& report, const std::vector<QImage>& pic
     layout.addTitle(title, internal::reportText(report.notice));
     for (const study::ReportSection& section : report.sections) {
         if (!section.heading.isEmpty()) {
-            layout.addHeading(section.heading);
+            const bool isText = std::holds_alternative<study::ReportText>(section.blocks.front()) ||
+                                std::holds_alternative<study::ReportTable>(section.blocks.front());
+            layout.addHeading(section.heading, !isText);
         }
         for (const study::ReportBlock& block : section.blocks) {
             std::visit(layout, block);

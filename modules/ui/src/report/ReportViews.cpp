@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/ReportViews.h"
 
+#include "palpate/ui/Translated.h"
 #include "palpate/ui/VtkViewport.h"
 
 #include <palpate/view/SceneView.h>
+#include <palpate/view/SurfaceColours.h>
 #include <palpate/view/SurfaceMesh.h>
 
 #include <QLocale>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QStringList>
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -16,6 +19,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,8 +41,20 @@ struct ReportViews::Private
     QOpenGLContext context;
     view::SceneView view;
     vtkNew<vtkGenericOpenGLRenderWindow> window;
+    const study::ReportFacts* facts = nullptr;
+    /// A structure as without a map.
+    struct Plain
+    {
+        std::string name;
+        vtkSmartPointer<vtkPolyData> picture;
+        view::Appearance look;
+    };
+    std::vector<Plain> plain;                                            ///< by number in the view
+    std::map<std::string, vtkSmartPointer<vtkPolyData>> touchedPictures; ///< by structure, before colouring
 
     void setScene(const meshio::LoadedScene& scene);
+    void showMap(const study::ReportMap* map);
+    void colour(std::size_t structure, const session::TouchedSurface& touched, const study::ReportMap& map);
     void aimAt(const core::Finding& finding);
     QImage render();
 };
@@ -50,10 +68,11 @@ void ReportViews::Private::setScene(const meshio::LoadedScene& scene)
         }
         const meshio::SceneStructure& look = one.description;
         const geometry::MeshReport& report = one.surface->report;
-        structures.push_back(
-            {view::StructureActor(view::makeSurface(*one.surface), {look.colour, look.opacity, look.visible},
-                                  report.isClosed() && report.insideOutComponents == 0),
-             nullptr});
+        plain.push_back(
+            {look.name, view::makeSurface(*one.surface), view::Appearance{look.colour, look.opacity, look.visible}});
+        structures.push_back({view::StructureActor(plain.back().picture, plain.back().look,
+                                                   report.isClosed() && report.insideOutComponents == 0),
+                              nullptr});
     }
     view.setStructures(std::move(structures));
     const view::Colour white{1.0, 1.0, 1.0};
@@ -63,6 +82,56 @@ void ReportViews::Private::setScene(const meshio::LoadedScene& scene)
     view.setTextStyle(text);
     view.setSmoothEdges(true);
     view.setSortedTransparency(true);
+}
+
+/// Colours the touched structures with a legend. @param map  null: all structures in their own colours
+void ReportViews::Private::showMap(const study::ReportMap* map)
+{
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        view.setPicture(i, plain[i].picture);
+        view.setAppearance(i, plain[i].look);
+        const auto& surfaces = facts->measures.surfaces;
+        const auto touched = std::find_if(surfaces.begin(), surfaces.end(), [&](const session::SurfaceMeasures& one) {
+            return one.structure == plain[i].name && one.surface != nullptr;
+        });
+        if (map != nullptr && touched != surfaces.end()) {
+            colour(i, *touched->surface, *map);
+        }
+    }
+    if (map == nullptr) {
+        view.legend().hide();
+        return;
+    }
+    QStringList lines;
+    for (const core::Message& line : map->legend) {
+        lines << translated(line);
+    }
+    view::ColourLegend::Content legend;
+    legend.title = lines.join(QLatin1Char('\n')).toStdString();
+    legend.range = {0.0, map->end};
+    for (const double value : {0.0, 0.5 * map->end, map->end}) {
+        legend.marks.push_back({value, QLocale().toString(value).toStdString()});
+    }
+    view.legend().show(legend);
+}
+
+void ReportViews::Private::colour(std::size_t structure, const session::TouchedSurface& touched,
+                                  const study::ReportMap& map)
+{
+    geometry::RepairedMesh surface;
+    surface.mesh = touched.mesh(); // with long edges split
+    vtkSmartPointer<vtkPolyData>& picture = touchedPictures[plain[structure].name];
+    if (picture == nullptr) {
+        picture = view::makeSurface(surface);
+    }
+    std::vector<float> values = study::mapValues(touched, map.quantity);
+    std::replace_if(
+        values.begin(), values.end(), [](float value) { return !(value > 0.0F); },
+        std::numeric_limits<float>::quiet_NaN());
+    view::Appearance look = plain[structure].look;
+    look.opacity = 1.0;
+    view.setAppearance(structure, look);
+    view.setPicture(structure, view::coloured(*picture, surface, values, false, {0.0, map.end}, look.colour));
 }
 
 /// Looks as the examiner did when marking, otherwise from outside onto the place.
@@ -120,7 +189,7 @@ ReportViews::~ReportViews()
     m_d->context.doneCurrent();
 }
 
-core::Result<std::unique_ptr<ReportViews>> ReportViews::create(const meshio::LoadedScene& scene)
+core::Result<std::unique_ptr<ReportViews>> ReportViews::create(const study::ReportFacts& facts)
 {
     auto d = std::make_unique<Private>();
     const QSurfaceFormat format = VtkViewport::surfaceFormat();
@@ -140,7 +209,8 @@ core::Result<std::unique_ptr<ReportViews>> ReportViews::create(const meshio::Loa
     d->window->InitializeFromCurrentContext();
     d->window->SetSize(kWidth_px, kHeight_px);
     d->view.attach(*d->window);
-    d->setScene(scene);
+    d->facts = &facts;
+    d->setScene(*facts.scene);
     return std::unique_ptr<ReportViews>(new ReportViews(std::move(d)));
 }
 
@@ -149,7 +219,8 @@ QImage ReportViews::draw(const study::Report& report, std::size_t number)
     const study::ReportView& of = report.views[number];
     view::SceneView& view = m_d->view;
     std::vector<view::FindingMark> marks;
-    for (std::size_t i = 0; i < report.places.size(); ++i) {
+    m_d->showMap(of.map ? &report.maps[*of.map] : nullptr);
+    for (std::size_t i = 0; i < report.places.size() && !of.map; ++i) {
         const core::Finding& place = report.places[i];
         if (of.from != study::ReportView::From::Finding || i == of.finding) {
             marks.push_back({place.p_W, place.type, i + 1, place.name});
@@ -167,6 +238,9 @@ QImage ReportViews::draw(const study::Report& report, std::size_t number)
     case study::ReportView::From::Finding:
         m_d->aimAt(report.places[of.finding]);
         break;
+    }
+    if (of.map) {
+        view.camera().Dolly(0.8); // room for the legend beside the tissue
     }
     return m_d->render();
 }

@@ -50,7 +50,8 @@ ForceTimeline::ForceTimeline(QWidget* parent)
 QSize ForceTimeline::minimumSizeHint() const
 {
     constexpr int kLane_px = 64; // a force of a tenth of the largest one is visible
-    return {100, kLane_px + fontMetrics().height()};
+    constexpr int kLaneOfTwo_px = 32;
+    return {100, (m_leastAxis_s > 0.0 ? kLaneOfTwo_px : kLane_px) + (m_hasTimes ? fontMetrics().height() : 0)};
 }
 
 void ForceTimeline::setPeaks(std::vector<float> peaks_N, double duration_s)
@@ -75,6 +76,21 @@ void ForceTimeline::setPosition(double position_s)
         update();
         announceValue();
     }
+}
+
+void ForceTimeline::setLeastAxes(double duration_s, double force_N)
+{
+    m_leastAxis_s = duration_s;
+    m_leastAxis_N = force_N;
+    updateGeometry();
+    update();
+}
+
+void ForceTimeline::setTimeShown(bool isShown)
+{
+    m_hasTimes = isShown;
+    updateGeometry();
+    update();
 }
 
 QString ForceTimeline::accessibleText() const
@@ -141,13 +157,20 @@ QRectF ForceTimeline::lane() const
     const QFontMetricsF metrics(font());
     constexpr double kGap_px = 6.0;
     const double axis = m_duration_s > 0.0 ? metrics.horizontalAdvance(topText()) + kGap_px : 0.0;
-    return {axis, 0.0, std::max(10.0, width() - axis), std::max(10.0, height() - metrics.height() - 2.0)};
+    return {axis, 0.0, std::max(10.0, width() - axis),
+            std::max(10.0, height() - (m_hasTimes ? metrics.height() + 2.0 : 0.0))};
 }
 
 /// Force at the top of the axis. [N]
 double ForceTimeline::top_N() const
 {
-    return axisTop(std::max(0.5, static_cast<double>(m_greatest_N)));
+    return axisTop(std::max({0.5, static_cast<double>(m_greatest_N), m_leastAxis_N}));
+}
+
+/// Time at the right end of the axis. [s]
+double ForceTimeline::axis_s() const
+{
+    return std::max(m_duration_s, m_leastAxis_s);
 }
 
 QString ForceTimeline::topText() const
@@ -158,13 +181,13 @@ QString ForceTimeline::topText() const
 double ForceTimeline::timeAt(double x) const
 {
     const QRectF bars = lane();
-    return std::clamp((x - bars.left()) / bars.width(), 0.0, 1.0) * m_duration_s;
+    return std::clamp((x - bars.left()) / bars.width() * axis_s(), 0.0, m_duration_s);
 }
 
 double ForceTimeline::placeOf(double time_s) const
 {
     const QRectF bars = lane();
-    return bars.left() + time_s / m_duration_s * bars.width();
+    return bars.left() + time_s / axis_s() * bars.width();
 }
 
 /// Shows the label of a mark in the tool tip, or the help text elsewhere.
@@ -224,7 +247,7 @@ void ForceTimeline::paintBars(QPainter& painter, const QRectF& bars) const
 {
     const double top = top_N();
     const auto bins = static_cast<double>(m_peaks_N.size());
-    const int columns = static_cast<int>(bars.width());
+    const int columns = static_cast<int>(placeOf(m_duration_s) - bars.left());
     const double head = placeOf(m_position_s);
     QColor done = forceColour();
     QColor coming = done;
@@ -248,10 +271,13 @@ void ForceTimeline::paintAxes(QPainter& painter, const QRectF& bars) const
 {
     const QFontMetricsF metrics(font());
     painter.setPen(mutedColour());
-    const double step = axisStep(m_duration_s, bars.width());
-    for (double t = 0.0; t <= m_duration_s; t += step) {
+    const double step = axisStep(axis_s(), bars.width());
+    for (double t = 0.0; t <= axis_s(); t += step) {
         const double x = placeOf(t);
         painter.drawLine(QPointF(x, bars.bottom() - 4.0), QPointF(x, bars.bottom()));
+        if (!m_hasTimes) {
+            continue;
+        }
         const QString text = step < 1.0 ? QLocale().toString(t, 'f', 1) : QLocale().toString(t, 'f', 0);
         const double wide = metrics.horizontalAdvance(text + tr(" s"));
         painter.drawText(

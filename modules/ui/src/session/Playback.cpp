@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace palpate::ui {
@@ -29,11 +31,13 @@ Playback::Playback(VtkViewport& viewport, const StructureModel& model, SessionPa
     m_timer.setInterval(kFrame_ms);
     connect(&m_timer, &QTimer::timeout, this, &Playback::step);
     connect(&panel, &SessionPanel::sought, this, [this] { seek(m_panel.transport().position_s()); });
+    connect(&panel, &SessionPanel::secondSought, this, &Playback::showSecondMoment);
 }
 
 void Playback::setRecording(std::unique_ptr<RecordedTouch> recording)
 {
     m_timer.stop();
+    setSecond(nullptr);
     m_recording = std::move(recording);
     m_peak_s = 0.0;
     m_touch.clearHistory();
@@ -45,7 +49,7 @@ void Playback::setRecording(std::unique_ptr<RecordedTouch> recording)
         Q_EMIT stateChanged();
         return;
     }
-    m_panel.showTitle(QString::fromStdString(m_recording->path().filename().string()));
+    showNames();
     m_panel.timeline().setPeaks({}, m_recording->duration_s());
     m_panel.timeline().setMarks(m_recording->marks());
     connect(m_recording.get(), &RecordedTouch::overviewReady, this, [this](const std::vector<float>& peaks_N) {
@@ -54,6 +58,7 @@ void Playback::setRecording(std::unique_ptr<RecordedTouch> recording)
         m_peak_s = (static_cast<double>(peak - peaks_N.begin()) + 0.5) / static_cast<double>(peaks_N.size()) *
                    m_recording->duration_s();
         m_panel.timeline().setPeaks(peaks_N, m_recording->duration_s());
+        m_panel.alignAxes();
         m_panel.refresh();
         Q_EMIT overviewReady();
     });
@@ -63,9 +68,43 @@ void Playback::setRecording(std::unique_ptr<RecordedTouch> recording)
     Q_EMIT stateChanged();
 }
 
+void Playback::setSecond(std::unique_ptr<RecordedTouch> second)
+{
+    if (m_recording == nullptr || (second == nullptr && m_second == nullptr)) {
+        return;
+    }
+    m_second = std::move(second);
+    const double duration_s = m_second == nullptr ? 0.0 : m_second->duration_s();
+    m_panel.secondTransport().setDuration(duration_s);
+    m_panel.secondTimeline().clear();
+    m_panel.showSecond(m_second != nullptr);
+    m_panel.alignAxes();
+    showNames();
+    if (m_second != nullptr) {
+        m_panel.secondTimeline().setPeaks({}, duration_s);
+        m_panel.secondTimeline().setMarks(m_second->marks());
+        connect(m_second.get(), &RecordedTouch::overviewReady, this, [this](const std::vector<float>& peaks_N) {
+            m_panel.secondTimeline().setPeaks(peaks_N, m_second->duration_s());
+            m_panel.alignAxes();
+            m_panel.refresh();
+        });
+        m_second->startOverview();
+    }
+    m_panel.refresh();
+    showSecondMoment();
+    Q_EMIT stateChanged();
+}
+
+void Playback::showNames()
+{
+    const auto nameOf = [](const RecordedTouch& one) { return QString::fromStdString(one.path().filename().string()); };
+    m_panel.showTitle(m_second == nullptr ? nameOf(*m_recording)
+                                          : tr("A: %1, B: %2").arg(nameOf(*m_recording), nameOf(*m_second)));
+}
+
 bool Playback::isPlaying() const
 {
-    return m_recording != nullptr && m_panel.transport().isPlaying();
+    return m_recording != nullptr && (m_panel.transport().isPlaying() || m_panel.secondTransport().isPlaying());
 }
 
 void Playback::play()
@@ -73,7 +112,15 @@ void Playback::play()
     if (m_recording == nullptr) {
         return;
     }
-    m_panel.transport().play();
+    // From the start once both have ended; else the one that has ended waits for the other.
+    const auto isOver = [](const Transport& one) { return one.position_s() >= one.duration_s(); };
+    Transport &first = m_panel.transport(), &second = m_panel.secondTransport();
+    const bool isAllOver = isOver(first) && isOver(second);
+    for (Transport* one : {&first, &second}) {
+        if (isAllOver || !isOver(*one)) {
+            one->play();
+        }
+    }
     m_clock.start();
     m_timer.start();
     Q_EMIT stateChanged();
@@ -82,6 +129,7 @@ void Playback::play()
 void Playback::pause()
 {
     m_panel.transport().pause();
+    m_panel.secondTransport().pause();
     m_timer.stop();
     Q_EMIT stateChanged();
 }
@@ -89,17 +137,53 @@ void Playback::pause()
 void Playback::toStart()
 {
     seek(0.0);
+    seekSecond(0.0);
 }
 
 void Playback::step()
 {
     const double elapsed_s = static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
     m_clock.restart();
-    const bool isAtEnd = m_panel.transport().advance(elapsed_s);
-    showMoment(m_panel.transport().position_s());
+    if (m_panel.transport().isPlaying()) {
+        m_panel.transport().advance(elapsed_s);
+        showMoment(m_panel.transport().position_s());
+    }
+    if (m_panel.secondTransport().isPlaying()) {
+        m_panel.secondTransport().advance(elapsed_s);
+        showSecondMoment();
+    }
     m_panel.refresh();
-    if (isAtEnd) {
+    if (!isPlaying()) { // at the end
         pause();
+    }
+}
+
+void Playback::seekSecond(double position_s)
+{
+    m_panel.secondTransport().seek(position_s);
+    showSecondMoment();
+    m_panel.refresh();
+}
+
+/// Shows where the second hand is in contact.
+void Playback::showSecondMoment()
+{
+    view::PlaceRing& ring = m_viewport.view().secondHand();
+    const double time_s = m_panel.secondTransport().position_s();
+    const auto tick = m_second == nullptr ? std::nullopt : m_second->at(time_s);
+    if (!tick || tick->felt.structure < 0) {
+        ring.hide();
+    } else {
+        constexpr double kLeast_mm = 5.0;                                             // of a point-like hand
+        constexpr std::size_t kNoStructure = std::numeric_limits<std::size_t>::max(); // does not move with one
+        const view::TouchState state =
+            touchState(*tick, tick->felt.f_W, m_second->fingertip_mm(*tick), {}, m_second->tissue(*tick));
+        ring.show(state.p_WG, state.n_W.isZero() ? core::Vec3(core::Vec3::UnitZ()) : state.n_W,
+                  std::max(m_second->fingertip_mm(*tick), kLeast_mm), kNoStructure);
+    }
+    m_viewport.update();
+    if (m_second != nullptr) {
+        Q_EMIT secondMomentShown(time_s);
     }
 }
 

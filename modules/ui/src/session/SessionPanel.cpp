@@ -4,14 +4,18 @@
 #include "palpate/ui/Theme.h"
 
 #include <QAction>
+#include <QColor>
 #include <QComboBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace palpate::ui {
 
@@ -28,6 +32,7 @@ QString clockText(double seconds)
 SessionPanel::SessionPanel(QWidget* parent)
     : QWidget(parent)
     , m_timeline(new ForceTimeline(this))
+    , m_secondTimeline(new ForceTimeline(this))
     , m_title(new QLabel(this))
     , m_time(new QLabel(this))
     , m_speed(new QComboBox(this))
@@ -58,17 +63,63 @@ SessionPanel::SessionPanel(QWidget* parent)
     layout->setContentsMargins(12, 4, 12, 8);
     layout->setSpacing(4);
     layout->addLayout(line);
-    layout->addWidget(m_timeline, 1);
+    m_letterA = letter(QStringLiteral("A"), view::kFirstColour);
+    m_letterB = letter(QStringLiteral("B"), view::kSecondColour);
+    m_secondTimeline->setAccessibleName(tr("Force timeline of the second recording"));
+    auto* lanes = new QGridLayout;
+    lanes->setSpacing(2);
+    lanes->addWidget(m_letterA, 0, 0);
+    lanes->addWidget(m_timeline, 0, 1);
+    lanes->addWidget(m_letterB, 1, 0);
+    lanes->addWidget(m_secondTimeline, 1, 1);
+    lanes->setColumnStretch(1, 1);
+    layout->addLayout(lanes, 1);
 
-    connect(m_speed, &QComboBox::currentIndexChanged, this,
-            [this](int i) { m_transport.setSpeed(m_speed->itemData(i).toDouble()); });
+    connect(m_speed, &QComboBox::currentIndexChanged, this, [this](int i) {
+        m_transport.setSpeed(m_speed->itemData(i).toDouble());
+        m_secondTransport.setSpeed(m_speed->itemData(i).toDouble());
+    });
     connect(m_timeline, &ForceTimeline::seekWanted, this, [this](double position_s) {
         m_transport.seek(position_s);
         refresh();
         Q_EMIT sought();
     });
+    connect(m_secondTimeline, &ForceTimeline::seekWanted, this, [this](double position_s) {
+        m_secondTransport.seek(position_s);
+        refresh();
+        Q_EMIT secondSought();
+    });
     showTitle({});
+    showSecond(false);
     refresh();
+}
+
+/// Makes a letter on the colour of its hand, which is bright enough for black.
+QLabel* SessionPanel::letter(const QString& text, const view::Colour& colour)
+{
+    auto* label = new QLabel(text, this);
+    label->setAlignment(Qt::AlignCenter);
+    const QColor back =
+        QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2]));
+    label->setStyleSheet(QStringLiteral("background: %1; color: black; padding: 2px 6px").arg(back.name()));
+    return label;
+}
+
+void SessionPanel::showSecond(bool isShown)
+{
+    for (QWidget* one : std::initializer_list<QWidget*>{m_letterA, m_letterB, m_secondTimeline}) {
+        one->setVisible(isShown);
+    }
+    m_timeline->setTimeShown(!isShown);
+}
+
+void SessionPanel::alignAxes()
+{
+    const bool isCompared = m_secondTransport.duration_s() > 0.0;
+    const double duration_s = isCompared ? std::max(m_transport.duration_s(), m_secondTransport.duration_s()) : 0.0;
+    const double force_N = isCompared ? std::max(m_timeline->greatest_N(), m_secondTimeline->greatest_N()) : 0.0;
+    m_timeline->setLeastAxes(duration_s, force_N);
+    m_secondTimeline->setLeastAxes(duration_s, force_N);
 }
 
 void SessionPanel::addAction(QAction* action)
@@ -90,11 +141,16 @@ void SessionPanel::showTitle(const QString& title)
 void SessionPanel::refresh()
 {
     const bool isAny = m_transport.duration_s() > 0.0;
-    m_time->setText(
-        isAny ? QStringLiteral("%1 / %2").arg(clockText(m_transport.position_s()), clockText(m_transport.duration_s()))
-              : QString());
+    const auto textOf = [](const Transport& one) {
+        return QStringLiteral("%1 / %2").arg(clockText(one.position_s()), clockText(one.duration_s()));
+    };
+    const bool isCompared = m_secondTransport.duration_s() > 0.0;
+    m_time->setText(!isAny        ? QString()
+                    : !isCompared ? textOf(m_transport)
+                                  : tr("A %1, B %2").arg(textOf(m_transport), textOf(m_secondTransport)));
     m_speed->setEnabled(isAny);
     m_timeline->setPosition(m_transport.position_s());
+    m_secondTimeline->setPosition(m_secondTransport.position_s());
 }
 
 void SessionPanel::showRecording(double duration_s, const QString& losses)

@@ -5,6 +5,7 @@
 #include "palpate/ui/Translated.h"
 #include "palpate/ui/VtkViewport.h"
 
+#include <palpate/session/CompareSessions.h>
 #include <palpate/view/SurfaceColours.h>
 #include <palpate/view/SurfaceMesh.h>
 
@@ -13,9 +14,8 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -24,7 +24,6 @@ namespace palpate::ui {
 namespace {
 
 constexpr int kRedraw_ms = 250;
-constexpr double kUpperShare = 0.98; // of the touched places lies below the end of the colours
 
 /// Values to draw: NaN where the quantity is not known.
 std::vector<float> valuesOf(const TouchedStructure& touched, TouchQuantity quantity)
@@ -38,34 +37,6 @@ std::vector<float> valuesOf(const TouchedStructure& touched, TouchQuantity quant
                                                      : value;
     }
     return values;
-}
-
-/// The smallest of 1, 2 and 5 times a power of ten that is not below a positive value.
-double roundedUp(double value)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double digit : {1.0, 2.0, 5.0}) {
-        if (value <= digit * power * (1.0 + 1e-9)) {
-            return digit * power;
-        }
-    }
-    return 10.0 * power;
-}
-
-/// End of the colours for all structures.
-double upperEnd(const std::vector<std::vector<float>>& all)
-{
-    std::vector<float> known;
-    for (const std::vector<float>& values : all) {
-        std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](float v) { return std::isfinite(v); });
-    }
-    if (known.empty()) {
-        return 1.0;
-    }
-    const auto at =
-        known.begin() + static_cast<std::ptrdiff_t>(kUpperShare * static_cast<double>(known.size() - 1) + 0.5);
-    std::nth_element(known.begin(), at, known.end());
-    return roundedUp(double{*at});
 }
 
 QString areaText(double area_mm2, double all_mm2)
@@ -102,21 +73,22 @@ TouchMap::TouchMap(VtkViewport& viewport, StructureModel& model, QObject* parent
     m_redraw.setSingleShot(true);
     m_redraw.setInterval(kRedraw_ms);
     connect(&m_redraw, &QTimer::timeout, this, [this] {
-        if (m_live != nullptr && m_quantity != TouchQuantity::None && m_recording.empty()) {
-            take(touchSums(*m_live, m_liveMeshes, m_live_s, m_sums.get()));
+        if (m_live != nullptr && m_quantity != TouchQuantity::None && m_first.recording.empty()) {
+            m_first.sums = touchSums(*m_live, m_liveMeshes, m_live_s, m_first.sums.get());
+            draw();
         }
     });
     connect(&model, &StructureModel::edited, this, [this] {
-        if (m_reader != nullptr && meshes().size() != m_meshes) { // a surface got ready, was removed or restored
-            m_reader = nullptr;
+        if (m_first.reader != nullptr && meshes().size() != m_meshes) { // a surface got ready, was removed or restored
+            m_first.reader = nullptr;
+            m_second.reader = nullptr;
             read();
         }
     });
     connect(&model, &QAbstractItemModel::modelReset, this, [this] { // the view has new pictures
         m_pictures.clear();
-        m_sums = nullptr;
         m_live = nullptr;
-        m_reader = nullptr;
+        forget();
         m_drawn.clear();
         undraw();
         read();
@@ -125,7 +97,15 @@ TouchMap::TouchMap(VtkViewport& viewport, StructureModel& model, QObject* parent
 
 TouchMap::~TouchMap()
 {
-    m_reader = nullptr; // its thread posts to this object
+    forget(); // the threads of the readers post to this object
+}
+
+void TouchMap::forget()
+{
+    for (Source* source : {&m_first, &m_second}) {
+        source->reader = nullptr;
+        source->sums = nullptr;
+    }
 }
 
 void TouchMap::show(TouchQuantity quantity)
@@ -141,21 +121,38 @@ void TouchMap::show(TouchQuantity quantity)
 
 void TouchMap::setRecording(const std::filesystem::path& recording)
 {
-    if (recording == m_recording) {
+    if (recording == m_first.recording) {
         return;
     }
     undraw();
-    m_recording = recording;
-    m_position_s = 0.0;
-    m_reader = nullptr;
-    m_sums = nullptr;
+    forget();
+    m_first.recording = recording;
+    m_first.position_s = 0.0;
+    read();
+}
+
+void TouchMap::setSecond(const std::filesystem::path& recording, double distance_mm)
+{
+    if (recording == m_second.recording) {
+        return;
+    }
+    forget();
+    m_second.recording = recording;
+    m_second.position_s = 0.0;
+    m_compared_mm = recording.empty() ? std::nullopt : std::optional(distance_mm);
     read();
 }
 
 void TouchMap::setPosition(double time_s)
 {
-    m_position_s = time_s;
-    read();
+    m_first.position_s = time_s;
+    read(m_first);
+}
+
+void TouchMap::setSecondPosition(double time_s)
+{
+    m_second.position_s = time_s;
+    read(m_second);
 }
 
 void TouchMap::restart(double distance_mm)
@@ -163,15 +160,15 @@ void TouchMap::restart(double distance_mm)
     m_distance_mm = distance_mm;
     m_live = nullptr;
     m_live_s = 0.0;
-    if (m_recording.empty()) {
+    if (m_first.recording.empty()) {
         undraw();
-        m_sums = nullptr;
+        m_first.sums = nullptr;
     }
 }
 
 void TouchMap::add(const servo::TickRecord& tick, double dt_s)
 {
-    if (m_quantity == TouchQuantity::None || !m_recording.empty() ||
+    if (m_quantity == TouchQuantity::None || !m_first.recording.empty() ||
         (m_live == nullptr && tick.felt.contactCount == 0)) { // before the first contact, surfaces may not be ready
         return;
     }
@@ -203,23 +200,30 @@ session::MeshesByHash TouchMap::meshes() const
     return meshes;
 }
 
-/// Requests the sums of the recording, once a map is shown.
+/// Requests the sums of the recordings, once a map is shown.
 void TouchMap::read()
 {
-    if (m_quantity == TouchQuantity::None || m_recording.empty()) {
+    read(m_first);
+    read(m_second);
+}
+
+void TouchMap::read(Source& source)
+{
+    if (m_quantity == TouchQuantity::None || source.recording.empty()) {
         return;
     }
-    if (m_reader == nullptr) {
+    if (source.reader == nullptr) {
         m_meshes = meshes().size();
-        const auto number = ++m_readers;
-        m_reader = std::make_unique<RecordedTouchSums>(
-            m_recording, meshes(),
-            [this, number](std::shared_ptr<const TouchSums> sums) {
+        source.number = ++m_readers;
+        source.reader = std::make_unique<RecordedTouchSums>(
+            source.recording, meshes(), m_compared_mm,
+            [this, &source, number = source.number](std::shared_ptr<const TouchSums> sums) {
                 QMetaObject::invokeMethod(
                     this,
-                    [this, number, sums = std::move(sums)] {
-                        if (number == m_readers && m_reader != nullptr) { // else of another recording or scene
-                            take(sums);
+                    [this, &source, number, sums = std::move(sums)] {
+                        if (number == source.number && source.reader != nullptr) { // else of another recording or scene
+                            source.sums = sums;
+                            draw();
                         }
                     },
                     Qt::QueuedConnection);
@@ -229,13 +233,7 @@ void TouchMap::read()
                     this, [this, status] { Q_EMIT failed(translated(status)); }, Qt::QueuedConnection);
             });
     }
-    m_reader->setEnd(m_position_s);
-}
-
-void TouchMap::take(std::shared_ptr<const TouchSums> sums)
-{
-    m_sums = std::move(sums);
-    draw();
+    source.reader->setEnd(source.position_s);
 }
 
 vtkSmartPointer<vtkPolyData> TouchMap::plainPicture(int row, const TouchedStructure& touched)
@@ -250,51 +248,118 @@ vtkSmartPointer<vtkPolyData> TouchMap::plainPicture(int row, const TouchedStruct
     return picture.plain;
 }
 
-void TouchMap::draw()
+bool TouchMap::isCompared() const
 {
-    if (m_quantity == TouchQuantity::None || m_sums == nullptr) {
-        return;
-    }
-    std::vector<int> rows;
-    std::vector<const TouchedStructure*> touched;
-    std::vector<std::vector<float>> values;
+    return m_quantity == TouchQuantity::Covered && !m_second.recording.empty();
+}
+
+std::vector<TouchMap::Drawn> TouchMap::touchedStructures() const
+{
+    std::vector<Drawn> all;
     for (int row = 0; row < m_model.rowCount(); ++row) {
         const study::OpenStructure& open = m_model.rows()[static_cast<std::size_t>(row)];
-        const auto found = m_sums->structures.find({open.loaded.description.name, open.sha256});
-        if (found != m_sums->structures.end() && open.isThere()) {
-            rows.push_back(row);
-            touched.push_back(&found->second);
-            values.push_back(valuesOf(found->second, m_quantity));
+        const auto in = [&](const Source& source) -> const TouchedStructure* {
+            const auto found = source.sums->structures.find({open.loaded.description.name, open.sha256});
+            return found == source.sums->structures.end() ? nullptr : &found->second;
+        };
+        const Drawn one{row, in(m_first), isCompared() ? in(m_second) : nullptr};
+        if (open.isThere() && (one.first != nullptr || one.second != nullptr)) {
+            all.push_back(one);
         }
     }
+    return all;
+}
+
+void TouchMap::draw()
+{
+    if (m_quantity == TouchQuantity::None || m_first.sums == nullptr || (isCompared() && m_second.sums == nullptr)) {
+        return;
+    }
+    const std::vector<Drawn> touched = touchedStructures();
     m_isShown = true;
     Q_EMIT shownChanged(true);
-    for (const int row : m_drawn) { // at this moment not touched yet
-        if (std::find(rows.begin(), rows.end(), row) == rows.end()) {
+    for (const int row : std::exchange(m_drawn, {})) { // at this moment not touched yet
+        if (std::none_of(touched.begin(), touched.end(), [row](const Drawn& one) { return one.row == row; })) {
             restore(row);
         }
     }
-    const double high = m_quantity == TouchQuantity::Covered ? 1.0 : upperEnd(values);
-    double all_mm2 = 0.0, covered_mm2 = 0.0, above_mm2 = 0.0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        for (std::size_t v = 0; v < values[i].size(); ++v) {
-            const double share_mm2 = touched[i]->share_mm2[v];
-            all_mm2 += share_mm2;
-            covered_mm2 += touched[i]->dwell_s[v] > 0.0F ? share_mm2 : 0.0;
-            above_mm2 += double{values[i][v]} > high ? share_mm2 : 0.0;
-        }
-        view::Appearance look = m_model.appearanceOf(rows[i]);
-        const view::Colour own = look.colour;
-        look.opacity = 1.0; // the map would mix with what lies behind it
-        m_viewport.view().setAppearance(static_cast<std::size_t>(rows[i]), look);
-        m_viewport.view().setPicture(static_cast<std::size_t>(rows[i]),
-                                     view::coloured(*plainPicture(rows[i], *touched[i]), *touched[i]->surface,
-                                                    values[i], false, {0.0, high}, own));
+    if (isCompared()) {
+        drawCompared(touched);
+    } else {
+        drawValues(touched);
     }
-    m_drawn = rows;
-    drawLegend(high, all_mm2, covered_mm2, above_mm2);
     m_viewport.update();
     Q_EMIT drawn();
+}
+
+/// Shows a coloured picture, opaque: colours would mix with what lies behind.
+void TouchMap::paint(int row, vtkPolyData& picture)
+{
+    view::Appearance look = m_model.appearanceOf(row);
+    look.opacity = 1.0;
+    m_viewport.view().setAppearance(static_cast<std::size_t>(row), look);
+    m_viewport.view().setPicture(static_cast<std::size_t>(row), &picture);
+    m_drawn.push_back(row);
+}
+
+void TouchMap::drawValues(const std::vector<Drawn>& touched)
+{
+    std::vector<std::vector<float>> values;
+    std::vector<float> all;
+    for (const Drawn& one : touched) {
+        values.push_back(valuesOf(*one.first, m_quantity));
+        all.insert(all.end(), values.back().begin(), values.back().end());
+    }
+    const double high = m_quantity == TouchQuantity::Covered ? 1.0 : session::mapEnd(all);
+    double all_mm2 = 0.0, covered_mm2 = 0.0, above_mm2 = 0.0;
+    for (std::size_t i = 0; i < touched.size(); ++i) {
+        const TouchedStructure& one = *touched[i].first;
+        for (std::size_t v = 0; v < values[i].size(); ++v) {
+            const double share_mm2 = one.share_mm2[v];
+            all_mm2 += share_mm2;
+            covered_mm2 += one.dwell_s[v] > 0.0F ? share_mm2 : 0.0;
+            above_mm2 += double{values[i][v]} > high ? share_mm2 : 0.0;
+        }
+        paint(touched[i].row, *view::coloured(*plainPicture(touched[i].row, one), *one.surface, values[i], false,
+                                              {0.0, high}, m_model.appearanceOf(touched[i].row).colour));
+    }
+    drawLegend(high, all_mm2, covered_mm2, above_mm2);
+}
+
+void TouchMap::drawCompared(const std::vector<Drawn>& touched)
+{
+    using session::TouchedBy;
+    double all_mm2 = 0.0;
+    std::array<double, 4> areas_mm2{}; // by TouchedBy
+    for (const Drawn& one : touched) {
+        const TouchedStructure& any = one.first != nullptr ? *one.first : *one.second;
+        const view::Colour own = m_model.appearanceOf(one.row).colour;
+        const std::array<view::Colour, 4> colourBy{own, view::kFirstColour, view::kSecondColour, view::kBothColour};
+        std::vector<view::Colour> colours;
+        for (std::size_t v = 0; v < any.dwell_s.size(); ++v) {
+            const auto isTouched = [v](const TouchedStructure* in) { return in != nullptr && in->dwell_s[v] > 0.0F; };
+            const auto by = static_cast<std::size_t>(session::touchedBy(isTouched(one.first), isTouched(one.second)));
+            areas_mm2[by] += any.share_mm2[v];
+            all_mm2 += any.share_mm2[v];
+            colours.push_back(colourBy[by]);
+        }
+        paint(one.row, *view::coloured(*plainPicture(one.row, any), *any.surface, colours));
+    }
+    const auto until = [](const Source& source) { return QLocale().toString(source.sums->time_s, 'f', 1); };
+    view::ColourLegend::Content content;
+    content.title = QStringList{touchQuantityText(m_quantity),
+                                tr("A up to %1 s, B up to %2 s").arg(until(m_first), until(m_second))}
+                        .join(QLatin1Char('\n'))
+                        .toStdString();
+    content.range = {0.0, 3.0};
+    content.steps = {view::kFirstColour, view::kBothColour, view::kSecondColour};
+    const auto area = [&](TouchedBy by) {
+        return all_mm2 > 0.0 ? areaText(areas_mm2[static_cast<std::size_t>(by)], all_mm2) : tr("nothing touched yet");
+    };
+    content.marks = {{0.5, tr("only A: %1").arg(area(TouchedBy::First)).toStdString()},
+                     {1.5, tr("both: %1").arg(area(TouchedBy::Both)).toStdString()},
+                     {2.5, tr("only B: %1").arg(area(TouchedBy::Second)).toStdString()}};
+    m_viewport.view().legend().show(content);
 }
 
 void TouchMap::drawLegend(double high, double all_mm2, double covered_mm2, double above_mm2)
@@ -303,8 +368,8 @@ void TouchMap::drawLegend(double high, double all_mm2, double covered_mm2, doubl
                       : m_quantity == TouchQuantity::PeakForce ? tr("Largest force, N")
                       : m_quantity == TouchQuantity::Stiffness ? tr("Stiffness felt, N/mm")
                                                                : touchQuantityText(m_quantity)};
-    const QString until = QLocale().toString(m_sums->time_s, 'f', 1);
-    lines << (m_recording.empty() ? tr("live, %1 s (preview)").arg(until) : tr("up to %1 s").arg(until));
+    const QString until = QLocale().toString(m_first.sums->time_s, 'f', 1);
+    lines << (m_first.recording.empty() ? tr("live, %1 s (preview)").arg(until) : tr("up to %1 s").arg(until));
     lines << (m_drawn.empty() ? tr("nothing touched yet") : tr("touched: %1").arg(areaText(covered_mm2, all_mm2)));
     if (above_mm2 > 0.0) {
         lines << tr("above %1: %2").arg(QLocale().toString(high), areaText(above_mm2, all_mm2));

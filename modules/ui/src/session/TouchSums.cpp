@@ -55,10 +55,12 @@ std::shared_ptr<const TouchSums> touchSums(const session::TouchedSurfaces& surfa
 }
 
 RecordedTouchSums::RecordedTouchSums(std::filesystem::path recording, session::MeshesByHash meshes,
+                                     std::optional<double> distance_mm,
                                      std::function<void(std::shared_ptr<const TouchSums>)> ready,
                                      std::function<void(const core::Status&)> failed)
     : m_recording(std::move(recording))
     , m_meshes(std::move(meshes))
+    , m_distance_mm(distance_mm)
     , m_ready(std::move(ready))
     , m_failed(std::move(failed))
     , m_thread([this] { run(); })
@@ -106,7 +108,8 @@ void RecordedTouchSums::run()
         m_failed(reader.status());
         return;
     }
-    const double dt_s = reader.value()->info().dt_s, distance_mm = study::defaultDistance_mm(*reader.value(), m_meshes);
+    const double dt_s = reader.value()->info().dt_s,
+                 distance_mm = m_distance_mm.value_or(study::defaultDistance_mm(*reader.value(), m_meshes));
     const std::int64_t first = reader.value()->extent().firstTick;
     const auto keyOf = [&reader](std::uint32_t scene, std::uint32_t structure) -> session::StructureKey {
         const session::SceneRecord* record = reader.value()->scene(scene);

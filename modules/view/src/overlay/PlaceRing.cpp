@@ -42,10 +42,9 @@ vtkSmartPointer<vtkPolyData> ring(const core::Vec3& p_W, const core::Vec3& n_W, 
 
 } // namespace
 
-PlaceRing::PlaceRing()
+PlaceRing::PlaceRing(const Colour& colour)
 {
-    // Pink does not occur in the colour map.
-    constexpr std::array<Colour, 2> kColours{kDarkRim, Colour{1.0, 0.35, 0.75}};
+    const std::array<Colour, 2> colours{kDarkRim, colour};
     for (std::size_t i = 0; i < m_rings.size(); ++i) {
         vtkNew<vtkPolyDataMapper> mapper;
         m_rings[i] = vtkSmartPointer<vtkActor>::New();
@@ -53,7 +52,7 @@ PlaceRing::PlaceRing()
         m_rings[i]->PickableOff();
         m_rings[i]->VisibilityOff();
         m_rings[i]->GetProperty()->LightingOff();
-        m_rings[i]->GetProperty()->SetColor(kColours[i][0], kColours[i][1], kColours[i][2]);
+        m_rings[i]->GetProperty()->SetColor(colours[i][0], colours[i][1], colours[i][2]);
     }
 }
 

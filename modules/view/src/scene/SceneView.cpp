@@ -59,6 +59,7 @@ SceneView::SceneView()
     m_scaleBar.addTo(*m_overlay);
     m_legend.addTo(*m_overlay);
     m_placeRing.addTo(*m_overlay);
+    m_secondHand.addTo(*m_overlay);
 }
 
 SceneView::~SceneView()
@@ -100,6 +101,7 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
     m_isSectionOld = true;
     m_legend.hide();
     m_placeRing.hide();
+    m_secondHand.hide();
     for (const ViewStructure& one : m_structures) {
         m_solid->AddActor(one.picture.actor());
     }

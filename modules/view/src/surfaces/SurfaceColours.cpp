@@ -19,16 +19,47 @@ namespace {
 constexpr double kCutShare = 0.02;  // clipped at each end
 constexpr double kLightened = 0.18; // blended with white
 
-std::array<unsigned char, 3> bytesOf(float value, const ColourRange& range, const Colour& unknown)
+std::array<unsigned char, 3> bytesOf(const Colour& colour)
 {
-    const double width = range.high - range.low;
-    const Colour colour =
-        !std::isfinite(value) ? unknown : surfaceColour(width > 0.0 ? (double{value} - range.low) / width : 0.5);
     std::array<unsigned char, 3> bytes{};
     for (std::size_t c = 0; c < bytes.size(); ++c) {
         bytes[c] = static_cast<unsigned char>(std::lround(255.0 * colour[c]));
     }
     return bytes;
+}
+
+std::array<unsigned char, 3> bytesOf(float value, const ColourRange& range, const Colour& unknown)
+{
+    const double width = range.high - range.low;
+    return bytesOf(!std::isfinite(value) ? unknown
+                                         : surfaceColour(width > 0.0 ? (double{value} - range.low) / width : 0.5));
+}
+
+/// Makes an array for the colours of this many tuples.
+vtkSmartPointer<vtkUnsignedCharArray> colourArray(vtkIdType tuples)
+{
+    auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    colours->SetName("Colours");
+    colours->SetNumberOfComponents(3);
+    colours->SetNumberOfTuples(tuples);
+    return colours;
+}
+
+/// Colours the points of a picture. At feature edges a vertex has several points, so points are looked up per corner.
+/// @param bytesAt  colour of a vertex
+template<class BytesAt>
+void colourPoints(vtkPolyData& picture, const std::vector<geometry::Triangle>& triangles, const BytesAt& bytesAt)
+{
+    const auto colours = colourArray(picture.GetNumberOfPoints());
+    vtkDataArray* points = picture.GetPolys()->GetConnectivityArray();
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto corner = static_cast<vtkIdType>(3 * t + c);
+            colours->SetTypedTuple(static_cast<vtkIdType>(points->GetComponent(corner, 0)),
+                                   bytesAt(triangles[t][c]).data());
+        }
+    }
+    picture.GetPointData()->SetScalars(colours);
 }
 
 } // namespace
@@ -81,30 +112,27 @@ vtkSmartPointer<vtkPolyData> coloured(vtkPolyData& picture, const geometry::Repa
     if (values.size() != (isPerTriangle ? triangles.size() : surface.mesh.vertices.size())) {
         return data;
     }
-    auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    colours->SetName("Colours");
-    colours->SetNumberOfComponents(3);
-    const auto set = [&](vtkIdType at, float value) {
-        colours->SetTypedTuple(at, bytesOf(value, range, unknown).data());
-    };
-    if (isPerTriangle) {
-        colours->SetNumberOfTuples(static_cast<vtkIdType>(triangles.size()));
-        for (std::size_t t = 0; t < triangles.size(); ++t) {
-            set(static_cast<vtkIdType>(t), values[t]);
-        }
-        data->GetCellData()->SetScalars(colours);
+    const auto bytes = [&](std::size_t i) { return bytesOf(values[i], range, unknown); };
+    if (!isPerTriangle) {
+        colourPoints(*data, triangles, bytes);
         return data;
     }
-    // At feature edges a vertex has several points, so points are looked up per corner.
-    colours->SetNumberOfTuples(picture.GetNumberOfPoints());
-    vtkDataArray* points = picture.GetPolys()->GetConnectivityArray();
+    const auto colours = colourArray(static_cast<vtkIdType>(triangles.size()));
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            const auto corner = static_cast<vtkIdType>(3 * t + c);
-            set(static_cast<vtkIdType>(points->GetComponent(corner, 0)), values[triangles[t][c]]);
-        }
+        colours->SetTypedTuple(static_cast<vtkIdType>(t), bytes(t).data());
     }
-    data->GetPointData()->SetScalars(colours);
+    data->GetCellData()->SetScalars(colours);
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> coloured(vtkPolyData& picture, const geometry::RepairedMesh& surface,
+                                      std::span<const Colour> colours)
+{
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->ShallowCopy(&picture);
+    if (colours.size() == surface.mesh.vertices.size()) {
+        colourPoints(*data, surface.mesh.triangles, [&](std::size_t i) { return bytesOf(colours[i]); });
+    }
     return data;
 }
 

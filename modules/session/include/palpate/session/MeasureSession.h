@@ -11,7 +11,7 @@
 #include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 
-#include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -25,7 +25,10 @@ struct MeasureOptions
     /// Distance within which the contact counts as touching a surface point or a finding [mm]. The default is about the
     /// radius of a fingertip's contact.
     double distance_mm = 5.0;
-    const std::atomic<bool>* isCancelled = nullptr; ///< polled during the measurement; may be null
+    /// Progress callback (0 to 1). Return false to cancel. May be empty.
+    std::function<bool(double)> progress{};
+    /// Receives each tick, in order, so that other sums need no pass of their own. May be empty.
+    std::function<void(const servo::TickRecord&)> sink{};
 };
 
 /// Measures for the surface of one structure.

@@ -79,6 +79,8 @@ class PALPATE_EXPORT RecordingReader
     /// force, and the direction of the spring as normal.
     core::Status forEach(std::int64_t first, std::int64_t last,
                          const std::function<bool(const servo::TickRecord&)>& sink) const;
+    /// Returns the part of the recording before a tick, 0 to 1.
+    [[nodiscard]] double shareBefore(std::int64_t tick) const noexcept;
     /// Returns the latest intact tick at or before `tick`; nothing before the first tick or after a read error.
     [[nodiscard]] std::optional<servo::TickRecord> at(std::int64_t tick) const;
     /// Returns one line for each damaged part found so far ("ticks 250 to 499: found other bits than were written
@@ -93,8 +95,9 @@ class PALPATE_EXPORT RecordingReader
     /// Reads an embedded surface. @param sha256  geometryHash as in StructureSource::sha256
     [[nodiscard]] core::Result<geometry::RepairedMesh> embedded(const std::string& sha256) const;
     /// Verifies all checksums and the database.
-    /// @return Mismatch with the first damaged part, such as a range of ticks
-    [[nodiscard]] core::Status verify() const;
+    /// @param progress  progress callback (0 to 1). Return false to cancel. May be empty
+    /// @return Mismatch with the first damaged part, such as a range of ticks; Cancelled
+    [[nodiscard]] core::Status verify(const std::function<bool(double)>& progress = {}) const;
 
   private:
     struct Private;

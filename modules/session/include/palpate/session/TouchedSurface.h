@@ -87,4 +87,9 @@ class PALPATE_EXPORT TouchedSurface
     std::unordered_map<Cell, std::pair<std::uint32_t, std::uint32_t>, CellHash> m_cells; ///< range in m_order
 };
 
+/// Returns the end of the colours of a map of touch: the 98th percentile of the touched places, rounded up to 1, 2 or 5
+/// times a power of ten. 1 without touched places.
+/// @param values  of all places; untouched ones are 0 or NaN
+[[nodiscard]] PALPATE_EXPORT double mapEnd(const std::vector<float>& values);
+
 } // namespace palpate::session

@@ -40,6 +40,22 @@ struct ReportTable
     std::vector<std::vector<core::MessageArgument>> rows;
 };
 
+/// Colours of the touched surfaces, with a legend in the picture.
+struct ReportMap
+{
+    enum class Quantity
+    {
+        Dwell,    ///< time spent [s]
+        PeakForce ///< [N]
+    };
+    Quantity quantity = Quantity::Dwell;
+    double end = 1.0;                  ///< value of the last colour, see session::mapEnd
+    std::vector<core::Message> legend; ///< title with the unit, then further lines
+};
+/// Returns the values of a map at the vertices of a touched surface; 0: not touched.
+[[nodiscard]] PALPATE_EXPORT std::vector<float> mapValues(const session::TouchedSurface& surface,
+                                                          ReportMap::Quantity quantity);
+
 /// Direction of a picture of the scene.
 struct ReportView
 {
@@ -50,7 +66,8 @@ struct ReportView
         Finding ///< where the examiner looked from when marking, otherwise from outside onto the place
     };
     From from = From::Front;
-    std::size_t finding = 0; ///< index in `Report::places`
+    std::size_t finding = 0;          ///< index in `Report::places`
+    std::optional<std::size_t> map{}; ///< index in `Report::maps`; empty: the structures in their own colours
 };
 
 /// Picture with a caption.
@@ -90,6 +107,7 @@ struct Report
     std::string subject;  ///< name of the case, or of the recording; beside the page number
     std::vector<ReportSection> sections;
     std::vector<core::Finding> places; ///< findings with a place, by number
+    std::vector<ReportMap> maps;
     std::vector<ReportView> views;
 };
 

@@ -30,12 +30,18 @@ class PALPATE_EXPORT Playback : public QObject
     /// Takes a recording and shows the first tick; null closes the recording.
     void setRecording(std::unique_ptr<RecordedTouch> recording);
     [[nodiscard]] const RecordedTouch* recording() const noexcept { return m_recording.get(); }
+    /// Takes a second recording, which is played beside the first and has its own playhead; null closes it. A new first
+    /// recording closes it, too. No effect without a recording.
+    void setSecond(std::unique_ptr<RecordedTouch> second);
+    [[nodiscard]] const RecordedTouch* second() const noexcept { return m_second.get(); }
     [[nodiscard]] bool isPlaying() const;
     void play();
     void pause();
     void toStart();
-    /// Seeks and fills the chart with the preceding seconds.
+    /// Seeks and fills the chart with the preceding seconds. The second recording stays where it is.
     void seek(double position_s);
+    /// Moves the playhead of the second recording. No effect without one.
+    void seekSecond(double position_s);
     /// Redraws the current position after other content was shown. No effect without a recording.
     void showAgain() { seek(position_s()); }
     /// Current position. [s]
@@ -48,10 +54,14 @@ class PALPATE_EXPORT Playback : public QObject
     void overviewReady();
     /// Emitted when another moment is shown. @param time_s  since the first tick
     void momentShown(double time_s);
+    /// As momentShown, of the second recording.
+    void secondMomentShown(double time_s);
 
   private:
     void step();
     void showMoment(double time_s);
+    void showSecondMoment();
+    void showNames();
     [[nodiscard]] std::shared_ptr<const geometry::SurfaceMotion> motionOf(const servo::TickRecord& tick, int row) const;
     void addLump(TouchReading& reading, const servo::TickRecord& tick) const;
     void feed(const servo::TickRecord& tick, double time_s);
@@ -62,7 +72,7 @@ class PALPATE_EXPORT Playback : public QObject
     const StructureModel& m_model;
     SessionPanel& m_panel;
     TouchPanel& m_touch;
-    std::unique_ptr<RecordedTouch> m_recording;
+    std::unique_ptr<RecordedTouch> m_recording, m_second;
     QTimer m_timer;
     QElapsedTimer m_clock;
     double m_peak_s = 0.0;

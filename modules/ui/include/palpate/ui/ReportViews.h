@@ -3,7 +3,6 @@
 
 #include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
-#include <palpate/meshio/LoadScene.h>
 #include <palpate/study/Report.h>
 
 #include <QImage>
@@ -20,8 +19,9 @@ class PALPATE_EXPORT ReportViews
 {
   public:
     /// Makes the context and uploads nothing yet.
+    /// @param facts  with a scene; must outlive the views
     /// @return Unsupported without OpenGL
-    [[nodiscard]] static core::Result<std::unique_ptr<ReportViews>> create(const meshio::LoadedScene& scene);
+    [[nodiscard]] static core::Result<std::unique_ptr<ReportViews>> create(const study::ReportFacts& facts);
     ~ReportViews();
     ReportViews(const ReportViews&) = delete;
     ReportViews& operator=(const ReportViews&) = delete;

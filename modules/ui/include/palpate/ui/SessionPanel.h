@@ -5,6 +5,7 @@
 #include "palpate/ui/Transport.h"
 
 #include <palpate/core/Export.h>
+#include <palpate/view/ColourMap.h>
 
 #include <QRectF>
 #include <QWidget>
@@ -32,6 +33,13 @@ class PALPATE_EXPORT ForceTimeline : public QWidget, public AccessibleReadout
     void setPeaks(std::vector<float> peaks_N, double duration_s);
     void setMarks(std::vector<std::pair<double, QString>> marks);
     void setPosition(double position_s);
+    /// Extends the axes to at least this, so that two timelines have the same. @param duration_s,  force_N  0: as
+    /// needed
+    void setLeastAxes(double duration_s, double force_N);
+    /// Hides the labels of the time axis, for a timeline with the same axis below.
+    void setTimeShown(bool isShown);
+    /// Greatest force of the waveform. [N]
+    [[nodiscard]] double greatest_N() const noexcept { return double{m_greatest_N}; }
     /// Extends the waveform during recording. @param force_N  greatest force since the previous call
     void addLive(double time_s, double force_N);
     void clear();
@@ -58,6 +66,7 @@ class PALPATE_EXPORT ForceTimeline : public QWidget, public AccessibleReadout
     [[nodiscard]] double placeOf(double time_s) const;
     [[nodiscard]] QRectF lane() const;
     [[nodiscard]] double top_N() const;
+    [[nodiscard]] double axis_s() const;
     [[nodiscard]] QString topText() const;
     void paintBars(QPainter& painter, const QRectF& bars) const;
     void paintAxes(QPainter& painter, const QRectF& bars) const;
@@ -67,10 +76,13 @@ class PALPATE_EXPORT ForceTimeline : public QWidget, public AccessibleReadout
     std::vector<std::pair<double, QString>> m_marks;
     double m_duration_s = 0.0;
     double m_position_s = 0.0;
+    double m_leastAxis_s = 0.0, m_leastAxis_N = 0.0;
+    bool m_hasTimes = true;
     bool m_isLive = false;
 };
 
-/// Panel of the current recording: transport, timeline, speed.
+/// Panel of the current recording: transport, timeline, speed. A second recording has its own timeline and playhead
+/// below, with the same axes.
 class PALPATE_EXPORT SessionPanel : public QWidget
 {
     Q_OBJECT
@@ -81,18 +93,27 @@ class PALPATE_EXPORT SessionPanel : public QWidget
     void addAction(QAction* action);
     [[nodiscard]] ForceTimeline& timeline() noexcept { return *m_timeline; }
     [[nodiscard]] Transport& transport() noexcept { return m_transport; }
+    [[nodiscard]] ForceTimeline& secondTimeline() noexcept { return *m_secondTimeline; }
+    [[nodiscard]] Transport& secondTransport() noexcept { return m_secondTransport; }
     void showTitle(const QString& title);
-    /// Updates the display from the transport.
+    /// Shows or hides the second timeline and the letters A and B.
+    void showSecond(bool isShown);
+    /// Gives both timelines the same axes, once their waveforms are known.
+    void alignAxes();
+    /// Updates the display from the transports.
     void refresh();
     /// Shows a running recording. @param losses  result of `lossesText`
     void showRecording(double duration_s, const QString& losses);
 
   Q_SIGNALS:
     void sought();
+    void secondSought();
 
   private:
-    Transport m_transport;
-    ForceTimeline* m_timeline = nullptr;
+    [[nodiscard]] QLabel* letter(const QString& text, const view::Colour& colour);
+    Transport m_transport, m_secondTransport;
+    ForceTimeline *m_timeline = nullptr, *m_secondTimeline = nullptr;
+    QLabel *m_letterA = nullptr, *m_letterB = nullptr;
     QLabel* m_title = nullptr;
     QLabel* m_time = nullptr;
     QComboBox* m_speed = nullptr;

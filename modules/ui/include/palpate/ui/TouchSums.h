@@ -45,8 +45,9 @@ class PALPATE_EXPORT RecordedTouchSums
 {
   public:
     /// @param meshes  surfaces of the open scene
+    /// @param distance_mm  distance that counts as touched; empty: the recording's default
     /// @param ready  called on the thread with each result @param failed  called there with the reason, at most once
-    RecordedTouchSums(std::filesystem::path recording, session::MeshesByHash meshes,
+    RecordedTouchSums(std::filesystem::path recording, session::MeshesByHash meshes, std::optional<double> distance_mm,
                       std::function<void(std::shared_ptr<const TouchSums>)> ready,
                       std::function<void(const core::Status&)> failed);
     ~RecordedTouchSums(); ///< cancels and waits
@@ -64,6 +65,7 @@ class PALPATE_EXPORT RecordedTouchSums
 
     std::filesystem::path m_recording;
     session::MeshesByHash m_meshes;
+    std::optional<double> m_distance_mm;
     std::function<void(std::shared_ptr<const TouchSums>)> m_ready;
     std::function<void(const core::Status&)> m_failed;
     std::mutex m_mutex;

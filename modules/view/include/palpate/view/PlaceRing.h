@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/view/ColourMap.h"
+
 #include <palpate/core/Export.h>
 #include <palpate/core/Types.h>
 
@@ -13,13 +15,14 @@
 
 namespace palpate::view {
 
-/// Ring on a surface that marks a place to press, with the size of the finger's contact area. Tissue does not hide
-/// the ring.
+/// Ring on a surface that marks a place to press or a second hand, with the size of the finger's contact area. Tissue
+/// does not hide the ring.
 /// @par Thread The view's.
 class PALPATE_EXPORT PlaceRing
 {
   public:
-    PlaceRing();
+    /// Pink does not occur in the colour map.
+    explicit PlaceRing(const Colour& colour = {1.0, 0.35, 0.75});
     /// Adds the actors. @param overlay  drawn over the tissue; must outlive this
     void addTo(vtkRenderer& overlay);
     /// Shows the ring. @param p_W  centre [mm]; @param n_W  outward unit normal; @param radius_mm  > 0

@@ -100,6 +100,8 @@ class PALPATE_EXPORT SceneView
     }
     /// The ring is hidden when structures are replaced.
     [[nodiscard]] PlaceRing& placeRing() noexcept { return m_placeRing; }
+    /// Contact of the second of two hands; hidden when structures are replaced.
+    [[nodiscard]] PlaceRing& secondHand() noexcept { return m_secondHand; }
     [[nodiscard]] OrientationCube& cube() noexcept { return m_cube; }
     [[nodiscard]] vtkRenderer& renderer() noexcept { return *m_solid; }
     [[nodiscard]] const ScaleBar& scaleBar() const noexcept { return m_scaleBar; }
@@ -147,6 +149,7 @@ class PALPATE_EXPORT SceneView
     ScaleBar m_scaleBar;
     ColourLegend m_legend;
     PlaceRing m_placeRing;
+    PlaceRing m_secondHand{kSecondColour};
     SectionPicture m_sectionPicture;
     ImageSlice m_image;
     std::optional<geometry::SectionPlane> m_section;

@@ -43,5 +43,8 @@ struct ColourRange
 [[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkPolyData>
 coloured(vtkPolyData& picture, const geometry::RepairedMesh& surface, std::span<const float> values, bool isPerTriangle,
          const ColourRange& range, const Colour& unknown = kUnknownColour);
+/// Same with a colour for each vertex of the surface.
+[[nodiscard]] PALPATE_EXPORT vtkSmartPointer<vtkPolyData>
+coloured(vtkPolyData& picture, const geometry::RepairedMesh& surface, std::span<const Colour> colours);
 
 } // namespace palpate::view
