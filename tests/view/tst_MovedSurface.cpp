@@ -165,7 +165,7 @@ class MovedSurface : public QObject
         actor.moveTo(motion, 1.3);
         QVERIFY(!actor.follow()); // started
         bool isThere = false;
-        PALPATE_TRY_VERIFY(isThere = isThere || actor.follow());
+        PALPATE_TRY_VERIFY((isThere = isThere || actor.follow()));
         QVERIFY(farthest(actor, large, *motion, 1.3) < 1e-5);
         QVERIFY(!actor.follow());
     }
