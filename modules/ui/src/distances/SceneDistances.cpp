@@ -140,10 +140,12 @@ void SceneDistances::begin()
     for (const study::OpenStructure& row : m_model.rows()) {
         indices.push_back(row.isRemoved ? nullptr : row.touch);
     }
-    const std::vector<std::size_t> from =
-        m_from ? std::vector<std::size_t>{static_cast<std::size_t>(*m_from)} : std::vector<std::size_t>();
-    m_thread.start([this, job = m_job, progress, from, limits_mm = m_limits_mm, indices = std::move(indices),
-                    scene = m_model.scene().loadedScene()] {
+    std::vector<std::size_t> from;
+    if (m_from) {
+        from.push_back(static_cast<std::size_t>(*m_from));
+    }
+    m_thread.start([this, job = m_job, progress, from = std::move(from), limits_mm = m_limits_mm,
+                    indices = std::move(indices), scene = m_model.scene().loadedScene()] {
         auto found = std::make_shared<Found>();
         if (progress(0.0)) {
             found->indices = study::completeIndices(scene, indices);
