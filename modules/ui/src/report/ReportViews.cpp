@@ -118,11 +118,11 @@ void ReportViews::Private::showMap(const study::ReportMap* map)
 void ReportViews::Private::colour(std::size_t structure, const session::TouchedSurface& touched,
                                   const study::ReportMap& map)
 {
-    geometry::RepairedMesh surface;
-    surface.mesh = touched.mesh(); // with long edges split
+    geometry::RepairedMesh split;
+    split.mesh = touched.mesh(); // its long edges are split
     vtkSmartPointer<vtkPolyData>& picture = touchedPictures[plain[structure].name];
     if (picture == nullptr) {
-        picture = view::makeSurface(surface);
+        picture = view::makeSurface(split);
     }
     std::vector<float> values = study::mapValues(touched, map.quantity);
     std::replace_if(
@@ -131,7 +131,7 @@ void ReportViews::Private::colour(std::size_t structure, const session::TouchedS
     view::Appearance look = plain[structure].look;
     look.opacity = 1.0;
     view.setAppearance(structure, look);
-    view.setPicture(structure, view::coloured(*picture, surface, values, false, {0.0, map.end}, look.colour));
+    view.setPicture(structure, view::coloured(*picture, split, values, false, {0.0, map.end}, look.colour));
 }
 
 /// Looks as the examiner did when marking, otherwise from outside onto the place.
