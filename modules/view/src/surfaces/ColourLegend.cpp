@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kColourRows = 10; // rows of colours, interpolated linearly
 constexpr double kBarLeft_px = 20.0, kBarWidth_px = 16.0, kBarHeight_px = 160.0;
-constexpr double kLeastHeight_px = 50.0, kTitle = 3.5; // in letters
+constexpr double kLeastHeight_px = 50.0, kTitle = 4.5; // in letters; a title of three lines
 constexpr double kGreyHeight_px = 16.0, kBeside_px = 8.0;
 constexpr double kLineSpacing = 1.35;                      // line spacing between marks, in letters
 constexpr double kLead_px = 14.0;                          // from the bar to the text of a mark
@@ -144,6 +144,7 @@ ColourLegend::ColourLegend()
         text->VisibilityOff();
     }
     m_texts[0]->GetTextProperty()->SetVerticalJustificationToBottom();
+    m_texts[0]->GetTextProperty()->SetLineSpacing(kLineSpacing);
     for (auto& text : m_markTexts) {
         text = vtkSmartPointer<vtkTextActor>::New();
         text->GetTextProperty()->SetVerticalJustificationToCentered();
