@@ -202,10 +202,13 @@ void RecordingPart::stop()
     }
     const bool wasPalpating = m_touch.palpation().isPalpating();
     open(m_control->path());
+    if (const ui::RecordedTouch* recorded = m_playback->recording()) {
+        m_playback->seek(recorded->duration_s()); // maps of touch show all that was recorded; Play starts over
+    }
     m_touch.setPalpating(wasPalpating);
-    m_core.notices.bar().offer(stopped.isOk() ? tr("Recorded to %1").arg(toText(m_control->path()))
-                                              : ui::translated(stopped),
-                               tr("Results…"), [this] { m_core.actions.at("measures").trigger(); });
+    m_core.notices.bar().withdraw(m_told); // about the recording before
+    m_told = stopped.isOk() ? tr("Recorded to %1").arg(toText(m_control->path())) : ui::translated(stopped);
+    m_core.notices.bar().offer(m_told, tr("Results…"), [this] { m_core.actions.at("measures").trigger(); });
 }
 
 void RecordingPart::takeFailure(const QString& line)

@@ -5,6 +5,7 @@
 #include "touch/RecordingControl.h"
 #include "touch/RecordingTrace.h"
 
+#include <QString>
 #include <filesystem>
 #include <vector>
 
@@ -70,6 +71,7 @@ class RecordingPart : public WindowPart
     ui::Playback* m_playback = nullptr;
     RecordingControl* m_control = nullptr;
     RecordingTrace m_trace;
+    QString m_told; ///< the open message about the last recording
 };
 
 } // namespace palpate::app

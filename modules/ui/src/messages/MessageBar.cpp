@@ -120,13 +120,18 @@ void MessageBar::ask(const QString& text, const QString& button, std::function<v
             });
 }
 
-MessageRow* MessageBar::put(Messages::Kind kind, const QString& text, const QStringList& buttons, Keep keep)
+void MessageBar::withdraw(const QString& text)
 {
     const auto same =
         std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& entry) { return entry.row->text() == text; });
-    if (same != m_entries.end()) { // replace a repeated message, since its buttons may have changed
+    if (same != m_entries.end()) {
         remove(same->row);
     }
+}
+
+MessageRow* MessageBar::put(Messages::Kind kind, const QString& text, const QStringList& buttons, Keep keep)
+{
+    withdraw(text); // a repeated message is replaced, since its buttons may have changed
     m_messages.add(kind, text);
     auto* row = new MessageRow(kind, text, buttons, this);
     connect(row, &MessageRow::closed, this, [this, row] { remove(row); });

@@ -65,6 +65,8 @@ class PALPATE_EXPORT MessageBar : public QWidget
     /// Shows a question with two answers. Each answer closes the message.
     void ask(const QString& text, const QString& button, std::function<void()> act, const QString& otherButton,
              std::function<void()> otherAct);
+    /// Closes the open message with this text, which is no longer of interest; nothing happens without one.
+    void withdraw(const QString& text);
     /// Closes the messages about the previous scene.
     void forgetScene();
     /// Texts of the open messages, newest first, one per line.
