@@ -2130,10 +2130,6 @@
         <translation>keine 6-Achsen-Maus ist angeschlossen: stecken Sie eine ein</translation>
     </message>
     <message>
-        <source>%1: expected an object, as {&quot;dead_zone&quot;: 0.06}</source>
-        <translation>%1: erwartet: ein Objekt wie {&quot;dead_zone&quot;: 0.06}</translation>
-    </message>
-    <message>
         <source>%1: at byte %2: %3, expected an object of numbers, {&quot;length_body_a&quot;: 0.080, ...}</source>
         <translation>%1: bei Byte %2: %3, erwartet: ein Objekt mit Zahlen, {&quot;length_body_a&quot;: 0.080, ...}</translation>
     </message>
@@ -5782,16 +5778,8 @@
         <translation>Tastbarkeit der Knoten wird berechnet</translation>
     </message>
     <message>
-        <source>Evaluating the search for lumps</source>
-        <translation>Suche nach Knoten wird ausgewertet</translation>
-    </message>
-    <message>
         <source>Measuring distances</source>
         <translation>Abstände werden gemessen</translation>
-    </message>
-    <message>
-        <source>Reading the force</source>
-        <translation>Kraft wird gelesen</translation>
     </message>
     <message>
         <source>The recording was interrupted: %1.</source>
@@ -6120,6 +6108,340 @@
     <message>
         <source>found no display with OpenGL to draw them; app/run.sh draws without a display</source>
         <translation>keine Anzeige mit OpenGL gefunden, um sie zu zeichnen; app/run.sh zeichnet ohne Anzeige</translation>
+    </message>
+    <message>
+        <source>the surface of %1 is another one</source>
+        <translation>die Oberfläche von %1 ist eine andere</translation>
+    </message>
+    <message>
+        <source>%1 was palpable only in the first</source>
+        <translation>%1 war nur in der ersten tastbar</translation>
+    </message>
+    <message>
+        <source>%1 was palpable only in the second</source>
+        <translation>%1 war nur in der zweiten tastbar</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>Median force [N]</source>
+        <translation>Median der Kraft [N]</translation>
+    </message>
+    <message>
+        <source>95th percentile of the force [N]</source>
+        <translation>95. Perzentil der Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Mean depth [mm]</source>
+        <translation>Mittlere Tiefe [mm]</translation>
+    </message>
+    <message>
+        <source>Searching [s]</source>
+        <translation>Suchen [s]</translation>
+    </message>
+    <message>
+        <source>Mean force when searching [N]</source>
+        <translation>Mittlere Kraft beim Suchen [N]</translation>
+    </message>
+    <message>
+        <source>Pressing [s]</source>
+        <translation>Drücken [s]</translation>
+    </message>
+    <message>
+        <source>Mean force when pressing [N]</source>
+        <translation>Mittlere Kraft beim Drücken [N]</translation>
+    </message>
+    <message>
+        <source>Duration [s]</source>
+        <translation>Dauer [s]</translation>
+    </message>
+    <message>
+        <source>Path of the hand [mm]</source>
+        <translation>Weg der Hand [mm]</translation>
+    </message>
+    <message>
+        <source>Path on the surface [mm]</source>
+        <translation>Weg auf der Oberfläche [mm]</translation>
+    </message>
+    <message>
+        <source>Marked findings</source>
+        <translation>Markierte Befunde</translation>
+    </message>
+    <message>
+        <source>Largest recorded change [%]</source>
+        <translation>Größte aufgezeichnete Änderung [%]</translation>
+    </message>
+    <message>
+        <source>%1 and %2: found recordings of different surfaces (%3), expected two recordings of the same scene</source>
+        <translation>%1 und %2: Aufnahmen verschiedener Flächen gefunden (%3), erwartet zwei Aufnahmen derselben Szene</translation>
+    </message>
+    <message>
+        <source>the check was cancelled</source>
+        <translation>die Prüfung wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1: found the same recording twice, expected two</source>
+        <translation>%1: zweimal dieselbe Aufnahme gefunden, erwartet zwei verschiedene</translation>
+    </message>
+    <message>
+        <source>No coverage: %1.</source>
+        <translation>Keine Abdeckung: %1.</translation>
+    </message>
+    <message>
+        <source>The fingertip was a ball of %1 mm radius in A and %2 mm in B (0: a point).</source>
+        <translation>Die Fingerspitze war eine Kugel mit %1 mm Radius in A und %2 mm in B (0: ein Punkt).</translation>
+    </message>
+    <message>
+        <source>The device was %1 in A and %2 in B.</source>
+        <translation>Das Gerät war %1 in A und %2 in B.</translation>
+    </message>
+    <message>
+        <source>The stiffness of %1 was %2 N/mm in A and %3 N/mm in B.</source>
+        <translation>Die Steifigkeit von %1 war %2 N/mm in A und %3 N/mm in B.</translation>
+    </message>
+    <message>
+        <source>The tissue of %1 was not the same in A and B.</source>
+        <translation>Das Gewebe von %1 war in A und B nicht gleich.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged, or was changed after it was made. Damaged places: %2. Ticks that do not match their checksum are left out of all numbers.</source>
+        <translation>%1 ist beschädigt oder wurde nach der Aufnahme geändert. Beschädigte Stellen: %2. Takte, die nicht zu ihrer Prüfsumme passen, fehlen in allen Zahlen.</translation>
+    </message>
+    <message>
+        <source>noticeable</source>
+        <translation>spürbar</translation>
+    </message>
+    <message>
+        <source>not noticeable</source>
+        <translation>nicht spürbar</translation>
+    </message>
+    <message>
+        <source>Search for %1</source>
+        <translation>Suche nach %1</translation>
+    </message>
+    <message>
+        <source>Contact with %1</source>
+        <translation>Kontakt mit %1</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messgröße</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Relative to A</source>
+        <translation>Bezogen auf A</translation>
+    </message>
+    <message>
+        <source>By hand (7 %)</source>
+        <translation>Mit der Hand (7 %)</translation>
+    </message>
+    <message>
+        <source>Touched surface, within %1 mm of the contact</source>
+        <translation>Berührte Oberfläche, bis %1 mm um den Kontakt</translation>
+    </message>
+    <message>
+        <source>Both [cm²]</source>
+        <translation>Beide [cm²]</translation>
+    </message>
+    <message>
+        <source>Only A [cm²]</source>
+        <translation>Nur A [cm²]</translation>
+    </message>
+    <message>
+        <source>Only B [cm²]</source>
+        <translation>Nur B [cm²]</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>%1 cm², %2 %</source>
+        <translation>%1 cm², %2 %</translation>
+    </message>
+    <message>
+        <source>Time spent, s</source>
+        <translation>Verweilzeit, s</translation>
+    </message>
+    <message>
+        <source>Largest force, N</source>
+        <translation>Größte Kraft, N</translation>
+    </message>
+    <message>
+        <source>touched: %1</source>
+        <translation>berührt: %1</translation>
+    </message>
+    <message>
+        <source>above %1: %2</source>
+        <translation>über %1: %2</translation>
+    </message>
+    <message>
+        <source>Map of touch</source>
+        <translation>Karte der Berührung</translation>
+    </message>
+    <message>
+        <source>from the front</source>
+        <translation>von vorn</translation>
+    </message>
+    <message>
+        <source>from the patient&apos;s left</source>
+        <translation>von links des Patienten</translation>
+    </message>
+    <message>
+        <source>Map of touch %1. %2, colours up to %3; %4.</source>
+        <translation>Karte der Berührung %1. %2, Farben bis %3; %4.</translation>
+    </message>
+    <message>
+        <source>The brighter a place, the longer or more firmly the contact came within %1 mm. Places in the colour of the structure were not touched. Shares refer to the surfaces of the touched structures, which are drawn opaque. The colours end at the 98th percentile, rounded up.</source>
+        <translation>Je heller eine Stelle, desto länger oder fester war der Kontakt im Abstand bis %1 mm. Stellen in der Farbe der Struktur wurden nicht berührt. Anteile beziehen sich auf die Oberflächen der berührten Strukturen, die undurchsichtig gezeichnet sind. Die Farben enden am 98. Perzentil, aufgerundet.</translation>
+    </message>
+    <message>
+        <source>forcedimension: the device with serial number %1 could not be opened: %2</source>
+        <translation>forcedimension: Das Gerät mit der Seriennummer %1 konnte nicht geöffnet werden: %2</translation>
+    </message>
+    <message>
+        <source>forcedimension: no device is connected: plug it in, switch it on, and install Palpate&apos;s udev rule (in lib/udev/rules.d)</source>
+        <translation>forcedimension: Es ist kein Gerät angeschlossen: Stecken Sie es ein, schalten Sie es an und installieren Sie Palpates udev-Regel (in lib/udev/rules.d)</translation>
+    </message>
+    <message>
+        <source>forcedimension: %1 devices are connected, expected one: choose by &quot;serial&quot; in ~/.config/Palpate/forcedimension.json; &quot;palpate devices&quot; lists the serial numbers</source>
+        <translation>forcedimension: Es sind %1 Geräte angeschlossen, erwartet wird eines: Wählen Sie mit „serial“ in ~/.config/Palpate/forcedimension.json; „palpate devices“ listet die Seriennummern auf</translation>
+    </message>
+    <message>
+        <source>forcedimension: the device could not be opened: %1</source>
+        <translation>forcedimension: Das Gerät konnte nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>forcedimension: the device is already in use by this program</source>
+        <translation>forcedimension: Das Gerät wird bereits von diesem Programm benutzt</translation>
+    </message>
+    <message>
+        <source>forcedimension: found the serial number %1, expected %2; plug the device in again</source>
+        <translation>forcedimension: gefunden wurde die Seriennummer %1, erwartet wird %2; stecken Sie das Gerät neu ein</translation>
+    </message>
+    <message>
+        <source>install the Force Dimension SDK 3 of the maker, or set &quot;library&quot; in ~/.config/Palpate/forcedimension.json to the path of libdhd.so.3</source>
+        <translation>installieren Sie das Force-Dimension-SDK 3 des Herstellers, oder setzen Sie „library“ in ~/.config/Palpate/forcedimension.json auf den Pfad von libdhd.so.3</translation>
+    </message>
+    <message>
+        <source>it is not free: close other programs that use it</source>
+        <translation>es ist nicht frei: Schließen Sie andere Programme, die es benutzen</translation>
+    </message>
+    <message>
+        <source>access is refused: install Palpate&apos;s udev rule (in lib/udev/rules.d) and plug the device in again</source>
+        <translation>der Zugriff wird verweigert: Installieren Sie Palpates udev-Regel (in lib/udev/rules.d) und stecken Sie das Gerät neu ein</translation>
+    </message>
+    <message>
+        <source>it is not connected: plug it in and switch it on</source>
+        <translation>es ist nicht angeschlossen: Stecken Sie es ein und schalten Sie es an</translation>
+    </message>
+    <message>
+        <source>forcedimension: the device was opened but gives no position; switch it off and on</source>
+        <translation>forcedimension: Das Gerät wurde geöffnet, liefert aber keine Position; schalten Sie es aus und wieder an</translation>
+    </message>
+    <message>
+        <source>This device is calibrated at the device: put the end of its handle into the calibration pit and hold it there until its light is steady.</source>
+        <translation>Dieses Gerät wird am Gerät kalibriert: Stecken Sie das Ende des Griffs in die Kalibriermulde und halten Sie es dort, bis die Leuchte stetig leuchtet.</translation>
+    </message>
+    <message>
+        <source>forcedimension: found the address &quot;%1&quot;, expected a serial number</source>
+        <translation>forcedimension: gefunden wurde die Adresse „%1“, erwartet wird eine Seriennummer</translation>
+    </message>
+    <message>
+        <source>%1: library: expected the path of libdhd.so.3 in quotes</source>
+        <translation>%1: library: erwartet wird der Pfad von libdhd.so.3 in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>%1: expected an object, as %2</source>
+        <translation>%1: erwartet: ein Objekt wie %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 could not be loaded (%3); %4</source>
+        <translation>%1: %2 konnte nicht geladen werden (%3); %4</translation>
+    </message>
+    <message>
+        <source>%1: the library &quot;%2&quot; in the settings is a relative path, expected one that begins with /</source>
+        <translation>%1: Die Bibliothek „%2“ in den Einstellungen ist ein relativer Pfad, erwartet wird einer, der mit / beginnt</translation>
+    </message>
+    <message>
+        <source>%1: %2, the library in the settings, was not found; %3</source>
+        <translation>%1: %2, die Bibliothek in den Einstellungen, wurde nicht gefunden; %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 was not found; %3</source>
+        <translation>%1: %2 wurde nicht gefunden; %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 lacks %3 of the needed functions, the first is %4: another version of the library; %5</source>
+        <translation>%1: %2 fehlen %3 der benötigten Funktionen, die erste ist %4: eine andere Version der Bibliothek; %5</translation>
+    </message>
+    <message>
+        <source>%1: %2 is version %3, expected version %4; %5</source>
+        <translation>%1: %2 hat Version %3, erwartet wird Version %4; %5</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ComparisonDialog</name>
+    <message>
+        <source>Comparison of %1 (A) and %2 (B)</source>
+        <translation>Vergleich von %1 (A) und %2 (B)</translation>
+    </message>
+    <message>
+        <source>Comparison of two recordings</source>
+        <translation>Vergleich zweier Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Messe…</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all tables for a spreadsheet</source>
+        <translation>Alle Tabellen für eine Tabellenkalkulation kopieren</translation>
+    </message>
+    <message>
+        <source>By hand: a hand can tell two forces apart from about 7 % on (measured from 2.5 to 10 N).</source>
+        <translation>Mit der Hand: eine Hand kann zwei Kräfte ab etwa 7 % Unterschied unterscheiden (gemessen von 2,5 bis 10 N).</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ComparisonPart</name>
+    <message>
+        <source>Compare with…</source>
+        <translation>Vergleichen mit…</translation>
+    </message>
+    <message>
+        <source>Compare the recording with a second one of the same structures</source>
+        <translation>Die Aufnahme mit einer zweiten derselben Strukturen vergleichen</translation>
+    </message>
+    <message>
+        <source>End the comparison</source>
+        <translation>Vergleich beenden</translation>
+    </message>
+    <message>
+        <source>Second recording</source>
+        <translation>Zweite Aufnahme</translation>
+    </message>
+    <message>
+        <source>Recordings (*.palpate)</source>
+        <translation>Aufnahmen (*.palpate)</translation>
     </message>
 </context>
 <context>
@@ -7731,8 +8053,8 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <translation>Unterstützt: %1.</translation>
     </message>
     <message>
-        <source>Not supported yet: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
-        <translation>Noch nicht unterstützt: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. Ein Geräte-Plugin bindet einen solchen Arm an; die Seite „device-plugin“ der Dokumentation beschreibt, wie man eines schreibt.</translation>
+        <source>Not supported yet: 3D Systems Touch, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
+        <translation>Noch nicht unterstützt: 3D Systems Touch, Haply Inverse3, Novint Falcon. Ein Geräte-Plugin bindet einen solchen Arm an; die Seite „device-plugin“ der Dokumentation beschreibt, wie man eines schreibt.</translation>
     </message>
 </context>
 <context>
@@ -9380,6 +9702,10 @@ Anteil der Fläche</translation>
         <source>structure %1</source>
         <translation>Struktur %1</translation>
     </message>
+    <message>
+        <source>A: %1, B: %2</source>
+        <translation>A: %1, B: %2</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::RecordedTouch</name>
@@ -9549,6 +9875,14 @@ Anteil der Fläche</translation>
     <message>
         <source>Playback speed; 1 × is real time</source>
         <translation>Wiedergabetempo; 1 × ist Echtzeit</translation>
+    </message>
+    <message>
+        <source>Force timeline of the second recording</source>
+        <translation>Kraftverlauf der zweiten Aufnahme</translation>
+    </message>
+    <message>
+        <source>A %1, B %2</source>
+        <translation>A %1, B %2</translation>
     </message>
 </context>
 <context>
@@ -10413,6 +10747,22 @@ Einzelheiten: %3</translation>
     <message>
         <source>touched</source>
         <translation>berührt</translation>
+    </message>
+    <message>
+        <source>A up to %1 s, B up to %2 s</source>
+        <translation>A bis %1 s, B bis %2 s</translation>
+    </message>
+    <message>
+        <source>only A: %1</source>
+        <translation>nur A: %1</translation>
+    </message>
+    <message>
+        <source>both: %1</source>
+        <translation>beide: %1</translation>
+    </message>
+    <message>
+        <source>only B: %1</source>
+        <translation>nur B: %1</translation>
     </message>
 </context>
 <context>

@@ -2130,10 +2130,6 @@
         <translation>aucune souris à 6 axes n’est connectée&#x202f;: branchez-en une</translation>
     </message>
     <message>
-        <source>%1: expected an object, as {&quot;dead_zone&quot;: 0.06}</source>
-        <translation>%1&#x202f;: attendu un objet, comme {&quot;dead_zone&quot;: 0.06}</translation>
-    </message>
-    <message>
         <source>%1: at byte %2: %3, expected an object of numbers, {&quot;length_body_a&quot;: 0.080, ...}</source>
         <translation>%1&#x202f;: à l’octet %2&#x202f;: %3, attendu un objet de nombres, {&quot;length_body_a&quot;: 0.080, ...}</translation>
     </message>
@@ -5782,16 +5778,8 @@
         <translation>Calcul de la palpabilité des nodules</translation>
     </message>
     <message>
-        <source>Evaluating the search for lumps</source>
-        <translation>Évaluation de la recherche des nodules</translation>
-    </message>
-    <message>
         <source>Measuring distances</source>
         <translation>Mesure des distances</translation>
-    </message>
-    <message>
-        <source>Reading the force</source>
-        <translation>Lecture de la force</translation>
     </message>
     <message>
         <source>The recording was interrupted: %1.</source>
@@ -6120,6 +6108,340 @@
     <message>
         <source>found no display with OpenGL to draw them; app/run.sh draws without a display</source>
         <translation>aucun affichage avec OpenGL trouvé pour les dessiner&#x202f;; app/run.sh dessine sans affichage</translation>
+    </message>
+    <message>
+        <source>the surface of %1 is another one</source>
+        <translation>la surface de %1 est une autre</translation>
+    </message>
+    <message>
+        <source>%1 was palpable only in the first</source>
+        <translation>%1 n’était palpable que dans le premier</translation>
+    </message>
+    <message>
+        <source>%1 was palpable only in the second</source>
+        <translation>%1 n’était palpable que dans le second</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
+    </message>
+    <message>
+        <source>Median force [N]</source>
+        <translation>Force médiane [N]</translation>
+    </message>
+    <message>
+        <source>95th percentile of the force [N]</source>
+        <translation>95e percentile de la force [N]</translation>
+    </message>
+    <message>
+        <source>Mean depth [mm]</source>
+        <translation>Profondeur moyenne [mm]</translation>
+    </message>
+    <message>
+        <source>Searching [s]</source>
+        <translation>Recherche [s]</translation>
+    </message>
+    <message>
+        <source>Mean force when searching [N]</source>
+        <translation>Force moyenne en cherchant [N]</translation>
+    </message>
+    <message>
+        <source>Pressing [s]</source>
+        <translation>Appui [s]</translation>
+    </message>
+    <message>
+        <source>Mean force when pressing [N]</source>
+        <translation>Force moyenne en appuyant [N]</translation>
+    </message>
+    <message>
+        <source>Duration [s]</source>
+        <translation>Durée [s]</translation>
+    </message>
+    <message>
+        <source>Path of the hand [mm]</source>
+        <translation>Trajet de la main [mm]</translation>
+    </message>
+    <message>
+        <source>Path on the surface [mm]</source>
+        <translation>Trajet sur la surface [mm]</translation>
+    </message>
+    <message>
+        <source>Marked findings</source>
+        <translation>Constatations marquées</translation>
+    </message>
+    <message>
+        <source>Largest recorded change [%]</source>
+        <translation>Plus grand changement enregistré [%]</translation>
+    </message>
+    <message>
+        <source>%1 and %2: found recordings of different surfaces (%3), expected two recordings of the same scene</source>
+        <translation>%1 et %2 : trouvé des enregistrements de surfaces différentes (%3), attendu deux enregistrements de la même scène</translation>
+    </message>
+    <message>
+        <source>the check was cancelled</source>
+        <translation>la vérification a été annulée</translation>
+    </message>
+    <message>
+        <source>%1: found the same recording twice, expected two</source>
+        <translation>%1 : trouvé deux fois le même enregistrement, attendu deux enregistrements</translation>
+    </message>
+    <message>
+        <source>No coverage: %1.</source>
+        <translation>Pas de couverture : %1.</translation>
+    </message>
+    <message>
+        <source>The fingertip was a ball of %1 mm radius in A and %2 mm in B (0: a point).</source>
+        <translation>Le bout du doigt était une bille de %1 mm de rayon dans A et de %2 mm dans B (0 : un point).</translation>
+    </message>
+    <message>
+        <source>The device was %1 in A and %2 in B.</source>
+        <translation>L’appareil était %1 dans A et %2 dans B.</translation>
+    </message>
+    <message>
+        <source>The stiffness of %1 was %2 N/mm in A and %3 N/mm in B.</source>
+        <translation>La raideur de %1 était de %2 N/mm dans A et de %3 N/mm dans B.</translation>
+    </message>
+    <message>
+        <source>The tissue of %1 was not the same in A and B.</source>
+        <translation>Le tissu de %1 n’était pas le même dans A et B.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged, or was changed after it was made. Damaged places: %2. Ticks that do not match their checksum are left out of all numbers.</source>
+        <translation>%1 est endommagé ou a été modifié après sa création. Endroits endommagés : %2. Les pas qui ne correspondent pas à leur somme de contrôle sont exclus de tous les chiffres.</translation>
+    </message>
+    <message>
+        <source>noticeable</source>
+        <translation>perceptible</translation>
+    </message>
+    <message>
+        <source>not noticeable</source>
+        <translation>imperceptible</translation>
+    </message>
+    <message>
+        <source>Search for %1</source>
+        <translation>Recherche de %1</translation>
+    </message>
+    <message>
+        <source>Contact with %1</source>
+        <translation>Contact avec %1</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesure</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>Relative to A</source>
+        <translation>Par rapport à A</translation>
+    </message>
+    <message>
+        <source>By hand (7 %)</source>
+        <translation>À la main (7 %)</translation>
+    </message>
+    <message>
+        <source>Touched surface, within %1 mm of the contact</source>
+        <translation>Surface touchée, à moins de %1 mm du contact</translation>
+    </message>
+    <message>
+        <source>Both [cm²]</source>
+        <translation>Les deux [cm²]</translation>
+    </message>
+    <message>
+        <source>Only A [cm²]</source>
+        <translation>A seul [cm²]</translation>
+    </message>
+    <message>
+        <source>Only B [cm²]</source>
+        <translation>B seul [cm²]</translation>
+    </message>
+    <message>
+        <source>%1 (%2 %)</source>
+        <translation>%1 (%2 %)</translation>
+    </message>
+    <message>
+        <source>%1 cm², %2 %</source>
+        <translation>%1 cm², %2 %</translation>
+    </message>
+    <message>
+        <source>Time spent, s</source>
+        <translation>Temps passé, s</translation>
+    </message>
+    <message>
+        <source>Largest force, N</source>
+        <translation>Force maximale, N</translation>
+    </message>
+    <message>
+        <source>touched: %1</source>
+        <translation>touché : %1</translation>
+    </message>
+    <message>
+        <source>above %1: %2</source>
+        <translation>au-dessus de %1 : %2</translation>
+    </message>
+    <message>
+        <source>Map of touch</source>
+        <translation>Carte du toucher</translation>
+    </message>
+    <message>
+        <source>from the front</source>
+        <translation>de face</translation>
+    </message>
+    <message>
+        <source>from the patient&apos;s left</source>
+        <translation>de la gauche du patient</translation>
+    </message>
+    <message>
+        <source>Map of touch %1. %2, colours up to %3; %4.</source>
+        <translation>Carte du toucher %1. %2, couleurs jusqu’à %3 ; %4.</translation>
+    </message>
+    <message>
+        <source>The brighter a place, the longer or more firmly the contact came within %1 mm. Places in the colour of the structure were not touched. Shares refer to the surfaces of the touched structures, which are drawn opaque. The colours end at the 98th percentile, rounded up.</source>
+        <translation>Plus un endroit est clair, plus le contact à moins de %1 mm a été long ou ferme. Les endroits de la couleur de la structure n’ont pas été touchés. Les parts se rapportent aux surfaces des structures touchées, dessinées opaques. Les couleurs finissent au 98e percentile, arrondi vers le haut.</translation>
+    </message>
+    <message>
+        <source>forcedimension: the device with serial number %1 could not be opened: %2</source>
+        <translation>forcedimension : impossible d’ouvrir l’appareil de numéro de série %1 : %2</translation>
+    </message>
+    <message>
+        <source>forcedimension: no device is connected: plug it in, switch it on, and install Palpate&apos;s udev rule (in lib/udev/rules.d)</source>
+        <translation>forcedimension : aucun appareil n’est branché : branchez-le, allumez-le et installez la règle udev de Palpate (dans lib/udev/rules.d)</translation>
+    </message>
+    <message>
+        <source>forcedimension: %1 devices are connected, expected one: choose by &quot;serial&quot; in ~/.config/Palpate/forcedimension.json; &quot;palpate devices&quot; lists the serial numbers</source>
+        <translation>forcedimension : %1 appareils sont branchés, un seul est attendu : choisissez avec « serial » dans ~/.config/Palpate/forcedimension.json ; « palpate devices » affiche les numéros de série</translation>
+    </message>
+    <message>
+        <source>forcedimension: the device could not be opened: %1</source>
+        <translation>forcedimension : impossible d’ouvrir l’appareil : %1</translation>
+    </message>
+    <message>
+        <source>forcedimension: the device is already in use by this program</source>
+        <translation>forcedimension : l’appareil est déjà utilisé par ce programme</translation>
+    </message>
+    <message>
+        <source>forcedimension: found the serial number %1, expected %2; plug the device in again</source>
+        <translation>forcedimension : numéro de série %1 trouvé, %2 attendu ; rebranchez l’appareil</translation>
+    </message>
+    <message>
+        <source>install the Force Dimension SDK 3 of the maker, or set &quot;library&quot; in ~/.config/Palpate/forcedimension.json to the path of libdhd.so.3</source>
+        <translation>installez le SDK 3 de Force Dimension du fabricant, ou indiquez dans « library » de ~/.config/Palpate/forcedimension.json le chemin de libdhd.so.3</translation>
+    </message>
+    <message>
+        <source>it is not free: close other programs that use it</source>
+        <translation>il n’est pas libre : fermez les autres programmes qui l’utilisent</translation>
+    </message>
+    <message>
+        <source>access is refused: install Palpate&apos;s udev rule (in lib/udev/rules.d) and plug the device in again</source>
+        <translation>accès refusé : installez la règle udev de Palpate (dans lib/udev/rules.d) et rebranchez l’appareil</translation>
+    </message>
+    <message>
+        <source>it is not connected: plug it in and switch it on</source>
+        <translation>il n’est pas branché : branchez-le et allumez-le</translation>
+    </message>
+    <message>
+        <source>forcedimension: the device was opened but gives no position; switch it off and on</source>
+        <translation>forcedimension : l’appareil est ouvert mais ne donne pas de position ; éteignez-le et rallumez-le</translation>
+    </message>
+    <message>
+        <source>This device is calibrated at the device: put the end of its handle into the calibration pit and hold it there until its light is steady.</source>
+        <translation>Cet appareil s’étalonne sur l’appareil même : placez l’extrémité de la poignée dans le creux d’étalonnage et maintenez-la jusqu’à ce que le voyant soit fixe.</translation>
+    </message>
+    <message>
+        <source>forcedimension: found the address &quot;%1&quot;, expected a serial number</source>
+        <translation>forcedimension : adresse « %1 » trouvée, un numéro de série est attendu</translation>
+    </message>
+    <message>
+        <source>%1: library: expected the path of libdhd.so.3 in quotes</source>
+        <translation>%1 : library : le chemin de libdhd.so.3 entre guillemets est attendu</translation>
+    </message>
+    <message>
+        <source>%1: expected an object, as %2</source>
+        <translation>%1 : attendu un objet, comme %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 could not be loaded (%3); %4</source>
+        <translation>%1 : impossible de charger %2 (%3) ; %4</translation>
+    </message>
+    <message>
+        <source>%1: the library &quot;%2&quot; in the settings is a relative path, expected one that begins with /</source>
+        <translation>%1 : la bibliothèque « %2 » des réglages est un chemin relatif, un chemin commençant par / est attendu</translation>
+    </message>
+    <message>
+        <source>%1: %2, the library in the settings, was not found; %3</source>
+        <translation>%1 : %2, la bibliothèque indiquée dans les réglages, est introuvable ; %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 was not found; %3</source>
+        <translation>%1 : %2 est introuvable ; %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 lacks %3 of the needed functions, the first is %4: another version of the library; %5</source>
+        <translation>%1 : il manque à %2 %3 des fonctions nécessaires, la première est %4 : autre version de la bibliothèque ; %5</translation>
+    </message>
+    <message>
+        <source>%1: %2 is version %3, expected version %4; %5</source>
+        <translation>%1 : %2 est en version %3, version %4 attendue ; %5</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ComparisonDialog</name>
+    <message>
+        <source>Comparison of %1 (A) and %2 (B)</source>
+        <translation>Comparaison de %1 (A) et %2 (B)</translation>
+    </message>
+    <message>
+        <source>Comparison of two recordings</source>
+        <translation>Comparaison de deux enregistrements</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Mesure…</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy all tables for a spreadsheet</source>
+        <translation>Copier tous les tableaux pour un tableur</translation>
+    </message>
+    <message>
+        <source>By hand: a hand can tell two forces apart from about 7 % on (measured from 2.5 to 10 N).</source>
+        <translation>À la main : une main distingue deux forces à partir d’environ 7 % (mesuré de 2,5 à 10 N).</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ComparisonPart</name>
+    <message>
+        <source>Compare with…</source>
+        <translation>Comparer avec…</translation>
+    </message>
+    <message>
+        <source>Compare the recording with a second one of the same structures</source>
+        <translation>Comparer l’enregistrement avec un second des mêmes structures</translation>
+    </message>
+    <message>
+        <source>End the comparison</source>
+        <translation>Terminer la comparaison</translation>
+    </message>
+    <message>
+        <source>Second recording</source>
+        <translation>Second enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.palpate)</source>
+        <translation>Enregistrements (*.palpate)</translation>
     </message>
 </context>
 <context>
@@ -7731,8 +8053,8 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <translation>Pris en charge&#x202f;: %1.</translation>
     </message>
     <message>
-        <source>Not supported yet: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
-        <translation>Pas encore pris en charge&#x202f;: 3D Systems Touch, Force Dimension, Haply Inverse3, Novint Falcon. Un greffon de périphérique relie un tel bras&#x202f;; la page «&#x202f;device-plugin&#x202f;» de la documentation décrit comment en écrire un.</translation>
+        <source>Not supported yet: 3D Systems Touch, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
+        <translation>Pas encore pris en charge : 3D Systems Touch, Haply Inverse3, Novint Falcon. Un greffon de périphérique relie un tel bras ; la page « device-plugin » de la documentation décrit comment en écrire un.</translation>
     </message>
 </context>
 <context>
@@ -9380,6 +9702,10 @@ part de sa surface</translation>
         <source>structure %1</source>
         <translation>structure %1</translation>
     </message>
+    <message>
+        <source>A: %1, B: %2</source>
+        <translation>A : %1, B : %2</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::RecordedTouch</name>
@@ -9549,6 +9875,14 @@ part de sa surface</translation>
     <message>
         <source>Playback speed; 1 × is real time</source>
         <translation>Vitesse de lecture&#x202f;; 1 × est le temps réel</translation>
+    </message>
+    <message>
+        <source>Force timeline of the second recording</source>
+        <translation>Courbe de force du second enregistrement</translation>
+    </message>
+    <message>
+        <source>A %1, B %2</source>
+        <translation>A %1, B %2</translation>
     </message>
 </context>
 <context>
@@ -10413,6 +10747,22 @@ Détails&#x202f;: %3</translation>
     <message>
         <source>touched</source>
         <translation>touché</translation>
+    </message>
+    <message>
+        <source>A up to %1 s, B up to %2 s</source>
+        <translation>A jusqu’à %1 s, B jusqu’à %2 s</translation>
+    </message>
+    <message>
+        <source>only A: %1</source>
+        <translation>A seul : %1</translation>
+    </message>
+    <message>
+        <source>both: %1</source>
+        <translation>les deux : %1</translation>
+    </message>
+    <message>
+        <source>only B: %1</source>
+        <translation>B seul : %1</translation>
     </message>
 </context>
 <context>
