@@ -230,6 +230,9 @@ void ForceBar::setLimit(double force_N)
 
 void ForceBar::setForce(double force_N)
 {
+    if (force_N == m_force_N) {
+        return;
+    }
     m_force_N = force_N;
     update();
     announceValue();

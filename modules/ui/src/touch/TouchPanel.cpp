@@ -16,7 +16,16 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr double kRows = 1.1; // font size of the layer rows relative to the panel
+constexpr double kRows = 1.1;         // font size of the layer rows relative to the panel
+constexpr double kFlatPeriod_s = 0.2; // between repaints of the chart while nothing is touched
+
+/// QWidget::setForegroundRole repaints even without a change.
+void setRole(QLabel& label, QPalette::ColorRole role)
+{
+    if (label.foregroundRole() != role) {
+        label.setForegroundRole(role);
+    }
+}
 
 } // namespace
 
@@ -220,11 +229,12 @@ void TouchPanel::showLump(const TouchReading& reading)
 
 void TouchPanel::show(const TouchReading& reading)
 {
+    const bool wasTouching = !m_reading.structure.isEmpty();
     m_reading = reading;
     const bool isTouching = !reading.structure.isEmpty();
     showSource(reading.recorded_s);
     m_force->setText(forceText(reading.force_N));
-    m_force->setForegroundRole(QPalette::WindowText);
+    setRole(*m_force, QPalette::WindowText);
     m_bar->setForce(reading.force_N);
     QStringList names{reading.structure};
     for (std::size_t i = 1; i < reading.layers.size(); ++i) {
@@ -245,7 +255,11 @@ void TouchPanel::show(const TouchReading& reading)
     }
     m_history.add(
         {reading.time_s, reading.force_N, reading.depth_mm, chartForces(reading), along_N, overLumpText(reading)});
-    m_chart->update();
+    // Repainting any widget composes the whole window again, which without a GPU takes a processor core at every frame.
+    if (isTouching || wasTouching || reading.time_s < m_drawn_s || reading.time_s - m_drawn_s >= kFlatPeriod_s) {
+        m_drawn_s = reading.time_s;
+        m_chart->update();
+    }
     Q_EMIT changed();
 }
 
@@ -255,9 +269,11 @@ void TouchPanel::showSource(const std::optional<double>& recorded_s)
 {
     m_source->setText(recorded_s ? tr("Recording, %1 s").arg(QLocale().toString(*recorded_s, 'f', 1))
                                  : tr("Live hand"));
-    m_source->setAutoFillBackground(recorded_s.has_value());
-    m_source->setBackgroundRole(recorded_s ? QPalette::Highlight : QPalette::Window);
-    m_source->setForegroundRole(recorded_s ? QPalette::HighlightedText : QPalette::WindowText);
+    if (m_source->autoFillBackground() != recorded_s.has_value()) {
+        m_source->setAutoFillBackground(recorded_s.has_value());
+        m_source->setBackgroundRole(recorded_s ? QPalette::Highlight : QPalette::Window);
+    }
+    setRole(*m_source, recorded_s ? QPalette::HighlightedText : QPalette::WindowText);
 }
 
 void TouchPanel::showNoHand()

@@ -70,6 +70,7 @@ class PALPATE_EXPORT TouchPanel : public QWidget
     void showLump(const TouchReading& reading);
 
     TouchReading m_reading;
+    double m_drawn_s = 0.0; ///< time of the newest reading in the painted chart
     TouchHistory m_history;
     QLabel* m_source = nullptr; ///< live hand or recording
     QLabel* m_force = nullptr;
