@@ -417,6 +417,56 @@ class MovingTissue : public QObject
         }
     }
 
+    void hiddenStructureResumesTheContactWhereTheTissueIs_data()
+    {
+        QTest::addColumn<int>("ticks"); // hidden; the tissue rises by 0.04 mm in each
+        QTest::addColumn<bool>("isTakenAlong");
+        QTest::addColumn<double>("force_N"); // 0: not resumed
+        QTest::newRow("the hand goes with the tissue") << 200 << true << 1.5;
+        QTest::newRow("the tissue goes 8 mm past the hand") << 200 << false << 0.0;
+        QTest::newRow("the tissue goes 2 mm past the hand") << 50 << false << 2.5;
+        QTest::newRow("the hand goes with the tissue for too long") << 600 << true << 0.0;
+    }
+    void hiddenStructureResumesTheContactWhereTheTissueIs()
+    {
+        QFETCH(int, ticks);
+        QFETCH(bool, isTakenAlong);
+        QFETCH(double, force_N);
+        const Vec3 v(0, 0, 40.0);
+        HapticStructure resting{"other", indexed(moved(sphere(4, 5.0), Vec3(200, 0, 0))), {kSpring, 0.0}, 1};
+        const auto shown =
+            HapticScene::make({moving(box(Vec3(-40, -40, -40), Vec3(40, 40, 0), 4), glide(v, 2.0)), resting}).value();
+        for (const bool isOtherShown : {true, false}) {
+            auto hidden = shown->without(0).value();
+            hidden = isOtherShown ? hidden : hidden->without(1).value();
+            Palpator palpator, resumed;
+            palpator.borrowScene(shown.get());
+            double t = 0.0, depth = -1.0; // below the top at z = 0 at rest
+            const auto felt = [&](Palpator& hand, bool isAlong) {
+                const Vec3 hip = Vec3(1, 2, -depth) + (isAlong ? t : 100.0 * kTick_s) * v;
+                return hand.step(hip, kTick_s, nullptr, t).f_W.norm();
+            };
+            for (int i = 0; i <= 100; ++i) {
+                t = i * kTick_s;
+                depth = -1.0 + 0.04 * i;
+                (void)felt(palpator, true);
+            }
+            QVERIFY(std::abs(felt(palpator, true) - 1.5) < 1e-6);
+            QVERIFY(!palpator.borrowScene(hidden.get()));
+            for (int i = 1; i <= ticks; ++i) {
+                t = (100 + i) * kTick_s;
+                QCOMPARE(felt(palpator, isTakenAlong), 0.0);
+            }
+            palpator.borrowScene(shown.get());
+            resumed.borrowScene(shown.get());
+            resumed.restore(palpator.state()); // a recording may start in between
+            const double force = felt(palpator, isTakenAlong);
+            QVERIFY2(std::abs(force - force_N) < 1e-6, qPrintable(QString::number(force)));
+            QVERIFY(felt(resumed, isTakenAlong) == force);
+            QVERIFY(felt(palpator, isTakenAlong) == force); // and stays so
+        }
+    }
+
     void restoredStateGivesTheSameBits()
     {
         const auto motion = randomMotion(core::Box(Vec3::Constant(-60), Vec3::Constant(60)), 10.0, 4, 9);

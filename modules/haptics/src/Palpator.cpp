@@ -154,6 +154,14 @@ struct HandAtRest
     Vec3 v_R;       ///< velocity of the hand relative to the tissue [mm/s]; set in a scene with dampers
 };
 
+/// Returns true if a stored contact may be restored by its age.
+bool isRecent(const LostContact& one) noexcept
+{
+    constexpr double kLongest_s = 0.5;
+    constexpr double kRounding = 1.0 + 1e-9; // rounding of a sum of tick periods
+    return one.isOnSheet != 0 || one.age_s <= kRounding * kLongest_s;
+}
+
 /// Takes a vector of a plane or force from the rest shape to the world and keeps its length 1.
 Vec3 turned(const HandAtRest& hand, const Vec3& n_R) noexcept
 {
@@ -200,6 +208,8 @@ struct Palpator::Impl
                      const HandAtRest& hand) noexcept;
     void stepMoving(TickResult& result, const Vec3& p, double dt_s, const Vec3* v_WH, double time_s) noexcept;
     [[nodiscard]] bool giveBack() noexcept;
+    void giveBack(LostContact& one, std::size_t layer) noexcept;
+    void giveBackMoving(const std::array<HandAtRest, kLayers>& hands) noexcept;
     void noteLeft() noexcept
     {
         hasLeft = std::any_of(left.begin(), left.end(), [](const LostContact& one) { return one.isKept != 0; });
@@ -239,7 +249,8 @@ std::size_t Palpator::byteSize() const noexcept
 void Palpator::Impl::leaveContacts(const HapticScene* after) noexcept
 {
     for (std::size_t i = 0; i < kLayers; ++i) {
-        const LostContact now = internal::lostContact(*scene, after, gods[i].state(), p_WH);
+        const LostContact now =
+            internal::lostContact(*scene, after, gods[i].state(), numbers[i].isMoving ? p_RH[i] : p_WH);
         if (now.isKept != 0) {
             // Hiding a layer shifts the others, so entries are not bound to layers: use a free or the oldest entry.
             *std::max_element(left.begin(), left.end(), [](const LostContact& a, const LostContact& b) {
@@ -250,12 +261,21 @@ void Palpator::Impl::leaveContacts(const HapticScene* after) noexcept
     noteLeft();
 }
 
-/// Restores the stored contacts of structures that the scene contains again.
-/// @return true if a god-object took over a contact
+/// Places the god-object of a layer where a stored contact left it.
+void Palpator::Impl::giveBack(LostContact& one, std::size_t layer) noexcept
+{
+    GodObjectState god;
+    god.p_WG = one.p_WG;
+    god.placed = 1;
+    gods[layer].restore(god);
+    one = {};
+}
+
+/// Restores the stored contacts of structures that the scene contains again. Those of moving layers are left to the
+/// next tick, whose time decides where the hand is in the rest shape.
+/// @return true if a god-object took over a contact, or may do so in the next tick
 bool Palpator::Impl::giveBack() noexcept
 {
-    constexpr double kLongest_s = 0.5;
-    constexpr double kRounding = 1.0 + 1e-9; // rounding of a sum of tick periods
     bool isGiven = false;
     for (LostContact& one : left) {
         const auto layer =
@@ -263,17 +283,36 @@ bool Palpator::Impl::giveBack() noexcept
         if (!layer) {
             continue;
         }
-        if ((p_WH - one.p_WH).norm() <= kNear_mm && (one.isOnSheet != 0 || one.age_s <= kRounding * kLongest_s)) {
-            GodObjectState god;
-            god.p_WG = one.p_WG;
-            god.placed = 1;
-            gods[*layer].restore(god);
+        if (!isRecent(one)) {
+            one = {};
+        } else if (scene->layer(*layer).motion != nullptr) {
             isGiven = true;
+        } else if ((p_WH - one.p_WH).norm() <= kNear_mm) {
+            giveBack(one, *layer);
+            isGiven = true;
+        } else {
+            one = {};
         }
-        one = {};
     }
     noteLeft();
     return isGiven;
+}
+
+/// Restores the stored contacts of moving layers, in the first tick with them.
+void Palpator::Impl::giveBackMoving(const std::array<HandAtRest, kLayers>& hands) noexcept
+{
+    for (LostContact& one : left) {
+        const auto layer = one.isKept != 0 ? internal::layerOf(*scene, one.structure) : std::nullopt;
+        if (!layer || scene->layer(*layer).motion == nullptr) {
+            continue;
+        }
+        if ((hands[*layer].rest.X - one.p_WH).norm() <= kNear_mm) {
+            giveBack(one, *layer);
+        } else {
+            one = {};
+        }
+    }
+    noteLeft();
 }
 
 bool Palpator::setScene(std::shared_ptr<const HapticScene> scene, Continuity continuity) noexcept
@@ -522,8 +561,11 @@ void Palpator::Impl::takeToWorld(TickResult& result, std::size_t i, std::size_t 
         result.status = TickStatus::InvalidInput;
         return;
     }
-    for (std::size_t i = 0; hasLeft && i < kLayers; ++i) {
-        left[i].age_s += dt_s;
+    if (hasLeft) {
+        giveBackMoving(hands);
+        for (LostContact& one : left) {
+            one.age_s += dt_s;
+        }
     }
     SharedWork work(isBall ? limits.ballWork : limits.work);
     for (std::size_t i = layers; i-- > 0;) {

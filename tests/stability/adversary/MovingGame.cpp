@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 namespace palpate::adversary {
 
@@ -45,7 +46,8 @@ struct GroupAtRest
     Vec3 god = Vec3::Zero(), force = Vec3::Zero(); ///< in the world in the previous tick [mm, N]
     bool isPlain = true;                           ///< linear springs without damping, friction and maps
     bool isDragged = false;
-    double stiffest = 0.0; ///< of plain springs [N/mm]
+    bool isReturning = false; ///< shown since the last tick
+    double stiffest = 0.0;    ///< of plain springs [N/mm]
     double mostDamping = 0.0;
     double skin_mm = 0.0;
 };
@@ -192,7 +194,9 @@ class MovingGame
         ++m_tally.switches;
         setScene();
         forget(m_groups[g]);
-        if (isShown(g)) { // whether a contact is resumed depends on the hand in the world
+        if (isShown(
+                g)) { // whether a contact is resumed depends on the time hidden, and of moving tissue on its next tick
+            m_groups[g].isReturning = motionOf(g) != nullptr;
             const auto layer = static_cast<std::size_t>(std::popcount(m_shown & ((1u << g) - 1)));
             haptics::PalpatorState state = m_whole.state();
             state.layers[0] = state.layers[layer];
@@ -325,7 +329,8 @@ class MovingGame
         const TickResult one = group.palpator.step(X, m_dt_s, &v_R);
         const haptics::GodObjectState alone = group.palpator.state().layers[0];
         const bool isSame = sameBits(alone.p_WG, god_R) && alone.constraints == state.layers[layer].constraints;
-        if (m_isAtBound && !isSame) { // layers share the work of a tick
+        const bool isReturning = std::exchange(group.isReturning, false);
+        if ((m_isAtBound || isReturning) && !isSame) { // layers share the work of a tick
             haptics::PalpatorState shared = group.palpator.state();
             shared.layers[0] = state.layers[layer];
             group.palpator.restore(shared);

@@ -97,42 +97,54 @@ Sparse laplacian(const MotionLattice& lattice, const Unknowns& unknowns)
     return matrix;
 }
 
-} // namespace
+/// A lattice with the residual of its fit.
+struct FittedLattice
+{
+    MotionLattice lattice;
+    std::vector<std::vector<Vec3>> controls; ///< of each frame
+    double residual_mm = 0.0;
+    std::size_t frame = 0, vertex = 0; ///< of the residual
+};
 
-core::Result<FittedMotion> fitMotion(double period_s, std::span<const Vec3> rest,
-                                     const std::vector<std::vector<Vec3>>& frames, double spacing_mm)
+Status checkShapes(std::span<const Vec3> rest, const std::vector<std::vector<Vec3>>& frames, double spacing_mm)
+{
+    if (rest.empty() || !(spacing_mm > 0.0)) {
+        return {StatusCode::Empty, PALPATE_TEXT("found %1 vertices and a lattice of %2 mm, expected more than 0"),
+                rest.size(), spacing_mm};
+    }
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        if (frames[f].size() != rest.size()) {
+            return {StatusCode::OutOfRange, PALPATE_TEXT("frame %1: found %2 vertices, expected %3 as at rest"), f,
+                    frames[f].size(), rest.size()};
+        }
+        const auto wrong =
+            std::find_if(frames[f].begin(), frames[f].end(), [](const Vec3& p) { return !p.allFinite(); });
+        if (wrong != frames[f].end()) {
+            return {StatusCode::NonFinite, PALPATE_TEXT("frame %1, vertex %2: found a number that is not finite"), f,
+                    wrong - frames[f].begin()};
+        }
+    }
+    return {};
+}
+
+/// @pre checkShapes
+FittedLattice fitLattice(std::span<const Vec3> rest, const std::vector<std::vector<Vec3>>& frames, double spacing_mm)
 {
     core::Box box;
     for (const Vec3& p : rest) {
         box.extend(p);
     }
-    if (rest.empty() || !(spacing_mm > 0.0)) {
-        return Status(StatusCode::Empty, PALPATE_TEXT("found %1 vertices and a lattice of %2 mm, expected more than 0"),
-                      rest.size(), spacing_mm);
-    }
-    for (std::size_t f = 0; f < frames.size(); ++f) {
-        if (frames[f].size() != rest.size()) {
-            return Status(StatusCode::OutOfRange, PALPATE_TEXT("frame %1: found %2 vertices, expected %3 as at rest"),
-                          f, frames[f].size(), rest.size());
-        }
-        const auto wrong =
-            std::find_if(frames[f].begin(), frames[f].end(), [](const Vec3& p) { return !p.allFinite(); });
-        if (wrong != frames[f].end()) {
-            return Status(StatusCode::NonFinite, PALPATE_TEXT("frame %1, vertex %2: found a number that is not finite"),
-                          f, wrong - frames[f].begin());
-        }
-    }
+    FittedLattice fitted;
     const double step_mm = std::max(spacing_mm, box.sizes().maxCoeff() / kMostCells);
-    const core::Box around(box.min().array() - step_mm, box.max().array() + step_mm);
-    const MotionLattice lattice = MotionLattice::around(around, step_mm);
+    fitted.lattice =
+        MotionLattice::around(core::Box(box.min().array() - step_mm, box.max().array() + step_mm), step_mm);
+    const MotionLattice& lattice = fitted.lattice;
     const Unknowns unknowns(lattice);
     const Sparse weights = weightsAt(rest, lattice, unknowns);
     Sparse normal = Sparse(weights.transpose()) * weights;
     const double mean = normal.diagonal().sum() / unknowns.count();
     normal += kHarmonic * mean * laplacian(lattice, unknowns);
     const Eigen::SimplicialLDLT<Sparse> solver(normal);
-    FittedMotion fitted;
-    std::vector<std::vector<Vec3>> controls;
     for (std::size_t f = 0; f < frames.size(); ++f) {
         Eigen::MatrixX3d u(static_cast<Eigen::Index>(rest.size()), 3);
         for (std::size_t v = 0; v < rest.size(); ++v) {
@@ -146,7 +158,7 @@ core::Result<FittedMotion> fitMotion(double period_s, std::span<const Vec3> rest
             fitted.frame = f;
             fitted.vertex = static_cast<std::size_t>(worst);
         }
-        std::vector<Vec3>& out = controls.emplace_back();
+        std::vector<Vec3>& out = fitted.controls.emplace_back();
         for (std::size_t k = 0; k < lattice.cells[2] + 2; ++k) {
             for (std::size_t j = 0; j < lattice.cells[1] + 2; ++j) {
                 for (std::size_t i = 0; i < lattice.cells[0] + 2; ++i) {
@@ -155,7 +167,11 @@ core::Result<FittedMotion> fitMotion(double period_s, std::span<const Vec3> rest
             }
         }
     }
-    auto motion = SurfaceMotion::frames(period_s, lattice, controls);
+    return fitted;
+}
+
+core::Result<FittedMotion> checked(const FittedLattice& fitted, SurfaceMotion::Made motion)
+{
     if (!motion.isOk()) {
         return motion.status();
     }
@@ -164,10 +180,32 @@ core::Result<FittedMotion> fitMotion(double period_s, std::span<const Vec3> rest
             StatusCode::OutOfRange,
             PALPATE_TEXT("frame %1, vertex %2: found %3 mm between the shape and the lattice of %4 mm, expected "
                          "at most %5 mm: use a finer lattice, or one structure for each part that slides"),
-            fitted.frame, fitted.vertex, fitted.residual_mm, step_mm, kMaxResidual_mm);
+            fitted.frame, fitted.vertex, fitted.residual_mm, fitted.lattice.spacing_mm, kMaxResidual_mm);
     }
-    fitted.motion = std::move(motion).value();
-    return fitted;
+    return FittedMotion{std::move(motion).value(), fitted.residual_mm, fitted.frame, fitted.vertex};
+}
+
+} // namespace
+
+core::Result<FittedMotion> fitMotion(double period_s, std::span<const Vec3> rest,
+                                     const std::vector<std::vector<Vec3>>& frames, double spacing_mm)
+{
+    if (Status status = checkShapes(rest, frames, spacing_mm); !status.isOk()) {
+        return status;
+    }
+    const FittedLattice fitted = fitLattice(rest, frames, spacing_mm);
+    return checked(fitted, SurfaceMotion::frames(period_s, fitted.lattice, fitted.controls));
+}
+
+core::Result<FittedMotion> fitBreath(double period_s, int exponent, std::span<const Vec3> rest,
+                                     const std::vector<Vec3>& full, double spacing_mm)
+{
+    const std::vector<std::vector<Vec3>> frames{full};
+    if (Status status = checkShapes(rest, frames, spacing_mm); !status.isOk()) {
+        return status;
+    }
+    const FittedLattice fitted = fitLattice(rest, frames, spacing_mm);
+    return checked(fitted, SurfaceMotion::breath(period_s, exponent, fitted.lattice, fitted.controls.front()));
 }
 
 } // namespace palpate::geometry

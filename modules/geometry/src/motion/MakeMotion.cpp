@@ -47,6 +47,19 @@ bool isPeriod(double period_s)
     return period_s >= kLeastPeriod_s && period_s <= kMostPeriod_s;
 }
 
+/// Checks period and exponent of a breath.
+Status checkCourse(double period_s, int exponent)
+{
+    if (!isPeriod(period_s)) {
+        return outOf("period_s", period_s, kLeastPeriod_s, kMostPeriod_s);
+    }
+    if (exponent < 2 || exponent > kMostExponent || exponent % 2 != 0) {
+        return {StatusCode::OutOfRange, PALPATE_TEXT("exponent: found %1, expected an even number from 2 to %2"),
+                exponent, kMostExponent};
+    }
+    return {};
+}
+
 } // namespace
 
 MotionLattice MotionLattice::around(const core::Box& box, double spacing_mm)
@@ -107,12 +120,8 @@ SurfaceMotion::Made SurfaceMotion::poses(const std::vector<PoseKey>& keys, bool 
 
 SurfaceMotion::Made SurfaceMotion::breath(const Breath& breath, const core::Box& bounds)
 {
-    if (!isPeriod(breath.period_s)) {
-        return outOf("period_s", breath.period_s, kLeastPeriod_s, kMostPeriod_s);
-    }
-    if (breath.exponent < 2 || breath.exponent > kMostExponent || breath.exponent % 2 != 0) {
-        return Status(StatusCode::OutOfRange, PALPATE_TEXT("exponent: found %1, expected an even number from 2 to %2"),
-                      breath.exponent, kMostExponent);
+    if (Status status = checkCourse(breath.period_s, breath.exponent); !status.isOk()) {
+        return status;
     }
     auto motion = std::make_shared<SurfaceMotion>();
     motion->m_period_s = breath.period_s;
@@ -145,6 +154,31 @@ SurfaceMotion::Made SurfaceMotion::breath(const Breath& breath, const core::Box&
         }
         internal::closeRim(lattice, motion->m_controls);
     }
+    if (Status status = motion->check(); !status.isOk()) {
+        return status;
+    }
+    return std::shared_ptr<const SurfaceMotion>(std::move(motion));
+}
+
+SurfaceMotion::Made SurfaceMotion::breath(double period_s, int exponent, const MotionLattice& lattice,
+                                          const std::vector<Vec3>& displacements)
+{
+    if (Status status = checkCourse(period_s, exponent); !status.isOk()) {
+        return status;
+    }
+    if (displacements.size() != lattice.controlCount()) {
+        return Status(StatusCode::OutOfRange, PALPATE_TEXT("frame %1: found %2 control points, expected %3"), 0,
+                      displacements.size(), lattice.controlCount());
+    }
+    auto motion = std::make_shared<SurfaceMotion>();
+    motion->m_period_s = period_s;
+    motion->m_curve = powersOfSine(exponent);
+    motion->m_lattice = lattice;
+    motion->m_frames = 1;
+    for (const Vec3& u : displacements) {
+        motion->m_controls.push_back({u.x(), u.y(), u.z(), 0.0});
+    }
+    internal::closeRim(lattice, motion->m_controls);
     if (Status status = motion->check(); !status.isOk()) {
         return status;
     }

@@ -30,10 +30,33 @@ void readKind(JsonFields& fields, MotionKind& kind)
         fields.fail("kind",
                     fields.has("kind") ? core::Message(PALPATE_TEXT("%1"), inQuotes(name))
                                        : core::Message(PALPATE_TEXT("nothing")),
-                    {PALPATE_TEXT("one of %1"), "breath, frames, poses"});
+                    {PALPATE_TEXT("one of %1"), "breath, frames, poses, field"});
         return;
     }
     kind = static_cast<MotionKind>(found - kMotionNames.begin());
+}
+
+void readExponent(JsonFields& fields, SceneMotion& motion)
+{
+    double exponent = motion.exponent;
+    fields.read("exponent", exponent, 2.0, 64.0);
+    if (std::fmod(exponent, 2.0) != 0.0) {
+        fields.fail("exponent", {PALPATE_TEXT("%1"), exponent}, {PALPATE_TEXT("an even number from 2 to 64")});
+    }
+    motion.exponent = static_cast<int>(exponent);
+}
+
+void readDirection(JsonFields& fields, SceneMotion& motion)
+{
+    std::string name(kFieldDirections[0]);
+    fields.read("direction", name);
+    const auto found = std::find(kFieldDirections.begin(), kFieldDirections.end(), name);
+    if (found == kFieldDirections.end()) {
+        fields.fail("direction", {PALPATE_TEXT("%1"), inQuotes(name)},
+                    {PALPATE_TEXT("one of %1"), "rest_to_moved, moved_to_rest"});
+        return;
+    }
+    motion.direction = static_cast<FieldDirection>(found - kFieldDirections.begin());
 }
 
 void readBreath(JsonFields& fields, SceneMotion& motion)
@@ -42,12 +65,7 @@ void readBreath(JsonFields& fields, SceneMotion& motion)
         fields.fail("amplitude_mm", {PALPATE_TEXT("nothing")}, {PALPATE_TEXT("three numbers")});
     }
     motion.amplitude_mm = threeOf(fields, "amplitude_mm").value_or(motion.amplitude_mm);
-    double exponent = motion.exponent;
-    fields.read("exponent", exponent, 2.0, 64.0);
-    if (std::fmod(exponent, 2.0) != 0.0) {
-        fields.fail("exponent", {PALPATE_TEXT("%1"), exponent}, {PALPATE_TEXT("an even number from 2 to 64")});
-    }
-    motion.exponent = static_cast<int>(exponent);
+    readExponent(fields, motion);
     motion.still_mm = threeOf(fields, "still_mm");
     motion.full_mm = threeOf(fields, "full_mm");
     if (fields.has("still_mm") != fields.has("full_mm")) {
@@ -76,7 +94,14 @@ void readFiles(JsonFields& fields, const std::filesystem::path& folder, SceneMot
     for (const std::string& file : fields.texts("files", kMostFiles)) {
         add(file);
     }
-    if (motion.files.size() < 2) {
+    if (motion.kind == MotionKind::Field) {
+        readExponent(fields, motion);
+        readDirection(fields, motion);
+        if (motion.files.empty()) {
+            fields.fail("files", {PALPATE_TEXT("nothing")},
+                        {PALPATE_TEXT("the path of at least one displacement field")});
+        }
+    } else if (motion.files.size() < 2) {
         fields.fail("files", {PALPATE_TEXT("%1 files"), motion.files.size()},
                     {PALPATE_TEXT("at least two, at equal steps of the period")});
     }
@@ -140,6 +165,10 @@ void writeMotion(const std::optional<SceneMotion>& motion, const std::optional<S
             }
             out["files"] = files;
             out["lattice_mm"] = motion->lattice_mm;
+        }
+        if (motion->kind == MotionKind::Field) {
+            out["exponent"] = motion->exponent;
+            out["direction"] = QLatin1String(kFieldDirections[static_cast<std::size_t>(motion->direction)].data());
         }
         structure["motion"] = out;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/SceneMotion.h"
 
+#include "motion/FieldMotion.h"
 #include "palpate/meshio/MeshFile.h"
 #include "text/Fault.h"
 
@@ -91,6 +92,8 @@ SurfaceMotion::Made moved(const SceneMotion& motion, const MotionSubject& subjec
         return fromFrames(motion, subject);
     case MotionKind::Poses:
         return fromPoses(motion);
+    case MotionKind::Field:
+        return internal::fieldMotion(motion, subject);
     case MotionKind::Breath:
         break;
     }

@@ -271,7 +271,8 @@ Result<Descriptor> outcomeOf(ImportTask task, const OpenFile& file, std::uint64_
     if (result.value() < 0) {
         return unstarted(errno);
     }
-    const Budget budget = budgetFor(server().limits, size, task.kind == ImportKind::Mesh && hasLabelMapExtension(path));
+    const Budget budget =
+        budgetFor(server().limits, size, task.kind != ImportKind::Volume && hasLabelMapExtension(path));
     const auto deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(budget.wall_s));
     task.memory_bytes = budget.memory_bytes;
@@ -369,6 +370,16 @@ Result<VoxelGrid> readVolumeInChild(const OpenFile& file, const std::filesystem:
     const std::filesystem::path whole = std::filesystem::absolute(path);
     const Result<Descriptor> result = outcomeOf(task, file, volumeBytes(path), whole, progress, {});
     return result.isOk() ? unlessCancelled(takeVolume(result.value().value(), path), path, progress) : result.status();
+}
+
+Result<FieldGrid> readFieldInChild(const OpenFile& file, const std::filesystem::path& path, core::FileFrame frame)
+{
+    ImportTask task;
+    task.kind = ImportKind::Field;
+    task.frame = frame;
+    const std::filesystem::path whole = std::filesystem::absolute(path);
+    const Result<Descriptor> result = outcomeOf(task, file, volumeBytes(path), whole, {}, {});
+    return result.isOk() ? takeField(result.value().value(), path) : result.status();
 }
 
 } // namespace internal

@@ -106,13 +106,30 @@ bool handOverMesh(const ImportTask& task, const std::filesystem::path& path, con
     return isWritten && writeOutcome(ends.result, std::move(outcome), written);
 }
 
-Result<VoxelGrid> readVolumeFor(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
+/// Reads a volume or a field. @param read  readVolumeHere or readFieldHere
+template<class Read>
+auto readFor(Read read, const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
+    -> decltype(read(path, task.frame, progressTo(ends.progress)))
 {
     try {
-        return readVolumeHere(path, task.frame, progressTo(ends.progress));
+        return read(path, task.frame, progressTo(ends.progress));
     } catch (const std::bad_alloc&) {
         return tooLarge(task, path.filename().string());
     }
+}
+
+/// @return false when writing fails
+bool handOver(const ImportTask& task, const std::filesystem::path& path, const ImportEnds& ends)
+{
+    switch (task.kind) {
+    case ImportKind::Volume:
+        return writeVolume(ends.result, readFor(readVolumeHere, task, path, ends));
+    case ImportKind::Field:
+        return writeField(ends.result, readFor(readFieldHere, task, path, ends));
+    case ImportKind::Mesh:
+        break;
+    }
+    return handOverMesh(task, path, ends);
 }
 
 /// Configures the reader's heap to grow in large steps, with huge pages where available, and to keep freed memory:
@@ -143,9 +160,7 @@ void prepareHeap(const ImportTask& task)
     if (hook != nullptr) {
         hook(path);
     }
-    const bool isWritten = task.kind == ImportKind::Volume ? writeVolume(ends.result, readVolumeFor(task, path, ends))
-                                                           : handOverMesh(task, path, ends);
-    if (!isWritten) {
+    if (!handOver(task, path, ends)) {
         ::_exit(kNotHandedBack);
     }
     (void)!::write(ends.progress, &kDoneByte, 1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "guard/OpenFile.h"
+#include "read/FieldFile.h"
 #include "read/VolumeFile.h"
 
 #include "palpate/meshio/ImportServer.h"
@@ -20,6 +21,7 @@ enum class ImportKind : std::uint8_t
 {
     Mesh,
     Volume, ///< by path: VTK's readers depend on the extension, and some formats store the numbers in a separate file
+    Field,  ///< a displacement field, by path
 };
 
 /// Task for the reader; sent with the descriptors below and followed by the path.
@@ -74,5 +76,8 @@ core::Status startImportServer(const ImportLimits& limits, ReaderHook hook);
 [[nodiscard]] core::Result<VoxelGrid> readVolumeInChild(const OpenFile& file, const std::filesystem::path& path,
                                                         core::FileFrame frame,
                                                         const std::function<bool(double)>& progress);
+/// Same for a displacement field. @param frame  as for `readField`
+[[nodiscard]] core::Result<FieldGrid> readFieldInChild(const OpenFile& file, const std::filesystem::path& path,
+                                                       core::FileFrame frame);
 
 } // namespace palpate::meshio::internal

@@ -492,21 +492,24 @@ void Loader::noteMotion(const LoadedStructure& one)
     }
 }
 
-/// Makes the motions. Structures with equal breaths or poses share one, so that one god-object can feel them.
+/// Makes the motions. Structures with equal breaths, poses or fields share one, so that one god-object can feel them.
 Status Loader::addMotions(const std::string& name)
 {
     std::vector<LoadedStructure>& all = m_scene.structures;
     const auto isAlike = [](const SceneStructure& a, const SceneStructure& b) {
-        return a.motion == b.motion && a.pulse == b.pulse && (!a.motion || a.motion->kind != MotionKind::Frames);
+        const auto isOf = [&a](MotionKind kind) { return a.motion && a.motion->kind == kind; };
+        return a.motion == b.motion && a.pulse == b.pulse && !isOf(MotionKind::Frames) &&
+               (!isOf(MotionKind::Field) || a.frame == b.frame); // the axes of a field that states none
     };
     std::set<std::pair<std::uint32_t, const geometry::SurfaceMotion*>> layers;
     bool isMoving = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const SceneStructure& one = all[i].description;
-        MotionSubject subject{{}, one.mesh, one.part, one.unit_mm, one.frame, one.X_WM};
+        MotionSubject subject{{}, one.mesh, one.part, one.unit_mm, one.frame, one.X_WM, {}};
         for (std::size_t j = 0; j < all.size(); ++j) {
             if (j == i || isAlike(one, all[j].description)) {
                 subject.bounds.extend(all[j].surface->report.bounds);
+                subject.surfaces.emplace_back(all[j].surface->mesh.vertices);
             }
             if (j < i && isAlike(one, all[j].description)) {
                 all[i].motion = all[j].motion;

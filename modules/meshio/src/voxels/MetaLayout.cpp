@@ -150,6 +150,7 @@ Status MetaParser::takeSizes()
         if (count[0] != 1.0) {
             m_layout.layers = static_cast<std::uint32_t>(count[0]);
             m_layout.isInterleaved = true;
+            m_layout.isVector = true;
         }
     }
     return {};

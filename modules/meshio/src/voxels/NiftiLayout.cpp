@@ -265,6 +265,13 @@ Result<VolumeLayout> niftiLayout(std::string_view bytes, const std::string& file
     }
     constexpr std::int32_t kLabelIntent = 1002;
     const std::int32_t intent = head.isSecond() ? head.at<std::int32_t>(504) : std::int32_t{head.at<std::int16_t>(68)};
+    // Displacement vectors (1006) are in the axes of the file, RAS. ITK, and with it ANTs and elastix, writes vectors
+    // (1007) in its own axes, LPS. Source: ITK 5.4, Modules/IO/NIFTI, ConvertRASDisplacementVectors, ConvertRASVectors
+    constexpr std::int32_t kDisplacementIntent = 1006, kVectorIntent = 1007;
+    layout.isVector = intent == kDisplacementIntent || intent == kVectorIntent;
+    if (intent == kVectorIntent) {
+        layout.components.diagonal() = Vec3(-1, -1, 1);
+    }
     layout.labelTable = labelTableOf(head, layout.offset);
     layout.isStatedLabels = intent == kLabelIntent || !layout.labelTable.empty();
     takePlace(head, layout);

@@ -187,7 +187,7 @@ class NrrdParser
     {
         m_layout.format = "NRRD";
         for (const auto step : {&NrrdParser::takeSizes, &NrrdParser::takeNumbers, &NrrdParser::takeAxes,
-                                &NrrdParser::takePlace, &NrrdParser::takeDataFiles}) {
+                                &NrrdParser::takePlace, &NrrdParser::takeComponents, &NrrdParser::takeDataFiles}) {
             if (Status status = (this->*step)(); !status.isOk()) {
                 return status;
             }
@@ -217,6 +217,7 @@ class NrrdParser
     Status takeAxes();
     [[nodiscard]] std::vector<Vec3> directionsWithoutSpace() const;
     Status takePlace();
+    Status takeComponents();
     Status takeDataFiles();
 
     NrrdFields m_fields;
@@ -361,6 +362,28 @@ Status NrrdParser::takePlace()
     m_layout.frame = space.frame;
     m_layout.steps = unit_mm * (space.sign.asDiagonal() * m_layout.steps);
     m_layout.origin = unit_mm * space.sign.cwiseProduct(*place);
+    return {};
+}
+
+/// Finds out whether the layers are components of a vector: by their kind, or if no kind is given. A measurement frame
+/// leads from the components to the space; an unreadable one gives NaN, which only matters to vectors.
+Status NrrdParser::takeComponents()
+{
+    const std::string kinds = value("kinds");
+    std::string_view rest = kinds, kind;
+    for (std::size_t axis = 0; axis <= m_listAxis; ++axis) {
+        kind = takeWord(rest);
+    }
+    constexpr std::string_view kUnknown = "???";
+    m_layout.isVector =
+        m_sizes.size() == kMostAxes && (kind.empty() || kind == kUnknown || kind == "none" || kind.ends_with("vector"));
+    m_layout.components = spaceNamed(value("space")).sign.asDiagonal();
+    const std::string frame = value("measurement frame");
+    std::string_view vectors = frame;
+    for (Eigen::Index column = 0; column < 3 && !frame.empty(); ++column) {
+        const Vec3 direction = takeVector(vectors).value_or(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+        m_layout.components.col(column) = spaceNamed(value("space")).sign.cwiseProduct(direction);
+    }
     return {};
 }
 

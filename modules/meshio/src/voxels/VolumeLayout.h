@@ -59,9 +59,12 @@ struct VolumeLayout
     bool isWholePacked = false;                        ///< header and voxels are compressed together (`.nii.gz`)
     std::uint64_t offset = 0;                          ///< of the first voxel in its file, after unpacking [bytes]
     std::vector<std::string> dataFiles{};              ///< files of the voxels beside the header; empty: the same file
-    bool isStatedLabels = false;                       ///< the file states that it is a label map
-    std::map<std::string, std::string> pairs{};        ///< fields "key:=value" of an NRRD
-    std::string labelTable{};                          ///< XML of a NIfTI extension with names of labels; or empty
+    bool isVector = false;                             ///< the layers are marked as the components of a vector
+    /// Columns: direction of each component of a vector, in the axes of the file. NaN if unreadable.
+    Eigen::Matrix3d components = Eigen::Matrix3d::Identity();
+    bool isStatedLabels = false;                ///< the file states that it is a label map
+    std::map<std::string, std::string> pairs{}; ///< fields "key:=value" of an NRRD
+    std::string labelTable{};                   ///< XML of a NIfTI extension with names of labels; or empty
 
     [[nodiscard]] std::uint64_t voxels() const noexcept { return std::uint64_t{size[0]} * size[1] * size[2] * layers; }
     /// @return edge lengths of a voxel [mm]

@@ -30,4 +30,12 @@ inline constexpr double kMaxResidual_mm = 1.0;
 [[nodiscard]] PALPATE_EXPORT core::Result<FittedMotion>
 fitMotion(double period_s, std::span<const Vec3> rest, const std::vector<std::vector<Vec3>>& frames, double spacing_mm);
 
+/// Fits a lattice to the vertices of a surface that goes from its rest shape to another shape and back once a period,
+/// displaced by sin^exponent(π t / period).
+/// @param exponent  even, at least 2
+/// @param full  the vertices of the other shape [mm]
+/// @return otherwise as fitMotion; the frame is 0
+[[nodiscard]] PALPATE_EXPORT core::Result<FittedMotion>
+fitBreath(double period_s, int exponent, std::span<const Vec3> rest, const std::vector<Vec3>& full, double spacing_mm);
+
 } // namespace palpate::geometry

@@ -87,6 +87,12 @@ class PALPATE_EXPORT SurfaceMotion
     /// @param bounds  box of the rest shape, for the lattice of a ramp [mm]
     /// @return OutOfRange or NonFinite with the field, or the strain of a ramp that is too short
     [[nodiscard]] static Made breath(const Breath& breath, const core::Box& bounds);
+    /// The same with the displacement of a lattice instead of an amplitude.
+    /// @param exponent  even, at least 2
+    /// @param displacements  one for each control point [mm]; the outermost take the values of their neighbours
+    /// @return as breath and frames
+    [[nodiscard]] static Made breath(double period_s, int exponent, const MotionLattice& lattice,
+                                     const std::vector<Vec3>& displacements);
     /// Displacements of a lattice at equal steps of a period, with a periodic cubic between them.
     /// @param frames  one displacement per control point and frame [mm]. The outermost control points take the values
     /// of their neighbours, so that the displacement goes on smoothly and constant outside of the cells.

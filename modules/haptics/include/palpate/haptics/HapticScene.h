@@ -62,7 +62,7 @@ struct HapticLayer
     std::uint32_t lastNumber = 0; ///< if layers were merged, the highest number
     std::vector<std::uint32_t> structures; ///< indices in the scene, in the order of the hierarchy's leaves
     std::vector<const geometry::SurfaceIndex*>
-        surfaces; ///< indexed by structure; null for structures of other layers or without a surface
+        surfaces; ///< of all layers, indexed by structure; null for hidden structures
     geometry::BoxHierarchy
         hierarchy;             ///< over the bounding boxes of the structures: a tick only visits structures nearby
     double facetSize_mm = 0.0; ///< of the structure with the smallest facets

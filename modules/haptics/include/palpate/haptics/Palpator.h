@@ -71,11 +71,11 @@ class PALPATE_EXPORT Palpator
     /// A structure is the same in both scenes if number and name are equal. If its surface was replaced (moved,
     /// smoothed or reloaded), a god-object in contact moves with the structure. A god-object that would end up inside
     /// the new surface is placed in front if the distance is at most 1 mm. The contact of a removed structure is
-    /// stored, and restored when the structure returns while the HIP is within kNear_mm of its earlier position: for
-    /// 0.5 s of ticks, and without a time limit for an open surface, because the touched side would be lost.
+    /// stored, and restored when the structure returns while the HIP is within kNear_mm of its earlier position (for
+    /// moving structures: in the rest shape): for 0.5 s, and for an open surface without limit, to keep the side.
     /// @param scene  shared until another scene is set; null = no scene
     /// @param continuity  how contacts are carried over to the new scene
-    /// @return true if a contact was restored. The force then appears within one tick, so ramp it up
+    /// @return true if a contact was restored, or in moving tissue may be. Its force appears in one tick: ramp it up
     /// @par Real-time Not for the servo thread: may free the previous scene.
     bool setScene(std::shared_ptr<const HapticScene> scene, Continuity continuity = Continuity::Contacts) noexcept;
     /// As `setScene`, for a scene that the caller owns, as on the servo thread. A scene passed to `setScene` before is

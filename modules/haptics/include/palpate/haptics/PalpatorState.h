@@ -26,7 +26,7 @@ struct GodObjectState
 struct LostContact
 {
     Vec3 p_WG = Vec3::Zero();    ///< god-object position at removal [mm]
-    Vec3 p_WH = Vec3::Zero();    ///< HIP at removal [mm]
+    Vec3 p_WH = Vec3::Zero();    ///< HIP at removal, of a moving structure in its rest shape [mm]
     double age_s = 0.0;          ///< time since removal, counted in ticks [s]
     std::uint64_t structure = 0; ///< hash of the structure's index and name
     std::uint8_t isKept = 0;     ///< 0: empty, all other members are meaningless
