@@ -42,12 +42,12 @@ struct ComparedMeasure
     bool isForce = false;                ///< a magnitude of force, to which the threshold applies
     std::optional<double> first, second; ///< empty: this session has no such value, for example never touched
 
-    [[nodiscard]] std::optional<double> difference() const; ///< second - first
+    [[nodiscard]] PALPATE_EXPORT std::optional<double> difference() const; ///< second - first
     /// Difference relative to the first. Empty if the first is zero or a value is missing. [%]
-    [[nodiscard]] std::optional<double> difference_percent() const;
+    [[nodiscard]] PALPATE_EXPORT std::optional<double> difference_percent() const;
     /// True if a hand can tell the two forces apart: see kForceThreshold_percent. Empty for other measures, and
     /// without both values.
-    [[nodiscard]] std::optional<bool> isNoticeable() const;
+    [[nodiscard]] PALPATE_EXPORT std::optional<bool> isNoticeable() const;
 };
 
 /// Measures of the whole session, or of one structure or lump.
