@@ -140,9 +140,8 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
         meshes, [&reader](std::uint32_t scene, std::uint32_t structure) { return keyOf(reader, scene, structure); },
         options.distance_mm);
     bool isCancelled = false;
-    const Status status = reader.forEach(
-        std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
-        [&](const servo::TickRecord& tick) {
+    const Status status =
+        reader.forEach(std::numeric_limits<std::int64_t>::min(), options.lastTick, [&](const servo::TickRecord& tick) {
             sums.add(tick, [&](std::uint32_t number) { return reader.structureName(tick.scene, number); });
             phases.add(tick);
             structurePhases.add(tick, reader);

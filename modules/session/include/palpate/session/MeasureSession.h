@@ -12,6 +12,8 @@
 #include <palpate/core/Status.h>
 
 #include <atomic>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -26,6 +28,8 @@ struct MeasureOptions
     /// radius of a fingertip's contact.
     double distance_mm = 5.0;
     const std::atomic<bool>* isCancelled = nullptr; ///< polled during the measurement; may be null
+    /// Ticks after this one are not measured.
+    std::int64_t lastTick = std::numeric_limits<std::int64_t>::max();
 };
 
 /// Measures for the surface of one structure.
