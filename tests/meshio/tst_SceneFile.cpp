@@ -15,6 +15,7 @@ class SceneFile : public QObject
 
   private Q_SLOTS:
     void givesBackWhatWasWritten();
+    void anExerciseHidesItsTargets();
     void meshPathsAreRelative();
     void keepsFieldsThatItDoesNotKnow();
     void absentFieldsHaveDefaults();
@@ -78,6 +79,29 @@ void SceneFile::givesBackWhatWasWritten()
     QVERIFY(found.structure == "left lobe" && found.force_N == 1.75 && found.depth_mm == 0.0);
     const core::Finding& bare = back.value().findings[1];
     QVERIFY(bare.structure.empty() && !bare.force_N && !bare.depth_mm);
+}
+
+void SceneFile::anExerciseHidesItsTargets()
+{
+    const test::Folder folder;
+    const auto path = folder.write("a.json", R"({"version": 1, "structures": [{"mesh": "a.stl", "name": "a"},
+        {"mesh": "b.stl", "name": "b"}], "exercise": {"targets": ["b"], "time_s": 300, "force_ceiling_N": 4.5,
+        "coverage_goal": 0.9, "level": "hard"}})");
+    auto scene = meshio::readScene(path);
+    QVERIFY2(scene.isOk(), scene.status().message().c_str());
+    QVERIFY(!scene.value().structures[0].isHiddenTarget && scene.value().structures[1].isHiddenTarget);
+    QVERIFY(scene.value().structures[1].visible);
+    const meshio::Exercise exercise = scene.value().exercise.value();
+    QVERIFY(exercise.targets == std::vector<std::string>{"b"});
+    QVERIFY(exercise.time_s == 300.0 && exercise.force_ceiling_N == 4.5 && exercise.coverage_goal == 0.9);
+    QVERIFY(meshio::unknownFields(scene.value()) == std::vector<std::string>{"exercise.level"});
+    QVERIFY(meshio::writeScene(path, scene.value()).isOk());
+    QVERIFY(meshio::readScene(path).value().exercise == exercise);
+
+    const auto bare = meshio::readScene(folder.write(
+        "b.json", R"({"version": 1, "structures": [{"mesh": "a.stl", "name": "a"}], "exercise": {"targets": ["a"]}})"));
+    const meshio::Exercise& open = bare.value().exercise.value();
+    QVERIFY(!open.time_s && !open.force_ceiling_N && !open.coverage_goal);
 }
 
 void SceneFile::meshPathsAreRelative()
@@ -245,6 +269,26 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
           R"({"mesh": "a.stl", "name": "a", "inside": "b"}, {"mesh": "b.stl", "name": "b", "inside": "c"},
              {"mesh": "c.stl", "name": "c"})",
           "0].inside: found \"b\", which lies inside \"c\", expected the outermost structure around it");
+    const auto exercise = [](const char* name, const char* fields, const char* message) {
+        QTest::newRow(name) << R"({"version": 1, "structures": [{"mesh": "a.stl", "name": "a"}, {"mesh": "b.stl",
+            "name": "b"}, {"mesh": "b.stl", "name": "b"}, {"mesh": "c.stl", "name": "c", "palpable": false}],
+            "exercise": {)" + std::string(fields) +
+                                   "}}"
+                            << "a.json: exercise." + std::string(message);
+    };
+    exercise("an exercise without targets", "", "targets: found nothing, expected the name of at least one structure");
+    exercise("an empty list of targets", R"("targets": [])", "targets: found nothing, expected the name of at least");
+    exercise("an unknown target", R"("targets": ["a", "d"])",
+             "targets[1]: found \"d\", expected the name of a structure of this scene");
+    exercise("an ambiguous target", R"("targets": ["b"])", "targets[0]: found \"b\", the name of several structures");
+    exercise("a target that is not felt", R"("targets": ["c"])", "targets[0]: found \"c\", which is not palpable");
+    exercise("a target twice", R"("targets": ["a", "a"])", "targets[1]: found \"a\" a second time");
+    exercise("a negative time", R"("targets": ["a"], "time_s": -1)", "time_s: found -1, expected ");
+    exercise("a time without end", R"("targets": ["a"], "time_s": 1e300)", "time_s: found 1e+300, expected ");
+    whole(R"({"version": 1, "exercise": {"targets": ["a"], "time_s": 1e999}})", "a.json: byte ");
+    exercise("no force at all", R"("targets": ["a"], "force_ceiling_N": 0)", "force_ceiling_N: found 0, expected ");
+    exercise("a force in words", R"("targets": ["a"], "force_ceiling_N": "5")", "force_ceiling_N: found \"5\"");
+    exercise("more than all", R"("targets": ["a"], "coverage_goal": 90)", "coverage_goal: found 90, expected ");
     whole(R"({"version": 1, )", "a.json: byte ");
     whole("", "a.json: byte 0: the file is empty");
     whole("[1]", "a.json: byte 0: no JSON object");

@@ -103,6 +103,52 @@ class HapticCopy : public QObject
         }
     }
 
+    void aHiddenTargetIsFeltButNotDrawn()
+    {
+        meshio::LoadedScene loaded = scene();
+        loaded.structures[2].description.isHiddenTarget = true;
+        loaded.structures[0].description.visible = false; // hidden by the user: no invisible wall
+        const auto direct = study::hapticScene(loaded);
+        QVERIFY(direct->structures()[0].surface == nullptr && direct->structures()[2].surface != nullptr);
+        QCOMPARE(evaluation::subjectOf("boxes", loaded)->scene->structures().size(), std::size_t{1});
+
+        ui::StructureModel model;
+        std::vector<ui::StructureRow> rows;
+        for (const meshio::LoadedStructure& one : loaded.structures) {
+            ui::StructureRow& row = rows.emplace_back();
+            row.loaded = one;
+            row.touch = study::indexed(*one.surface);
+        }
+        model.setRows(std::move(rows), meshio::BuriedTouch::Layers, meshio::Exercise{{"c"}, {}, {}, {}});
+        const auto isFelt = [&model](std::size_t i) {
+            return model.hapticScene({100.0, 100.0})->structures()[i].surface != nullptr;
+        };
+        QVERIFY(!isFelt(0) && isFelt(2));
+        QVERIFY(!model.isListed(2) && !model.appearanceOf(2).isVisible);
+        QCOMPARE(model.scene().hiddenTargets(), std::size_t{1});
+
+        // Neither edits nor undo reveal it; a saved scene names it.
+        meshio::SceneStructure changed = model.structure(2);
+        changed.name = "d";
+        changed.isHiddenTarget = false;
+        model.edit(2, changed);
+        QVERIFY(!model.isListed(2) && isFelt(2));
+        QVERIFY(model.scene().sceneFile({}).exercise->targets == std::vector<std::string>{"d"});
+        model.undoStack().undo();
+        QVERIFY(!model.isListed(2) && isFelt(2));
+        QVERIFY(model.scene().exercise()->targets == std::vector<std::string>{"c"});
+
+        model.setTargetsHidden(false);
+        QVERIFY(model.isListed(2) && model.appearanceOf(2).isVisible && isFelt(2));
+        model.setTargetsHidden(true);
+        QVERIFY(!model.isListed(2) && !model.appearanceOf(2).isVisible && isFelt(2));
+
+        // A scene file names no target that is no longer in the scene.
+        model.removeRows({2});
+        QCOMPARE(model.scene().hiddenTargets(), std::size_t{0});
+        QVERIFY(!model.scene().sceneFile({}).exercise);
+    }
+
     void whatARecordingKeepsOfAStructureComesBack()
     {
         const meshio::LoadedScene loaded = scene();

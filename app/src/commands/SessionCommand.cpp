@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/Commands.h"
 #include "reports/ComparisonReport.h"
+#include "reports/ExerciseReport.h"
 #include "reports/MeasuresReport.h"
 #include "reports/SessionReport.h"
 #include "shared/Console.h"
 
 #include <palpate/core/AtomicFile.h>
+#include <palpate/meshio/SceneFile.h>
 #include <palpate/session/MeasureSession.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/Recovery.h>
 #include <palpate/session/Replay.h>
 #include <palpate/study/CompareRecordings.h>
+#include <palpate/study/ExerciseScore.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/SearchedLumps.h>
 #include <palpate/study/SessionExport.h>
@@ -34,6 +37,7 @@ struct SessionOptions
 {
     std::filesystem::path file, second, scene, csv, vtp, json, out;
     std::string distance;  ///< empty: fingertip radius of the recording
+    std::string within;    ///< of a target; empty: default
     bool isForced = false; ///< allows replacing files
 };
 
@@ -243,6 +247,82 @@ int runCompare(const SessionOptions& options)
     return reportLosses(compared.value().missing);
 }
 
+/// Reads the exercise of the scene that a recording was made on.
+core::Result<meshio::Exercise> exerciseOf(const RecordingReader& reader, const SessionOptions& options)
+{
+    const auto scene =
+        options.scene.empty() ? study::recordedSceneFile(reader) : std::optional<std::filesystem::path>(options.scene);
+    if (!scene || !meshio::isSceneFile(*scene)) {
+        return Status(StatusCode::NotFound,
+                      PALPATE_TEXT("%1: found no scene file with an exercise; say where it is with --scene"),
+                      options.file);
+    }
+    const auto read = meshio::readScene(*scene);
+    if (!read.isOk()) {
+        return read.status();
+    }
+    if (!read.value().exercise) {
+        return Status(StatusCode::NotFound,
+                      PALPATE_TEXT("%1: exercise: found nothing, expected the targets of an exercise"), *scene);
+    }
+    return *read.value().exercise;
+}
+
+core::Result<study::ExerciseScore> scored(const RecordingReader& reader, const SessionOptions& options)
+{
+    const auto exercise = exerciseOf(reader, options);
+    if (!exercise.isOk()) {
+        return exercise.status();
+    }
+    const auto surfaces = study::recordedSurfaces(reader, options.scene);
+    if (!surfaces.isOk()) {
+        return surfaces.status();
+    }
+    study::ExerciseOptions how;
+    how.coverageDistance_mm = study::defaultDistance_mm(reader, surfaces.value());
+    const std::pair<const char*, double*> distances[]{{"--distance", &how.coverageDistance_mm},
+                                                      {"--within", &how.within_mm}};
+    for (const auto& [name, value] : distances) {
+        const std::string& text = value == &how.within_mm ? options.within : options.distance;
+        if (!text.empty()) {
+            const auto number = numberOption(name, text, {.isAbove = true});
+            if (!number.isOk()) {
+                return number.status();
+            }
+            *value = number.value();
+        }
+    }
+    return study::scoreExercise(reader, surfaces.value(), exercise.value(), how);
+}
+
+int runExercise(const SessionOptions& options)
+{
+    const auto opened = RecordingReader::open(options.file);
+    if (!opened.isOk()) {
+        return report(opened.status());
+    }
+    JsonOutput json;
+    if (const Status status = json.open(options.json, {options.file, options.scene}); !status.isOk()) {
+        return report(status);
+    }
+    const auto score = scored(*opened.value(), options);
+    if (!score.isOk()) {
+        return report(score.status());
+    }
+    if (!json.isPiped()) {
+        printExercise(score.value());
+    }
+    if (const Status status = json.write(study::exerciseJson(score.value())); !status.isOk()) {
+        return report(status);
+    }
+    for (const std::string& name : score.value().unmeasured) {
+        printError(PALPATE_TEXT("%1: no coverage of %2: its surface is missing or another one now; say where the scene "
+                                "is with --scene"),
+                   options.file, name);
+    }
+    return reportDamage(options.file, score.value().damaged, score.value().unmeasured.empty() ? kDone : kSomeLost);
+}
+
 int exportAll(const SessionOptions& options, const RecordingReader& reader)
 {
     if (options.csv.empty() && options.vtp.empty()) {
@@ -329,6 +409,11 @@ void addSessionCommand(CLI::App& app, Chosen& chosen)
     compare->add_option("SECOND", options->second, "Second recording")->required();
     compare->add_option("--json", options->json, "Write the comparison as JSON; - for stdout, and nothing else there");
     addSurfaceOptions(compare);
+    CLI::App* exercise = add("exercise", "Score a search for the hidden targets of the scene", runExercise);
+    exercise->add_option("--json", options->json, "Write the score as JSON; - for stdout, and nothing else there");
+    exercise->add_option("--within", options->within,
+                         "How far from a target a finding may lie to count as found [mm]; else 10");
+    addSurfaceOptions(exercise);
     CLI::App* exporter = add("export", "Write its ticks, path and touched surface in other forms", runExport);
     exporter->add_option("--csv", options->csv, "Write the ticks as CSV");
     exporter->add_option("--vtp", options->vtp,

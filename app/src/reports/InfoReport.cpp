@@ -181,9 +181,10 @@ void printRead(const FileReport& report)
         const geometry::MeshReport& r = structure.surface->report;
         print("  %s: %s triangles, %s vertices, frame %s (%s)%s\n", structure.description.name.c_str(),
               grouped(r.triangles).c_str(), grouped(r.vertices).c_str(), frameName(structure), frameSource(structure),
-              !structure.description.palpable ? "; not palpable"
-              : structure.description.visible ? ""
-                                              : "; hidden: not felt");
+              !structure.description.palpable        ? "; not palpable"
+              : structure.description.isHiddenTarget ? "; hidden target of an exercise: felt"
+              : structure.description.visible        ? ""
+                                                     : "; hidden: not felt");
         if (!r.bounds.isEmpty()) {
             const core::Vec3 size = r.bounds.sizes();
             const core::Vec3 centre = r.bounds.center();

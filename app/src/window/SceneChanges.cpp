@@ -110,8 +110,11 @@ void SceneChanges::replace(ui::OpenedScene& scene)
 {
     m_parts.recording.playback().setRecording(nullptr);
     m_parts.document.setFiles(scene.files);
+    for (ui::StructureRow& row : scene.rows) {
+        row.loaded.description.isHiddenTarget = false; // the window has no exercises
+    }
     m_surfaces->draw(scene.rows);
-    m_core.model.setRows(std::move(scene.rows), scene.scene.buried);
+    m_core.model.setRows(std::move(scene.rows), scene.scene.buried, scene.scene.exercise);
     m_parts.document.document().take(scene);
     show(scene);
     m_parts.document.takeFiles();
@@ -119,6 +122,9 @@ void SceneChanges::replace(ui::OpenedScene& scene)
     Q_EMIT stateChanged();
     arrange(scene);
     showProblems(scene);
+    if (scene.scene.exercise) {
+        m_core.notices.warn({tr("The scene has an exercise. The window shows its targets.")});
+    }
     m_surfaces->offerRepairs();
     m_parts.files.openWaiting();
     if (!scene.isReopened) {

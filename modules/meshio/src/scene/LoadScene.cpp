@@ -524,7 +524,7 @@ Status Loader::addMotions(const std::string& name)
         }
         noteMotion(all[i]);
         isMoving = isMoving || all[i].motion != nullptr;
-        if (one.palpable && one.visible) {
+        if (one.palpable && (one.visible || one.isHiddenTarget)) {
             layers.emplace(one.layer, all[i].motion.get());
         }
     }

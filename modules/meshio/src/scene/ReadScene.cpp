@@ -443,6 +443,46 @@ void checkOrgans(const SceneFile& scene, JsonFields& fields)
     }
 }
 
+constexpr std::size_t kMostTargets = 1000;
+constexpr double kLeastExercise = 1e-3, kMostExercise = 1e6; ///< limits of time [s] and force [N]
+
+/// Reads the exercise and hides the targets.
+void readExercise(JsonFields& fields, SceneFile& scene)
+{
+    auto entry = fields.fieldsOf("exercise");
+    if (!entry) {
+        return;
+    }
+    Exercise& exercise = scene.exercise.emplace();
+    exercise.targets = entry->texts("targets", kMostTargets);
+    if (exercise.targets.empty()) {
+        entry->fail("targets", {PALPATE_TEXT("nothing")},
+                    {PALPATE_TEXT("the name of at least one structure of this scene")});
+    }
+    for (std::size_t i = 0; i < exercise.targets.size(); ++i) {
+        const std::string& name = exercise.targets[i];
+        const std::string field = "targets[" + std::to_string(i) + "]";
+        const auto isNamed = [&name](const SceneStructure& one) { return one.name == name; };
+        const auto target = std::find_if(scene.structures.begin(), scene.structures.end(), isNamed);
+        if (target == scene.structures.end()) {
+            entry->fail(field.c_str(), quotedText(name), {PALPATE_TEXT("the name of a structure of this scene")});
+        } else if (std::count_if(target, scene.structures.end(), isNamed) > 1) {
+            entry->fail(field.c_str(), {PALPATE_TEXT("%1, the name of several structures"), core::inQuotes(name)},
+                        {PALPATE_TEXT("the name of one structure: rename the others")});
+        } else if (!target->palpable) {
+            entry->fail(field.c_str(), {PALPATE_TEXT("%1, which is not palpable"), core::inQuotes(name)},
+                        {PALPATE_TEXT("a structure that can be felt")});
+        } else if (std::exchange(target->isHiddenTarget, true)) {
+            entry->fail(field.c_str(), {PALPATE_TEXT("%1 a second time"), core::inQuotes(name)},
+                        {PALPATE_TEXT("each target once")});
+        }
+    }
+    readIfThere(*entry, "time_s", exercise.time_s, kLeastExercise, kMostExercise);
+    readIfThere(*entry, "force_ceiling_N", exercise.force_ceiling_N, kLeastExercise, kMostExercise);
+    readIfThere(*entry, "coverage_goal", exercise.coverage_goal, kLeastExercise, 1.0);
+    exercise.extra = entry->unknown();
+}
+
 } // namespace
 
 SurfaceKind defaultSurface(const std::filesystem::path& mesh)
@@ -528,6 +568,7 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     takeOldNotes(scene);
     readName(fields, "buried", kBuriedNames, scene.buried);
     checkOrgans(scene, fields);
+    readExercise(fields, scene);
     scene.extra = fields.unknown();
     scene.sha256 = QCryptographicHash::hash(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())),
                                             QCryptographicHash::Sha256)

@@ -45,6 +45,9 @@ std::vector<std::string> unknownFields(const SceneFile& scene)
     if (scene.camera) {
         addFields(scene.camera->extra, "camera.", out);
     }
+    if (scene.exercise) {
+        addFields(scene.exercise->extra, "exercise.", out);
+    }
     for (std::size_t i = 0; i < scene.findings.size(); ++i) {
         addFields(scene.findings[i].extra, "findings[" + std::to_string(i) + "].", out);
     }

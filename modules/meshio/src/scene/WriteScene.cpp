@@ -207,6 +207,20 @@ QJsonObject tape(const core::Tape& tape)
     return out;
 }
 
+QJsonObject exerciseFields(const Exercise& exercise)
+{
+    QJsonObject out = unknownFields(exercise.extra);
+    QJsonArray targets;
+    for (const std::string& name : exercise.targets) {
+        targets.append(text(name));
+    }
+    out["targets"] = targets;
+    putIfThere(out, "time_s", exercise.time_s);
+    putIfThere(out, "force_ceiling_N", exercise.force_ceiling_N);
+    putIfThere(out, "coverage_goal", exercise.coverage_goal);
+    return out;
+}
+
 } // namespace
 
 core::Status writeScene(const std::filesystem::path& path, const SceneFile& scene)
@@ -233,6 +247,9 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
     }
     if (scene.buried != BuriedTouch::Layers) {
         out["buried"] = text(std::string(kBuriedNames[static_cast<std::size_t>(scene.buried)]));
+    }
+    if (scene.exercise) {
+        out["exercise"] = exerciseFields(*scene.exercise);
     }
     QJsonArray findings;
     for (const core::Finding& one : scene.findings) {

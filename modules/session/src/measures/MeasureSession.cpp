@@ -142,9 +142,8 @@ core::Result<SessionMeasures> measureSession(const RecordingReader& reader, cons
     constexpr std::int64_t kAsk = 4096; // ticks between two calls of the progress
     std::int64_t ticks = 0;
     bool isCancelled = false;
-    const Status status = reader.forEach(
-        std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max(),
-        [&](const servo::TickRecord& tick) {
+    const Status status =
+        reader.forEach(std::numeric_limits<std::int64_t>::min(), options.lastTick, [&](const servo::TickRecord& tick) {
             sums.add(tick, [&](std::uint32_t number) { return reader.structureName(tick.scene, number); });
             phases.add(tick);
             structurePhases.add(tick, reader);

@@ -32,10 +32,12 @@ bool needsOtherSurface(const meshio::SceneStructure& a, const meshio::SceneStruc
            (a.crease_deg != b.crease_deg && meshio::isCurved(b.surface));
 }
 
-void OpenScene::reset(std::vector<OpenStructure> structures, meshio::BuriedTouch buried)
+void OpenScene::reset(std::vector<OpenStructure> structures, meshio::BuriedTouch buried,
+                      std::optional<meshio::Exercise> exercise)
 {
     m_structures = std::move(structures);
     m_buried = buried;
+    m_exercise = std::move(exercise);
     for (OpenStructure& one : m_structures) {
         if (buried == meshio::BuriedTouch::Layers) {
             one.recordedBelow = one.loaded.feltBelow;
@@ -52,6 +54,7 @@ SceneEvents OpenScene::apply(const SceneEdit& edit)
     for (const SceneEdit::Description& one : edit.descriptions) {
         meshio::SceneStructure& now = m_structures[one.structure].loaded.description;
         before.push_back(std::exchange(now, one.description));
+        now.isHiddenTarget = before.back().isHiddenTarget;
         if (before.back().maps != now.maps) {
             resolveMaps(one.structure, events);
         } else if (before.back().tissue != now.tissue) {
@@ -110,10 +113,37 @@ std::size_t OpenScene::append(OpenStructure structure)
 {
     structure.isRemoved = true;
     structure.loaded.isTransmitted = false;
+    structure.loaded.description.isHiddenTarget = false; // of the exercise of another scene
     structure.loaded.feltBelow.clear();
     refreshTouchMaps(structure);
     m_structures.push_back(std::move(structure));
     return m_structures.size() - 1;
+}
+
+SceneEvents OpenScene::setTargetsHidden(bool areHidden)
+{
+    SceneEvents events;
+    for (std::size_t i = 0; m_exercise && i < m_structures.size(); ++i) {
+        meshio::SceneStructure& one = m_structures[i].loaded.description;
+        const bool isTarget =
+            !m_structures[i].isRemoved &&
+            std::find(m_exercise->targets.begin(), m_exercise->targets.end(), one.name) != m_exercise->targets.end();
+        if (!isTarget || one.isHiddenTarget == areHidden) {
+            continue;
+        }
+        const meshio::SceneStructure before = one;
+        one.isHiddenTarget = areHidden;
+        one.visible = one.visible || !areHidden; // at the end all targets are shown
+        note(i, before, false, events);
+    }
+    return events;
+}
+
+std::size_t OpenScene::hiddenTargets() const noexcept
+{
+    return static_cast<std::size_t>(std::count_if(m_structures.begin(), m_structures.end(), [](const OpenStructure& s) {
+        return !s.isRemoved && s.loaded.description.isHiddenTarget;
+    }));
 }
 
 /// Adds the events of a new description.
@@ -124,8 +154,11 @@ void OpenScene::note(std::size_t structure, const meshio::SceneStructure& before
     const bool isRenamed = before.name != now.name;
     if (isRenamed) {
         events.push_back({Kind::Renamed, structure, before.name});
+        if (m_exercise) {
+            std::replace(m_exercise->targets.begin(), m_exercise->targets.end(), before.name, now.name);
+        }
     }
-    if (before.colour != now.colour || before.opacity != now.opacity || before.visible != now.visible) {
+    if (before.colour != now.colour || before.opacity != now.opacity || isDrawn(before) != isDrawn(now)) {
         events.push_back({Kind::Look, structure});
     }
     const bool hasOtherLump = before.inside != now.inside || before.young_ratio != now.young_ratio ||
@@ -352,6 +385,16 @@ meshio::SceneFile OpenScene::sceneFile(meshio::SceneFile rest) const
     for (const OpenStructure& one : m_structures) {
         if (!one.isRemoved) {
             rest.structures.push_back(one.loaded.description);
+        }
+    }
+    rest.exercise = m_exercise;
+    if (rest.exercise) {
+        std::erase_if(rest.exercise->targets, [&rest](const std::string& name) { // removed from the scene
+            return std::none_of(rest.structures.begin(), rest.structures.end(),
+                                [&name](const meshio::SceneStructure& one) { return one.name == name; });
+        });
+        if (rest.exercise->targets.empty()) {
+            rest.exercise.reset();
         }
     }
     return rest;

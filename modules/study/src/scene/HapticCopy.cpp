@@ -12,7 +12,12 @@ namespace palpate::study {
 
 bool canBeFelt(const meshio::SceneStructure& structure) noexcept
 {
-    return structure.palpable && structure.visible;
+    return structure.palpable && (structure.visible || structure.isHiddenTarget);
+}
+
+bool isDrawn(const meshio::SceneStructure& structure) noexcept
+{
+    return structure.visible && !structure.isHiddenTarget;
 }
 
 haptics::HapticStructure hapticStructure(const meshio::SceneStructure& description,

@@ -109,7 +109,8 @@ StructureModel::StructureModel(QObject* parent)
 {
 }
 
-void StructureModel::setRows(std::vector<StructureRow> rows, meshio::BuriedTouch buried)
+void StructureModel::setRows(std::vector<StructureRow> rows, meshio::BuriedTouch buried,
+                             std::optional<meshio::Exercise> exercise)
 {
     beginResetModel();
     m_undo.clear();
@@ -119,8 +120,13 @@ void StructureModel::setRows(std::vector<StructureRow> rows, meshio::BuriedTouch
         m_pictures.push_back(std::move(row.picture));
         structures.push_back(std::move(row));
     }
-    m_scene.reset(std::move(structures), buried);
+    m_scene.reset(std::move(structures), buried, std::move(exercise));
     endResetModel();
+}
+
+void StructureModel::setTargetsHidden(bool areHidden)
+{
+    announce(m_scene.setTargetsHidden(areHidden));
 }
 
 const meshio::SceneStructure& StructureModel::structure(int row) const
@@ -531,7 +537,7 @@ bool StructureModel::isDefective(int row) const
 
 view::Appearance StructureModel::appearanceOf(const meshio::SceneStructure& structure)
 {
-    return {structure.colour, structure.opacity, structure.visible};
+    return {structure.colour, structure.opacity, study::isDrawn(structure)};
 }
 
 view::Appearance StructureModel::appearanceOf(int row) const

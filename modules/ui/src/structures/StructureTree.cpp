@@ -123,7 +123,7 @@ int StructureTree::listedCount() const
 
 bool StructureTree::isListed(int row) const
 {
-    if (m_model.rows()[static_cast<std::size_t>(row)].isRemoved) {
+    if (!m_model.isListed(row)) {
         return false;
     }
     const QString name = m_words.isEmpty() ? QString() : readableName(m_model.structure(row).name);

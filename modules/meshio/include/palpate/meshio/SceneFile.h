@@ -65,6 +65,9 @@ struct SceneStructure
     double opacity = 1.0;                         ///< 0 … 1
     bool visible = true;
     bool palpable = true;
+    /// Target of an exercise that has not ended: felt whatever `visible` is, but neither drawn nor named. Follows from
+    /// SceneFile::exercise on reading and is not written.
+    bool isHiddenTarget = false;
     bool flipped = false;       ///< turn the surface inside out on import
     bool outwards = false;      ///< turn inverted closed parts on import, after `flipped` and after closing holes
     double closeHoles_mm = 0.0; ///< close holes up to this size on import (geometry::withHolesClosed); 0: none [mm]
@@ -108,6 +111,17 @@ enum class BuriedTouch : std::uint8_t
 };
 inline constexpr std::array<std::string_view, 2> kBuriedNames{"layers", "felt"};
 
+/// Search exercise: structures of the scene that can be felt, but are neither shown nor named until the end.
+struct Exercise
+{
+    std::vector<std::string> targets;      ///< names of palpable structures, at least one
+    std::optional<double> time_s;          ///< time limit, > 0 [s]; empty: none
+    std::optional<double> force_ceiling_N; ///< force that should not be exceeded, > 0 [N]; empty: none
+    std::optional<double> coverage_goal;   ///< share of the searched surface, above 0 to 1; empty: none
+    std::string extra{};                   ///< unknown fields, as a JSON object
+    friend bool operator==(const Exercise&, const Exercise&) = default;
+};
+
 /// A scene file (`*.palpate.json`): structures, camera, findings, tapes. Versioned by the field `version`; unknown
 /// fields are preserved.
 struct SceneFile
@@ -120,8 +134,9 @@ struct SceneFile
     std::vector<core::Finding> findings;
     std::vector<core::Tape> tapes;
     BuriedTouch buried = BuriedTouch::Layers;
-    std::string sha256; ///< of the file's bytes at reading, 64 hex digits; empty: no file. Not written
-    std::string extra;  ///< top-level fields that this version does not know, as a JSON object
+    std::optional<Exercise> exercise; ///< empty: all structures are shown
+    std::string sha256;               ///< of the file's bytes at reading, 64 hex digits; empty: no file. Not written
+    std::string extra;                ///< top-level fields that this version does not know, as a JSON object
 };
 
 /// @return surface of a mesh file without a choice: smoothed for label maps (by the extension), otherwise facets

@@ -11,7 +11,9 @@
 #include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -29,6 +31,8 @@ struct MeasureOptions
     std::function<bool(double)> progress{};
     /// Receives each tick, in order, so that other sums need no pass of their own. May be empty.
     std::function<void(const servo::TickRecord&)> sink{};
+    /// Ticks after this one are not measured.
+    std::int64_t lastTick = std::numeric_limits<std::int64_t>::max();
 };
 
 /// Measures for the surface of one structure.

@@ -11,9 +11,11 @@
 
 namespace palpate::study {
 
-/// Returns true if a structure can be felt: it is palpable and visible. A hidden structure must not be an invisible
-/// wall.
+/// Returns true if a structure can be felt: it is palpable, and visible or a hidden target of an exercise. Any other
+/// hidden structure must not be an invisible wall.
 [[nodiscard]] PALPATE_EXPORT bool canBeFelt(const meshio::SceneStructure& structure) noexcept;
+/// Returns true if a structure is drawn: it is visible and not a hidden target of an exercise.
+[[nodiscard]] PALPATE_EXPORT bool isDrawn(const meshio::SceneStructure& structure) noexcept;
 
 /// Creates a haptic structure with the name, tissue and layer of a description.
 /// @param surface  surface index; null if the structure is not palpable

@@ -35,6 +35,8 @@ struct OpenStructure
     /// undo steps and the view, and returns with undo.
     bool isRemoved = false;
 
+    /// Returns true if the structure is in the scene and may be shown and named: not a hidden target of an exercise.
+    [[nodiscard]] bool isListed() const noexcept { return !isRemoved && !loaded.description.isHiddenTarget; }
     /// Returns true if the structure is in the scene and has triangles.
     [[nodiscard]] bool isThere() const noexcept
     {
@@ -87,12 +89,22 @@ using SceneEvents = std::vector<SceneEvent>; ///< in the order of occurrence
 class PALPATE_EXPORT OpenScene
 {
   public:
-    /// Replaces all structures.
-    void reset(std::vector<OpenStructure> structures, meshio::BuriedTouch buried);
+    /// Replaces all structures. @param exercise  of these structures
+    void reset(std::vector<OpenStructure> structures, meshio::BuriedTouch buried,
+               std::optional<meshio::Exercise> exercise = {});
     [[nodiscard]] const std::vector<OpenStructure>& structures() const noexcept { return m_structures; }
     /// Touch mode of structures inside organs.
     [[nodiscard]] meshio::BuriedTouch buried() const noexcept { return m_buried; }
 
+    /// Exercise of the scene; empty: none.
+    [[nodiscard]] const std::optional<meshio::Exercise>& exercise() const noexcept { return m_exercise; }
+    /// Hides the targets of the exercise, which are felt all the same, or shows them. Not an edit, so that no undo step
+    /// can reveal a target.
+    SceneEvents setTargetsHidden(bool areHidden);
+    /// Returns the number of hidden targets.
+    [[nodiscard]] std::size_t hiddenTargets() const noexcept;
+
+    /// Applies an edit. Targets stay hidden or shown as they are, and the exercise follows new names.
     SceneEvents apply(const SceneEdit& edit);
     /// Returns the edit that takes back `edit`. Call it before `apply`.
     [[nodiscard]] SceneEdit inverse(const SceneEdit& edit) const;
@@ -141,7 +153,7 @@ class PALPATE_EXPORT OpenScene
     /// Returns the scene as it would be loaded, for computations on other threads. Removed structures keep their place
     /// without a surface.
     [[nodiscard]] meshio::LoadedScene loadedScene() const;
-    /// Adds buried mode and structures to the rest of a scene file.
+    /// Adds buried mode, exercise and structures to the rest of a scene file.
     [[nodiscard]] meshio::SceneFile sceneFile(meshio::SceneFile rest) const;
 
   private:
@@ -151,6 +163,7 @@ class PALPATE_EXPORT OpenScene
 
     std::vector<OpenStructure> m_structures;
     meshio::BuriedTouch m_buried = meshio::BuriedTouch::Layers;
+    std::optional<meshio::Exercise> m_exercise;
 };
 
 } // namespace palpate::study

@@ -58,7 +58,13 @@ class PALPATE_EXPORT StructureModel : public QAbstractTableModel
     explicit StructureModel(QObject* parent = nullptr);
 
     /// Replaces all rows. @param buried  touch mode of structures inside organs
-    void setRows(std::vector<StructureRow> rows, meshio::BuriedTouch buried = meshio::BuriedTouch::Layers);
+    /// @param exercise  of these structures; the targets are hidden as their descriptions state
+    void setRows(std::vector<StructureRow> rows, meshio::BuriedTouch buried = meshio::BuriedTouch::Layers,
+                 std::optional<meshio::Exercise> exercise = {});
+    /// Hides the targets of the exercise, which are felt all the same, or shows them. Not undoable.
+    void setTargetsHidden(bool areHidden);
+    /// True for a row in the scene that may be shown and named: not a hidden target.
+    [[nodiscard]] bool isListed(int row) const { return rows()[static_cast<std::size_t>(row)].isListed(); }
     [[nodiscard]] const study::OpenScene& scene() const noexcept { return m_scene; }
     [[nodiscard]] const std::vector<study::OpenStructure>& rows() const noexcept { return m_scene.structures(); }
     /// Surface as drawn.
