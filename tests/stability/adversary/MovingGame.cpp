@@ -319,9 +319,8 @@ class MovingGame
         }
         const Vec3 vTissue = motion == nullptr ? Vec3::Zero() : motion->velocity(m_t, X);
         const Mat3 F = motion == nullptr ? Mat3::Identity() : motion->gradient(m_t, X);
-        const double hand_mm = motion == nullptr ? 0.0
-                                                 : (motion->toWorld(m_t, X) - m_hip).norm() -
-                                                       m_t * std::numeric_limits<double>::epsilon() * vTissue.norm();
+        const double hand_mm =
+            motion == nullptr ? 0.0 : (motion->toWorld(m_t, X) - m_hip).norm() - motion->placeError(m_t, X);
         if (!(hand_mm <= kInverse_mm + m_rounding_mm)) {
             faults.push_back({"another rest position than the hand's", hand_mm, "mm", X, m_hip});
         }
@@ -375,7 +374,7 @@ class MovingGame
         const Vec3 god = motion == nullptr ? god_R : motion->toWorld(m_t, god_R);
         if (is.count > 0 &&
             !((is.god - god).norm() <=
-              kInverse_mm + m_rounding_mm + m_t * std::numeric_limits<double>::epsilon() * vTissue.norm())) {
+              kInverse_mm + m_rounding_mm + (motion == nullptr ? 0.0 : motion->placeError(m_t, god_R)))) {
             faults.push_back({"another place of the god-object", (is.god - god).norm(), "mm", is.god, god});
         }
         const double most = group.stiffest * factor * (god - m_hip).norm() / ((1.0 - s) * (1.0 - s));

@@ -283,7 +283,11 @@ Long3 RandomMotion::posed(long double t, const Long3& X) const
 
 Long3 RandomMotion::place(long double t, const Long3& X) const
 {
-    const long double own = ownTime(t);
+    return placeAt(ownTime(t), X);
+}
+
+Long3 RandomMotion::placeAt(long double own, const Long3& X) const
+{
     return m_keys.empty() ? Long3(X + displacement(own, X)) : posed(own, X);
 }
 
@@ -366,6 +370,22 @@ double RandomMotion::velocityError(double t, const Vec3& X) const
     const Long3 jump = (place(now + h, at) - 2 * place(now, at) + place(now - h, at)) / h;
     // The engine computes in double.
     return double(jump.norm()) + 1e-12 * std::abs(m_rate) * most_mm / m_period_s;
+}
+
+/// With the unit roundoff u, half an epsilon, the own time o + r (t - t0) has an error of u (2 |r (t - t0)| + |own|):
+/// of difference, product and sum. The quotient by the period adds u |own|, and the place in the period, at most 1, u
+/// for its difference and u for its product with the steps: together 2 u periods. A change of the own time moves the
+/// place also while the motion is held.
+double RandomMotion::placeError(double t, const Vec3& X) const
+{
+    if (m_kind == Kind::None) {
+        return 0.0;
+    }
+    const long double own = ownTime(t), h = 1e-7L * m_period_s;
+    const Long3 at = X.cast<long double>();
+    const long double speed = (placeAt(own + h, at) - placeAt(own - h, at)).norm() / (2 * h);
+    const double since_s = std::abs(m_rate * (t - m_start_s));
+    return std::numeric_limits<double>::epsilon() * (since_s + std::abs(double(own)) + m_period_s) * double(speed);
 }
 
 double RandomMotion::factor(double t) const

@@ -59,6 +59,8 @@ class RandomMotion
     [[nodiscard]] double gradientError(const Vec3& X) const;
     /// Largest error of `velocity` by rounding and where the velocity jumps, as at the end of poses [mm/s].
     [[nodiscard]] double velocityError(double t, const Vec3& X) const;
+    /// Largest error of a place by the rounding of the motion's own time in the engine [mm].
+    [[nodiscard]] double placeError(double t, const Vec3& X) const;
     /// Largest velocity of a displacement of the size of the strain per length [1/s].
     [[nodiscard]] double rate_per_s() const;
 
@@ -81,6 +83,8 @@ class RandomMotion
     [[nodiscard]] Long3 displacement(long double t, const Long3& X) const;
     [[nodiscard]] Long3 place(long double t, const Long3& X) const;
     [[nodiscard]] Long3 posed(long double t, const Long3& X) const;
+    /// @param own  the motion's own time
+    [[nodiscard]] Long3 placeAt(long double own, const Long3& X) const;
 
     Kind m_kind = Kind::None;
     std::string m_name = "still";
