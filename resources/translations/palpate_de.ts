@@ -6393,6 +6393,130 @@
         <source>%1: %2 is version %3, expected version %4; %5</source>
         <translation>%1: %2 hat Version %3, erwartet wird Version %4; %5</translation>
     </message>
+    <message>
+        <source>%1: found no scene file with an exercise; say where it is with --scene</source>
+        <translation>%1: keine Szenendatei mit einer Übung gefunden; mit --scene den Ort angeben</translation>
+    </message>
+    <message>
+        <source>%1: exercise: found nothing, expected the targets of an exercise</source>
+        <translation>%1: exercise: nichts gefunden, erwartet die Ziele einer Übung</translation>
+    </message>
+    <message>
+        <source>%1: no coverage of %2: its surface is missing or another one now; say where the scene is with --scene</source>
+        <translation>%1: keine Abdeckung von %2: Die Oberfläche fehlt oder ist jetzt eine andere; mit --scene den Ort der Szene angeben</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3) mm</source>
+        <translation>(%1, %2, %3) mm</translation>
+    </message>
+    <message>
+        <source>no position that the field maps to this one: it may fold</source>
+        <translation>keine Position, die das Feld auf diese abbildet: es faltet sich womöglich</translation>
+    </message>
+    <message>
+        <source>a field that can be inverted; is its direction right?</source>
+        <translation>ein umkehrbares Feld; stimmt seine Richtung?</translation>
+    </message>
+    <message>
+        <source>outside of the field</source>
+        <translation>außerhalb des Feldes</translation>
+    </message>
+    <message>
+        <source>a field that covers the structure, at rest and moved, in the same coordinates</source>
+        <translation>ein Feld, das die Struktur in Ruhe und bewegt bedeckt, in denselben Koordinaten</translation>
+    </message>
+    <message>
+        <source>the path of at least one displacement field</source>
+        <translation>der Pfad mindestens eines Verschiebungsfelds</translation>
+    </message>
+    <message>
+        <source>an unknown format</source>
+        <translation>ein unbekanntes Format</translation>
+    </message>
+    <message>
+        <source>a displacement field as .nrrd, .mha or .nii</source>
+        <translation>ein Verschiebungsfeld als .nrrd, .mha oder .nii</translation>
+    </message>
+    <message>
+        <source>a displacement field with 3</source>
+        <translation>ein Verschiebungsfeld mit 3</translation>
+    </message>
+    <message>
+        <source>3 numbers per voxel that are not marked as a vector</source>
+        <translation>3 Zahlen je Voxel, die nicht als Vektor gekennzeichnet sind</translation>
+    </message>
+    <message>
+        <source>a displacement field: the kind &quot;vector&quot; (NRRD), 3 channels (MetaImage) or the intent 1006 or 1007 (NIfTI)</source>
+        <translation>ein Verschiebungsfeld: die Art &quot;vector&quot; (NRRD), 3 Kanäle (MetaImage) oder die Absicht 1006 oder 1007 (NIfTI)</translation>
+    </message>
+    <message>
+        <source>directions that are not finite numbers</source>
+        <translation>Richtungen, die keine endlichen Zahlen sind</translation>
+    </message>
+    <message>
+        <source>three vectors of three numbers</source>
+        <translation>drei Vektoren aus drei Zahlen</translation>
+    </message>
+    <message>
+        <source>neither sform nor qform</source>
+        <translation>weder sform noch qform</translation>
+    </message>
+    <message>
+        <source>the position of its voxels</source>
+        <translation>die Lage seiner Voxel</translation>
+    </message>
+    <message>
+        <source>voxel (%1, %2, %3)</source>
+        <translation>Voxel (%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>a number that is not finite</source>
+        <translation>eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>a displacement in mm</source>
+        <translation>eine Verschiebung in mm</translation>
+    </message>
+    <message>
+        <source>the name of at least one structure of this scene</source>
+        <translation>den Namen mindestens einer Struktur dieser Szene</translation>
+    </message>
+    <message>
+        <source>%1, the name of several structures</source>
+        <translation>%1, den Namen mehrerer Strukturen</translation>
+    </message>
+    <message>
+        <source>%1, which is not palpable</source>
+        <translation>%1, das nicht tastbar ist</translation>
+    </message>
+    <message>
+        <source>a structure that can be felt</source>
+        <translation>eine tastbare Struktur</translation>
+    </message>
+    <message>
+        <source>each target once</source>
+        <translation>jedes Ziel einmal</translation>
+    </message>
+    <message>
+        <source>target %1: its surface is missing or another one now; say where the scene is with --scene</source>
+        <translation>Ziel %1: Die Oberfläche fehlt oder ist jetzt eine andere; mit --scene den Ort der Szene angeben</translation>
+    </message>
+    <message>
+        <source>target %1: found no structure of that name in the recording, expected the scene that it was made on</source>
+        <translation>Ziel %1: keine Struktur dieses Namens in der Aufnahme gefunden, erwartet war die Szene der Aufnahme</translation>
+    </message>
+    <message>
+        <source>trials: found %1, expected 1 to %2</source>
+        <translation>Versuche: %1 gefunden, erwartet 1 bis %2</translation>
+    </message>
+    <message>
+        <source>places: found %1, expected 2 to %2</source>
+        <translation>Stellen: %1 gefunden, erwartet 2 bis %2</translation>
+    </message>
+    <message>
+        <source>first change: found %1 %, expected %2 to %3 %</source>
+        <translation>erste Änderung: %1 % gefunden, erwartet %2 bis %3 %</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::ComparisonDialog</name>
@@ -7322,6 +7446,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>%1 structures: %2 (%3 and others; the sign in the list of structures has the details)</source>
         <translation>%1 Strukturen: %2 (%3 und andere; Einzelheiten am Zeichen in der Liste der Strukturen)</translation>
+    </message>
+    <message>
+        <source>The scene has an exercise. The window shows its targets.</source>
+        <translation>Die Szene enthält eine Übung. Das Fenster zeigt die Ziele.</translation>
     </message>
 </context>
 <context>

@@ -6175,7 +6175,7 @@
     </message>
     <message>
         <source>%1 and %2: found recordings of different surfaces (%3), expected two recordings of the same scene</source>
-        <translation>%1 et %2 : trouvé des enregistrements de surfaces différentes (%3), attendu deux enregistrements de la même scène</translation>
+        <translation>%1 et %2&#x202f;: trouvé des enregistrements de surfaces différentes (%3), attendu deux enregistrements de la même scène</translation>
     </message>
     <message>
         <source>the check was cancelled</source>
@@ -6183,15 +6183,15 @@
     </message>
     <message>
         <source>%1: found the same recording twice, expected two</source>
-        <translation>%1 : trouvé deux fois le même enregistrement, attendu deux enregistrements</translation>
+        <translation>%1&#x202f;: trouvé deux fois le même enregistrement, attendu deux enregistrements</translation>
     </message>
     <message>
         <source>No coverage: %1.</source>
-        <translation>Pas de couverture : %1.</translation>
+        <translation>Pas de couverture&#x202f;: %1.</translation>
     </message>
     <message>
         <source>The fingertip was a ball of %1 mm radius in A and %2 mm in B (0: a point).</source>
-        <translation>Le bout du doigt était une bille de %1 mm de rayon dans A et de %2 mm dans B (0 : un point).</translation>
+        <translation>Le bout du doigt était une bille de %1 mm de rayon dans A et de %2 mm dans B (0&#x202f;: un point).</translation>
     </message>
     <message>
         <source>The device was %1 in A and %2 in B.</source>
@@ -6207,7 +6207,7 @@
     </message>
     <message>
         <source>%1 is damaged, or was changed after it was made. Damaged places: %2. Ticks that do not match their checksum are left out of all numbers.</source>
-        <translation>%1 est endommagé ou a été modifié après sa création. Endroits endommagés : %2. Les pas qui ne correspondent pas à leur somme de contrôle sont exclus de tous les chiffres.</translation>
+        <translation>%1 est endommagé ou a été modifié après sa création. Endroits endommagés&#x202f;: %2. Les pas qui ne correspondent pas à leur somme de contrôle sont exclus de tous les chiffres.</translation>
     </message>
     <message>
         <source>noticeable</source>
@@ -6283,11 +6283,11 @@
     </message>
     <message>
         <source>touched: %1</source>
-        <translation>touché : %1</translation>
+        <translation>touché&#x202f;: %1</translation>
     </message>
     <message>
         <source>above %1: %2</source>
-        <translation>au-dessus de %1 : %2</translation>
+        <translation>au-dessus de %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>Map of touch</source>
@@ -6303,7 +6303,7 @@
     </message>
     <message>
         <source>Map of touch %1. %2, colours up to %3; %4.</source>
-        <translation>Carte du toucher %1. %2, couleurs jusqu’à %3 ; %4.</translation>
+        <translation>Carte du toucher %1. %2, couleurs jusqu’à %3&#x202f;; %4.</translation>
     </message>
     <message>
         <source>The brighter a place, the longer or more firmly the contact came within %1 mm. Places in the colour of the structure were not touched. Shares refer to the surfaces of the touched structures, which are drawn opaque. The colours end at the 98th percentile, rounded up.</source>
@@ -6311,87 +6311,211 @@
     </message>
     <message>
         <source>forcedimension: the device with serial number %1 could not be opened: %2</source>
-        <translation>forcedimension : impossible d’ouvrir l’appareil de numéro de série %1 : %2</translation>
+        <translation>forcedimension&#x202f;: impossible d’ouvrir l’appareil de numéro de série %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>forcedimension: no device is connected: plug it in, switch it on, and install Palpate&apos;s udev rule (in lib/udev/rules.d)</source>
-        <translation>forcedimension : aucun appareil n’est branché : branchez-le, allumez-le et installez la règle udev de Palpate (dans lib/udev/rules.d)</translation>
+        <translation>forcedimension&#x202f;: aucun appareil n’est branché&#x202f;: branchez-le, allumez-le et installez la règle udev de Palpate (dans lib/udev/rules.d)</translation>
     </message>
     <message>
         <source>forcedimension: %1 devices are connected, expected one: choose by &quot;serial&quot; in ~/.config/Palpate/forcedimension.json; &quot;palpate devices&quot; lists the serial numbers</source>
-        <translation>forcedimension : %1 appareils sont branchés, un seul est attendu : choisissez avec « serial » dans ~/.config/Palpate/forcedimension.json ; « palpate devices » affiche les numéros de série</translation>
+        <translation>forcedimension&#x202f;: %1 appareils sont branchés, un seul est attendu&#x202f;: choisissez avec «&#x202f;serial&#x202f;» dans ~/.config/Palpate/forcedimension.json&#x202f;; «&#x202f;palpate devices&#x202f;» affiche les numéros de série</translation>
     </message>
     <message>
         <source>forcedimension: the device could not be opened: %1</source>
-        <translation>forcedimension : impossible d’ouvrir l’appareil : %1</translation>
+        <translation>forcedimension&#x202f;: impossible d’ouvrir l’appareil&#x202f;: %1</translation>
     </message>
     <message>
         <source>forcedimension: the device is already in use by this program</source>
-        <translation>forcedimension : l’appareil est déjà utilisé par ce programme</translation>
+        <translation>forcedimension&#x202f;: l’appareil est déjà utilisé par ce programme</translation>
     </message>
     <message>
         <source>forcedimension: found the serial number %1, expected %2; plug the device in again</source>
-        <translation>forcedimension : numéro de série %1 trouvé, %2 attendu ; rebranchez l’appareil</translation>
+        <translation>forcedimension&#x202f;: numéro de série %1 trouvé, %2 attendu&#x202f;; rebranchez l’appareil</translation>
     </message>
     <message>
         <source>install the Force Dimension SDK 3 of the maker, or set &quot;library&quot; in ~/.config/Palpate/forcedimension.json to the path of libdhd.so.3</source>
-        <translation>installez le SDK 3 de Force Dimension du fabricant, ou indiquez dans « library » de ~/.config/Palpate/forcedimension.json le chemin de libdhd.so.3</translation>
+        <translation>installez le SDK 3 de Force Dimension du fabricant, ou indiquez dans «&#x202f;library&#x202f;» de ~/.config/Palpate/forcedimension.json le chemin de libdhd.so.3</translation>
     </message>
     <message>
         <source>it is not free: close other programs that use it</source>
-        <translation>il n’est pas libre : fermez les autres programmes qui l’utilisent</translation>
+        <translation>il n’est pas libre&#x202f;: fermez les autres programmes qui l’utilisent</translation>
     </message>
     <message>
         <source>access is refused: install Palpate&apos;s udev rule (in lib/udev/rules.d) and plug the device in again</source>
-        <translation>accès refusé : installez la règle udev de Palpate (dans lib/udev/rules.d) et rebranchez l’appareil</translation>
+        <translation>accès refusé&#x202f;: installez la règle udev de Palpate (dans lib/udev/rules.d) et rebranchez l’appareil</translation>
     </message>
     <message>
         <source>it is not connected: plug it in and switch it on</source>
-        <translation>il n’est pas branché : branchez-le et allumez-le</translation>
+        <translation>il n’est pas branché&#x202f;: branchez-le et allumez-le</translation>
     </message>
     <message>
         <source>forcedimension: the device was opened but gives no position; switch it off and on</source>
-        <translation>forcedimension : l’appareil est ouvert mais ne donne pas de position ; éteignez-le et rallumez-le</translation>
+        <translation>forcedimension&#x202f;: l’appareil est ouvert mais ne donne pas de position&#x202f;; éteignez-le et rallumez-le</translation>
     </message>
     <message>
         <source>This device is calibrated at the device: put the end of its handle into the calibration pit and hold it there until its light is steady.</source>
-        <translation>Cet appareil s’étalonne sur l’appareil même : placez l’extrémité de la poignée dans le creux d’étalonnage et maintenez-la jusqu’à ce que le voyant soit fixe.</translation>
+        <translation>Cet appareil s’étalonne sur l’appareil même&#x202f;: placez l’extrémité de la poignée dans le creux d’étalonnage et maintenez-la jusqu’à ce que le voyant soit fixe.</translation>
     </message>
     <message>
         <source>forcedimension: found the address &quot;%1&quot;, expected a serial number</source>
-        <translation>forcedimension : adresse « %1 » trouvée, un numéro de série est attendu</translation>
+        <translation>forcedimension&#x202f;: adresse «&#x202f;%1&#x202f;» trouvée, un numéro de série est attendu</translation>
     </message>
     <message>
         <source>%1: library: expected the path of libdhd.so.3 in quotes</source>
-        <translation>%1 : library : le chemin de libdhd.so.3 entre guillemets est attendu</translation>
+        <translation>%1&#x202f;: library&#x202f;: le chemin de libdhd.so.3 entre guillemets est attendu</translation>
     </message>
     <message>
         <source>%1: expected an object, as %2</source>
-        <translation>%1 : attendu un objet, comme %2</translation>
+        <translation>%1&#x202f;: attendu un objet, comme %2</translation>
     </message>
     <message>
         <source>%1: %2 could not be loaded (%3); %4</source>
-        <translation>%1 : impossible de charger %2 (%3) ; %4</translation>
+        <translation>%1&#x202f;: impossible de charger %2 (%3)&#x202f;; %4</translation>
     </message>
     <message>
         <source>%1: the library &quot;%2&quot; in the settings is a relative path, expected one that begins with /</source>
-        <translation>%1 : la bibliothèque « %2 » des réglages est un chemin relatif, un chemin commençant par / est attendu</translation>
+        <translation>%1&#x202f;: la bibliothèque «&#x202f;%2&#x202f;» des réglages est un chemin relatif, un chemin commençant par / est attendu</translation>
     </message>
     <message>
         <source>%1: %2, the library in the settings, was not found; %3</source>
-        <translation>%1 : %2, la bibliothèque indiquée dans les réglages, est introuvable ; %3</translation>
+        <translation>%1&#x202f;: %2, la bibliothèque indiquée dans les réglages, est introuvable&#x202f;; %3</translation>
     </message>
     <message>
         <source>%1: %2 was not found; %3</source>
-        <translation>%1 : %2 est introuvable ; %3</translation>
+        <translation>%1&#x202f;: %2 est introuvable&#x202f;; %3</translation>
     </message>
     <message>
         <source>%1: %2 lacks %3 of the needed functions, the first is %4: another version of the library; %5</source>
-        <translation>%1 : il manque à %2 %3 des fonctions nécessaires, la première est %4 : autre version de la bibliothèque ; %5</translation>
+        <translation>%1&#x202f;: il manque à %2 %3 des fonctions nécessaires, la première est %4&#x202f;: autre version de la bibliothèque&#x202f;; %5</translation>
     </message>
     <message>
         <source>%1: %2 is version %3, expected version %4; %5</source>
-        <translation>%1 : %2 est en version %3, version %4 attendue ; %5</translation>
+        <translation>%1&#x202f;: %2 est en version %3, version %4 attendue&#x202f;; %5</translation>
+    </message>
+    <message>
+        <source>%1: found no scene file with an exercise; say where it is with --scene</source>
+        <translation>%1 : aucun fichier de scène avec un exercice ; indiquez son emplacement avec --scene</translation>
+    </message>
+    <message>
+        <source>%1: exercise: found nothing, expected the targets of an exercise</source>
+        <translation>%1 : exercise : rien trouvé, attendu les cibles d’un exercice</translation>
+    </message>
+    <message>
+        <source>%1: no coverage of %2: its surface is missing or another one now; say where the scene is with --scene</source>
+        <translation>%1 : pas de couverture de %2 : sa surface manque ou a changé ; indiquez l’emplacement de la scène avec --scene</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3) mm</source>
+        <translation>(%1, %2, %3) mm</translation>
+    </message>
+    <message>
+        <source>no position that the field maps to this one: it may fold</source>
+        <translation>aucune position que le champ envoie sur celle-ci : il se replie peut-être</translation>
+    </message>
+    <message>
+        <source>a field that can be inverted; is its direction right?</source>
+        <translation>un champ inversible ; sa direction est-elle correcte ?</translation>
+    </message>
+    <message>
+        <source>outside of the field</source>
+        <translation>hors du champ</translation>
+    </message>
+    <message>
+        <source>a field that covers the structure, at rest and moved, in the same coordinates</source>
+        <translation>un champ qui couvre la structure, au repos et déplacée, dans les mêmes coordonnées</translation>
+    </message>
+    <message>
+        <source>the path of at least one displacement field</source>
+        <translation>le chemin d’au moins un champ de déplacement</translation>
+    </message>
+    <message>
+        <source>an unknown format</source>
+        <translation>un format inconnu</translation>
+    </message>
+    <message>
+        <source>a displacement field as .nrrd, .mha or .nii</source>
+        <translation>un champ de déplacement en .nrrd, .mha ou .nii</translation>
+    </message>
+    <message>
+        <source>a displacement field with 3</source>
+        <translation>un champ de déplacement avec 3</translation>
+    </message>
+    <message>
+        <source>3 numbers per voxel that are not marked as a vector</source>
+        <translation>3 nombres par voxel qui ne sont pas marqués comme un vecteur</translation>
+    </message>
+    <message>
+        <source>a displacement field: the kind &quot;vector&quot; (NRRD), 3 channels (MetaImage) or the intent 1006 or 1007 (NIfTI)</source>
+        <translation>un champ de déplacement : le type &quot;vector&quot; (NRRD), 3 canaux (MetaImage) ou l’intention 1006 ou 1007 (NIfTI)</translation>
+    </message>
+    <message>
+        <source>directions that are not finite numbers</source>
+        <translation>des directions qui ne sont pas des nombres finis</translation>
+    </message>
+    <message>
+        <source>three vectors of three numbers</source>
+        <translation>trois vecteurs de trois nombres</translation>
+    </message>
+    <message>
+        <source>neither sform nor qform</source>
+        <translation>ni sform ni qform</translation>
+    </message>
+    <message>
+        <source>the position of its voxels</source>
+        <translation>la position de ses voxels</translation>
+    </message>
+    <message>
+        <source>voxel (%1, %2, %3)</source>
+        <translation>voxel (%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>a number that is not finite</source>
+        <translation>un nombre qui n’est pas fini</translation>
+    </message>
+    <message>
+        <source>a displacement in mm</source>
+        <translation>un déplacement en mm</translation>
+    </message>
+    <message>
+        <source>the name of at least one structure of this scene</source>
+        <translation>le nom d’au moins une structure de cette scène</translation>
+    </message>
+    <message>
+        <source>%1, the name of several structures</source>
+        <translation>%1, le nom de plusieurs structures</translation>
+    </message>
+    <message>
+        <source>%1, which is not palpable</source>
+        <translation>%1, qui n’est pas palpable</translation>
+    </message>
+    <message>
+        <source>a structure that can be felt</source>
+        <translation>une structure palpable</translation>
+    </message>
+    <message>
+        <source>each target once</source>
+        <translation>chaque cible une seule fois</translation>
+    </message>
+    <message>
+        <source>target %1: its surface is missing or another one now; say where the scene is with --scene</source>
+        <translation>cible %1 : sa surface manque ou a changé ; indiquez l’emplacement de la scène avec --scene</translation>
+    </message>
+    <message>
+        <source>target %1: found no structure of that name in the recording, expected the scene that it was made on</source>
+        <translation>cible %1 : aucune structure de ce nom dans l’enregistrement, attendu : la scène de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>trials: found %1, expected 1 to %2</source>
+        <translation>essais : %1 trouvé, attendu 1 à %2</translation>
+    </message>
+    <message>
+        <source>places: found %1, expected 2 to %2</source>
+        <translation>endroits : %1 trouvé, attendu 2 à %2</translation>
+    </message>
+    <message>
+        <source>first change: found %1 %, expected %2 to %3 %</source>
+        <translation>premier changement : %1 % trouvé, attendu %2 à %3 %</translation>
     </message>
 </context>
 <context>
@@ -6418,7 +6542,7 @@
     </message>
     <message>
         <source>By hand: a hand can tell two forces apart from about 7 % on (measured from 2.5 to 10 N).</source>
-        <translation>À la main : une main distingue deux forces à partir d’environ 7 % (mesuré de 2,5 à 10 N).</translation>
+        <translation>À la main&#x202f;: une main distingue deux forces à partir d’environ 7 % (mesuré de 2,5 à 10 N).</translation>
     </message>
 </context>
 <context>
@@ -7323,6 +7447,10 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <source>%1 structures: %2 (%3 and others; the sign in the list of structures has the details)</source>
         <translation>%1 structures&#x202f;: %2 (%3 et d’autres&#x202f;; détails sur le signe dans la liste des structures)</translation>
     </message>
+    <message>
+        <source>The scene has an exercise. The window shows its targets.</source>
+        <translation>La scène contient un exercice. La fenêtre montre les cibles.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::SceneFiles</name>
@@ -8054,7 +8182,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Not supported yet: 3D Systems Touch, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
-        <translation>Pas encore pris en charge : 3D Systems Touch, Haply Inverse3, Novint Falcon. Un greffon de périphérique relie un tel bras ; la page « device-plugin » de la documentation décrit comment en écrire un.</translation>
+        <translation>Pas encore pris en charge&#x202f;: 3D Systems Touch, Haply Inverse3, Novint Falcon. Un greffon de périphérique relie un tel bras&#x202f;; la page «&#x202f;device-plugin&#x202f;» de la documentation décrit comment en écrire un.</translation>
     </message>
 </context>
 <context>
@@ -9704,7 +9832,7 @@ part de sa surface</translation>
     </message>
     <message>
         <source>A: %1, B: %2</source>
-        <translation>A : %1, B : %2</translation>
+        <translation>A&#x202f;: %1, B&#x202f;: %2</translation>
     </message>
 </context>
 <context>
@@ -10754,15 +10882,15 @@ Détails&#x202f;: %3</translation>
     </message>
     <message>
         <source>only A: %1</source>
-        <translation>A seul : %1</translation>
+        <translation>A seul&#x202f;: %1</translation>
     </message>
     <message>
         <source>both: %1</source>
-        <translation>les deux : %1</translation>
+        <translation>les deux&#x202f;: %1</translation>
     </message>
     <message>
         <source>only B: %1</source>
-        <translation>B seul : %1</translation>
+        <translation>B seul&#x202f;: %1</translation>
     </message>
 </context>
 <context>
