@@ -79,10 +79,10 @@ struct ExerciseScore
     std::vector<std::string> unmeasured{}; ///< structures without a surface, missing in searched_mm2
     std::vector<core::Message> damaged{};  ///< data with failed checksums
 
-    [[nodiscard]] std::size_t found() const noexcept;
-    [[nodiscard]] std::size_t count(FindingVerdict verdict) const noexcept;
+    [[nodiscard]] PALPATE_EXPORT std::size_t found() const noexcept;
+    [[nodiscard]] PALPATE_EXPORT std::size_t count(FindingVerdict verdict) const noexcept;
     /// Covered share of the searched surface; empty without one.
-    [[nodiscard]] std::optional<double> coverage() const noexcept;
+    [[nodiscard]] PALPATE_EXPORT std::optional<double> coverage() const noexcept;
 };
 
 /// Assigns findings to targets, in the order of time. A finding belongs to the target with the least distance from the
