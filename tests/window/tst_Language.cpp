@@ -76,7 +76,8 @@ class Language : public QObject
                 std::any_of(kEngine.begin(), kEngine.end(),
                             [&](const QString& one) { return line.contains(one, Qt::CaseInsensitive); });
             const bool isUnit = left.size() <= 4 && left == QString(left).remove(QRegularExpression("[^Nms]"));
-            if (!left.isEmpty() && !isKnown && !isUnit && !line.contains(QStringLiteral(".palpate"))) {
+            const bool isLetter = line == QLatin1String("A") || line == QLatin1String("B"); // names of two recordings
+            if (!left.isEmpty() && !isKnown && !isUnit && !isLetter && !line.contains(QStringLiteral(".palpate"))) {
                 found << where + QStringLiteral(": ") + line;
             }
         }
