@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestRunner.h"
+#include "Trials.h"
 
 #include <palpate/study/ThresholdSeries.h>
 
@@ -16,7 +17,7 @@ class ThresholdSeries : public QObject
 {
     Q_OBJECT
 
-    static constexpr int kSeeds = 100;
+    static constexpr int kSeeds = test::trials(100);
 
     struct Recovered
     {
