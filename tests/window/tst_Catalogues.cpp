@@ -279,6 +279,7 @@ class Catalogues : public QObject
             QStringLiteral("modules/session/src/database/Database.cpp"),    // SQLite
             QStringLiteral("modules/session/src/database/ReadOnlyVfs.cpp"), // SQLite
             QStringLiteral("modules/study/src/session/ReadMarkups.cpp"),    // Qt's JSON parser
+            QStringLiteral("plugins/forcedimension/src/Dhd.cpp"),           // errors of libdhd
         };
         QStringList found;
         for (const Source& source : sourcesIn(kProduct)) {
