@@ -6517,6 +6517,14 @@
         <source>first change: found %1 %, expected %2 to %3 %</source>
         <translation>erste Änderung: %1 % gefunden, erwartet %2 bis %3 %</translation>
     </message>
+    <message>
+        <source>an origin that is too far away</source>
+        <translation>ein zu weit entfernter Ursprung</translation>
+    </message>
+    <message>
+        <source>positions in mm</source>
+        <translation>Positionen in mm</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::ComparisonDialog</name>

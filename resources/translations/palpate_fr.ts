@@ -6395,15 +6395,15 @@
     </message>
     <message>
         <source>%1: found no scene file with an exercise; say where it is with --scene</source>
-        <translation>%1 : aucun fichier de scène avec un exercice ; indiquez son emplacement avec --scene</translation>
+        <translation>%1&#x202f;: aucun fichier de scène avec un exercice&#x202f;; indiquez son emplacement avec --scene</translation>
     </message>
     <message>
         <source>%1: exercise: found nothing, expected the targets of an exercise</source>
-        <translation>%1 : exercise : rien trouvé, attendu les cibles d’un exercice</translation>
+        <translation>%1&#x202f;: exercise&#x202f;: rien trouvé, attendu les cibles d’un exercice</translation>
     </message>
     <message>
         <source>%1: no coverage of %2: its surface is missing or another one now; say where the scene is with --scene</source>
-        <translation>%1 : pas de couverture de %2 : sa surface manque ou a changé ; indiquez l’emplacement de la scène avec --scene</translation>
+        <translation>%1&#x202f;: pas de couverture de %2&#x202f;: sa surface manque ou a changé&#x202f;; indiquez l’emplacement de la scène avec --scene</translation>
     </message>
     <message>
         <source>(%1, %2, %3) mm</source>
@@ -6411,11 +6411,11 @@
     </message>
     <message>
         <source>no position that the field maps to this one: it may fold</source>
-        <translation>aucune position que le champ envoie sur celle-ci : il se replie peut-être</translation>
+        <translation>aucune position que le champ envoie sur celle-ci&#x202f;: il se replie peut-être</translation>
     </message>
     <message>
         <source>a field that can be inverted; is its direction right?</source>
-        <translation>un champ inversible ; sa direction est-elle correcte ?</translation>
+        <translation>un champ inversible&#x202f;; sa direction est-elle correcte&#x202f;?</translation>
     </message>
     <message>
         <source>outside of the field</source>
@@ -6447,7 +6447,7 @@
     </message>
     <message>
         <source>a displacement field: the kind &quot;vector&quot; (NRRD), 3 channels (MetaImage) or the intent 1006 or 1007 (NIfTI)</source>
-        <translation>un champ de déplacement : le type &quot;vector&quot; (NRRD), 3 canaux (MetaImage) ou l’intention 1006 ou 1007 (NIfTI)</translation>
+        <translation>un champ de déplacement&#x202f;: le type &quot;vector&quot; (NRRD), 3 canaux (MetaImage) ou l’intention 1006 ou 1007 (NIfTI)</translation>
     </message>
     <message>
         <source>directions that are not finite numbers</source>
@@ -6499,23 +6499,31 @@
     </message>
     <message>
         <source>target %1: its surface is missing or another one now; say where the scene is with --scene</source>
-        <translation>cible %1 : sa surface manque ou a changé ; indiquez l’emplacement de la scène avec --scene</translation>
+        <translation>cible %1&#x202f;: sa surface manque ou a changé&#x202f;; indiquez l’emplacement de la scène avec --scene</translation>
     </message>
     <message>
         <source>target %1: found no structure of that name in the recording, expected the scene that it was made on</source>
-        <translation>cible %1 : aucune structure de ce nom dans l’enregistrement, attendu : la scène de l’enregistrement</translation>
+        <translation>cible %1&#x202f;: aucune structure de ce nom dans l’enregistrement, attendu&#x202f;: la scène de l’enregistrement</translation>
     </message>
     <message>
         <source>trials: found %1, expected 1 to %2</source>
-        <translation>essais : %1 trouvé, attendu 1 à %2</translation>
+        <translation>essais&#x202f;: %1 trouvé, attendu 1 à %2</translation>
     </message>
     <message>
         <source>places: found %1, expected 2 to %2</source>
-        <translation>endroits : %1 trouvé, attendu 2 à %2</translation>
+        <translation>endroits&#x202f;: %1 trouvé, attendu 2 à %2</translation>
     </message>
     <message>
         <source>first change: found %1 %, expected %2 to %3 %</source>
-        <translation>premier changement : %1 % trouvé, attendu %2 à %3 %</translation>
+        <translation>premier changement&#x202f;: %1&#x202f;% trouvé, attendu %2 à %3&#x202f;%</translation>
+    </message>
+    <message>
+        <source>an origin that is too far away</source>
+        <translation>une origine trop éloignée</translation>
+    </message>
+    <message>
+        <source>positions in mm</source>
+        <translation>des positions en mm</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -128,8 +129,8 @@ Vec3 FieldGrid::at(const Vec3& p_W) const
     std::array<std::size_t, 3> cell{}, next{};
     std::array<double, 3> share{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double last = size[axis] - 1.0;
-        const double at = std::clamp(p[static_cast<Eigen::Index>(axis)], 0.0, last);
+        const double found = p[static_cast<Eigen::Index>(axis)];
+        const double at = found > 0.0 ? std::min(found, size[axis] - 1.0) : 0.0; // 0 for NaN
         cell[axis] = static_cast<std::size_t>(at);
         next[axis] = std::min(cell[axis] + 1, std::size_t{size[axis]} - 1);
         share[axis] = at - static_cast<double>(cell[axis]);
@@ -169,6 +170,10 @@ Result<FieldGrid> readFieldHere(const std::filesystem::path& path, core::FileFra
     toWorld.linear() = toLps * layout.steps;
     toWorld.translation() = toLps * layout.origin;
     grid.toVoxel = toWorld.inverse();
+    if (!grid.toVoxel.matrix().allFinite()) {
+        return fault(StatusCode::BadFormat, file, {PALPATE_TEXT("header")},
+                     {PALPATE_TEXT("an origin that is too far away")}, {PALPATE_TEXT("positions in mm")});
+    }
     FieldCollector collector(layout, toLps * layout.components, grid);
     const Status status = readVoxels(layout, image.value().bytes(), path, progress,
                                      [&](std::span<const double> numbers) { return collector.take(numbers); });
