@@ -205,7 +205,7 @@ void TouchPanel::setLayers(std::vector<LayerShare> layers)
 {
     const bool hasFriction = !layers.empty() && layers.front().friction != haptics::Friction::None;
     if (layers.size() < 2 && !hasFriction) { // name and force are already shown above
-        m_layers->clear();
+        m_layers->setText({});               // unlike clear(), does not repaint without a change
         m_layers->setAccessibleName({});
         return;
     }
