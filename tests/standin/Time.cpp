@@ -2,12 +2,15 @@
 // Interposes the C library's clock, so that minutes of a multi-threaded program pass in seconds and in order.
 #include "Time.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <condition_variable>
 #include <ctime>
 #include <dlfcn.h>
+#include <limits>
 #include <map>
 #include <mutex>
+#include <poll.h>
 #include <pthread.h>
 #include <sched.h>
 #include <set>
@@ -28,6 +31,7 @@ struct VirtualTime
 {
     std::mutex lock;
     bool isOn = false;
+    bool isPolled = false; ///< waits for sockets pass in virtual time too
     std::int64_t now_ns = 0;
     int working = 0; ///< threads that are not sleeping
     std::multimap<std::int64_t, Sleeper*> sleepers;
@@ -63,6 +67,9 @@ std::int64_t systemNow(clockid_t clock)
 }
 
 thread_local bool t_isCounted = false;
+
+constexpr std::int64_t kPollEvery_ns = 100'000; // latency of a socket in virtual time
+constexpr std::size_t kSignalSetSize = 8;       // of the kernel
 
 } // namespace
 
@@ -146,6 +153,44 @@ void standin_makeTimeVirtual()
     CPU_SET(static_cast<std::size_t>(sched_getcpu()), &here);
     sched_setaffinity(0, sizeof here, &here);
     standin::t_isCounted = true;
+}
+
+void standin_makePollsVirtual()
+{
+    auto& time = virtualTime();
+    const std::lock_guard guard(time.lock);
+    time.isPolled = true;
+}
+
+int ppoll(pollfd* fds, nfds_t count, const timespec* timeout, const sigset_t* signals)
+{
+    const auto ask = [&](const timespec* wait) {
+        timespec changed = wait == nullptr ? timespec{} : *wait; // by the kernel
+        return static_cast<int>(
+            syscall(SYS_ppoll, fds, count, wait == nullptr ? nullptr : &changed, signals, standin::kSignalSetSize));
+    };
+    bool isVirtual = standin::t_isCounted;
+    if (isVirtual) {
+        auto& time = virtualTime();
+        const std::lock_guard guard(time.lock);
+        isVirtual = time.isOn && time.isPolled;
+    }
+    if (!isVirtual) {
+        return ask(timeout);
+    }
+    const std::int64_t until_ns =
+        timeout == nullptr
+            ? std::numeric_limits<std::int64_t>::max()
+            : standin::now_ns() + static_cast<std::int64_t>(timeout->tv_sec) * 1'000'000'000 + timeout->tv_nsec;
+    for (;;) {
+        const timespec none{};
+        const int ready = ask(&none);
+        const std::int64_t now_ns = standin::now_ns();
+        if (ready != 0 || now_ns >= until_ns) {
+            return ready;
+        }
+        standin::sleepUntil(std::min(until_ns, now_ns + standin::kPollEvery_ns));
+    }
 }
 
 int clock_gettime(clockid_t clock, timespec* out)
