@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <ctime>
 #include <dlfcn.h>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -14,6 +15,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <set>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -25,6 +27,7 @@ struct Sleeper
 {
     std::condition_variable wake;
     bool isAwake = false;
+    bool isListening = false; ///< waits for a socket, and wakes early when something is sent
 };
 
 struct VirtualTime
@@ -37,6 +40,19 @@ struct VirtualTime
     std::multimap<std::int64_t, Sleeper*> sleepers;
     std::set<pthread_t> awaited;  ///< threads that another thread waits for in pthread_join
     std::set<pthread_t> finished; ///< threads that are not joined yet
+
+    /// Something was sent: wakes the threads that wait for a socket at `time_ns`. Requires `lock`.
+    void alert(std::int64_t time_ns)
+    {
+        for (auto it = sleepers.upper_bound(time_ns); it != sleepers.end();) {
+            const auto next = std::next(it);
+            if (it->second->isListening) {
+                sleepers.emplace(time_ns, it->second); // before `it`
+                sleepers.erase(it);
+            }
+            it = next;
+        }
+    }
 
     /// If no thread is working, advances to the earliest wake-up time. Requires `lock`.
     void settle()
@@ -68,8 +84,9 @@ std::int64_t systemNow(clockid_t clock)
 
 thread_local bool t_isCounted = false;
 
-constexpr std::int64_t kPollEvery_ns = 100'000; // latency of a socket in virtual time
-constexpr std::size_t kSignalSetSize = 8;       // of the kernel
+constexpr std::int64_t kLink_ns = 100'000;        // latency of a socket in virtual time
+constexpr std::int64_t kPollEvery_ns = 2'000'000; // for events without a message, as the end of a connection
+constexpr std::size_t kSignalSetSize = 8;         // of the kernel
 
 } // namespace
 
@@ -85,7 +102,10 @@ std::int64_t now_ns()
     return systemNow(CLOCK_MONOTONIC);
 }
 
-void sleepUntil(std::int64_t time_ns)
+namespace {
+
+/// @param isListening  as in Sleeper
+void sleepVirtually(std::int64_t time_ns, bool isListening)
 {
     VirtualTime& time = virtualTime();
     {
@@ -95,6 +115,7 @@ void sleepUntil(std::int64_t time_ns)
                 return;
             }
             Sleeper sleeper;
+            sleeper.isListening = isListening;
             time.sleepers.emplace(time_ns, &sleeper);
             --time.working;
             time.settle();
@@ -105,6 +126,13 @@ void sleepUntil(std::int64_t time_ns)
     const timespec until{time_ns / 1'000'000'000, time_ns % 1'000'000'000};
     while (syscall(SYS_clock_nanosleep, CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == -1 && errno == EINTR) {
     }
+}
+
+} // namespace
+
+void sleepUntil(std::int64_t time_ns)
+{
+    sleepVirtually(time_ns, false);
 }
 
 namespace {
@@ -189,8 +217,21 @@ int ppoll(pollfd* fds, nfds_t count, const timespec* timeout, const sigset_t* si
         if (ready != 0 || now_ns >= until_ns) {
             return ready;
         }
-        standin::sleepUntil(std::min(until_ns, now_ns + standin::kPollEvery_ns));
+        standin::sleepVirtually(std::min(until_ns, now_ns + standin::kPollEvery_ns), true);
     }
+}
+
+ssize_t send(int socket, const void* bytes, std::size_t size, int flags)
+{
+    using Send = ssize_t (*)(int, const void*, std::size_t, int);
+    static const auto real = reinterpret_cast<Send>(dlsym(RTLD_NEXT, "send"));
+    const ssize_t sent = real(socket, bytes, size, flags);
+    if (sent > 0 && standin::t_isCounted) {
+        auto& time = virtualTime();
+        const std::lock_guard guard(time.lock);
+        time.alert(time.now_ns + standin::kLink_ns);
+    }
+    return sent;
 }
 
 int clock_gettime(clockid_t clock, timespec* out)

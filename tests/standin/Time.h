@@ -17,5 +17,5 @@ void sleepUntil(std::int64_t time_ns);
 /// only by sleeping (clock_nanosleep, nanosleep, hidapi) or by pthread_join.
 extern "C" void standin_makeTimeVirtual();
 /// Also lets waits for sockets (ppoll) pass in virtual time, for two counted threads that talk to each other over the
-/// loopback interface. A socket is looked at every 0.1 ms.
+/// loopback interface. A message takes 0.1 ms.
 extern "C" void standin_makePollsVirtual();

@@ -25,7 +25,7 @@ constexpr std::string_view kTouchNeeds =
 constexpr std::string_view kFalconNeeds =
     "a plugin that speaks to its FTDI chip and loads its firmware at each start, as libnifalcon does";
 constexpr std::string_view kInverseNeeds =
-    "the Haply Inverse service running, and a plugin that speaks its JSON over a WebSocket on port 10001";
+    "its maker's Inverse Service (version 3.1 or later) running, as the page \"devices\" of the documentation describes";
 constexpr std::string_view kForceDimensionNeeds = "its maker's library libdhd.so.3 (Force Dimension SDK 3) and access "
                                                   "to USB through Palpate's udev rule, as the page "
                                                   "\"devices\" of the documentation describes";
@@ -36,8 +36,8 @@ constexpr Known kKnown[] = {
     {"", "", "3D Systems", "3D Systems Touch", kTouchNeeds},
     {"", "", "SensAble", "SensAble PHANToM", kTouchNeeds},
     {"0403", "cb48", "", "Novint Falcon", kFalconNeeds},
-    {"", "", "Haply", "Haply Inverse3", kInverseNeeds},
-    {"", "", "Inverse3", "Haply Inverse3", kInverseNeeds},
+    {"", "", "Haply", "Haply Inverse3", kInverseNeeds, "haply"},
+    {"", "", "Inverse3", "Haply Inverse3", kInverseNeeds, "haply"},
     {"1451", "", "", "Force Dimension", kForceDimensionNeeds, "forcedimension"},
     {"", "", "Force Dimension", "Force Dimension", kForceDimensionNeeds, "forcedimension"},
 };

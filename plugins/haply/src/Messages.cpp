@@ -16,7 +16,7 @@ using core::Vec3;
 
 namespace {
 
-constexpr double kFarthest_m = 1.0; // no device of the maker reaches half of it
+constexpr double kFarthest_m = 0.6; // from the mounting plate; an Inverse3 reaches 0.38 m along an axis
 constexpr double kTolerance = 1e-6; // of axes, which the service states in single precision
 constexpr const char* kGripArrays[] = {"verse_grip", "wireless_verse_grip", "custom_verse_grip"};
 constexpr const char* kButtonNames[][2] = {{"a", "button_0"}, {"b", "button_1"}, {"c", "button_2"}, {"d", "button_3"}};

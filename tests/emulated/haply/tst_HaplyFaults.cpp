@@ -30,10 +30,14 @@ class HaplyFaults : public QObject
     std::unique_ptr<device::PluginHost> m_host;
     std::unique_ptr<device::HapticDevice> m_device;
     std::unique_ptr<servo::ServoLoop> m_loop;
+    bool m_isKept = false; ///< the next row continues
 
-    /// Presses on a block.
+    /// Presses on a block, unless the last row has left the hand there.
     void press()
     {
+        if (m_loop != nullptr) {
+            return;
+        }
         m_device = makeHaply(*m_host);
         QVERIFY(m_device != nullptr);
         m_loop = std::make_unique<servo::ServoLoop>();
@@ -46,10 +50,10 @@ class HaplyFaults : public QObject
     /// A contact begins outside of the block.
     void liftAndPress()
     {
-        m_bench->moveHand({0, 10, 0}, 0.1);
-        pass(0.25);
-        m_bench->moveHand({0, -10, 0}, 0.15);
-        pass(0.45);
+        m_bench->moveHand({0, 10, 0}, 0.08);
+        pass(0.12);
+        m_bench->moveHand({0, -10, 0}, 0.12);
+        pass(0.35);
         QVERIFY2(!m_loop->fault().isFaulted(), m_loop->fault().message.english().c_str());
         QCOMPARE(m_device->report().condition, DeviceCondition::Working);
         QVERIFY2(m_bench->motors().y() > 2.0, "the hand presses");
@@ -65,9 +69,20 @@ class HaplyFaults : public QObject
         m_bench = std::make_unique<EmulatedHaply>();
         m_host = shippingPlugins();
     }
-    void init() { m_bench->renew(); }
+    void init()
+    {
+        if (m_loop == nullptr) {
+            m_bench->renew();
+            m_bench->with([](standin::HaplyBench& b) { b.takes_ns = 700'000; }); // fewer messages a second
+        }
+    }
     void cleanup()
     {
+        QCOMPARE(m_bench->violation(), QString());
+        if (m_isKept && !QTest::currentTestFailed()) {
+            m_isKept = false;
+            return;
+        }
         if (m_loop != nullptr) {
             m_loop->stop();
         }
@@ -121,7 +136,7 @@ class HaplyFaults : public QObject
         const auto answer = [](HaplyAnswer a) { return HaplyAct([a](auto& b) { b.faults.answer = a; }); };
         QTest::newRow("reads nothing for 30 ms") << stall(30) << false;
         QTest::newRow("reads nothing for 0.1 s") << stall(100) << false;
-        QTest::newRow("reads nothing for 3 s") << stall(3000) << true;
+        QTest::newRow("reads nothing for 0.6 s") << stall(600) << true;
         QTest::newRow("answers at 20 Hz") << HaplyAct([](auto& b) { b.faults.delayAnswer_ns = 50'000'000; }) << false;
         QTest::newRow("answers 1 s late") << HaplyAct([](auto& b) { b.faults.delayAnswer_ns = 1'000'000'000; }) << true;
         QTest::newRow("jumps by 0.3 m") << HaplyAct([](auto& b) { b.faults.jump_m = 0.3; }) << false;
@@ -156,16 +171,18 @@ class HaplyFaults : public QObject
         QFETCH(const HaplyAct, begin);
         QFETCH(const bool, isLost);
         press();
-        bool isStalled = false;
+        bool isStalled = false, isJump = false;
         m_bench->with([&](standin::HaplyBench& b) {
             begin(b);
             isStalled = b.faults.stallUntil_ns != 0;
+            isJump = b.faults.jump_m > 0.0;
         });
         const std::uint64_t overruns = m_loop->timing().overruns;
-        // A service that reads nothing removes the force by itself, 20 ms after the last message.
-        pass(isStalled ? 0.022 : 0.010);
+        // A service that reads nothing removes the force by itself, 20 ms after the last message. A jump is no silence:
+        // the gate refuses five positions, and ramps down within 8 ms.
+        pass(isStalled ? 0.022 : isJump ? 0.020 : 0.010);
         QCOMPARE(m_bench->motors().norm(), 0.0);
-        pass(0.3);
+        pass(0.15);
         QCOMPARE(m_bench->motors().norm(), 0.0);
         QVERIFY(m_loop->fault().isFaulted());
         if (isLost) {
@@ -173,13 +190,13 @@ class HaplyFaults : public QObject
             QVERIFY(!m_device->report().text.empty());
         }
         if (isStalled) {
-            pass(2.7);
+            pass(0.5);
         }
         m_bench->with([](standin::HaplyBench& b) {
             b.faults = {};
             first(b).isPlugged = true;
         });
-        pass(1.0);
+        pass(0.5);
         QCOMPARE(m_loop->timing().overruns, overruns); // nothing on the network delays a tick
         QVERIFY(m_loop->fault().isFaulted());          // latched, though all is well again
         QCOMPARE(m_bench->motors().norm(), 0.0);
@@ -187,6 +204,7 @@ class HaplyFaults : public QObject
         m_loop->rearm();
         liftAndPress();
         m_bench->with([](standin::HaplyBench& b) { QCOMPARE(b.openSessions, 1); });
+        m_isKept = QLatin1String(QTest::currentDataTag()) != QLatin1String("half-open"); // the last row
     }
 
     /// A few late answers in a row are within the gate's patience; the force is eased or held, and bounded.
@@ -317,7 +335,7 @@ class HaplyFaults : public QObject
         std::mt19937 random{11};
         const auto chance = [&random](double p) { return std::uniform_real_distribution<double>(0, 1)(random) < p; };
         int faults = 0, forces = 0;
-        for (int round = 0; round < 24; ++round) {
+        for (int round = 0; round < 15; ++round) {
             m_bench->with([&](standin::HaplyBench& b) {
                 b.faults = {};
                 b.style = {};
@@ -343,19 +361,19 @@ class HaplyFaults : public QObject
                 m_loop->rearm();
             }
             m_bench->moveHand({0, 10, 0}, 0.1);
-            pass(0.3);
+            pass(0.25);
             if (m_loop->fault().isFaulted()) {
                 m_loop->rearm();
             }
             m_bench->moveHand({0, -10, 0}, 0.1);
-            pass(0.4);
+            pass(0.35);
             forces += m_bench->motors().norm() > 1.0 ? 1 : 0;
             QCOMPARE(m_bench->violation(), QString());
             QVERIFY(m_loop->isRunning());
         }
-        qInfo("%d faults, force in %d of 24 rounds, lost %llu times", faults, forces,
+        qInfo("%d faults, force in %d of 15 rounds, lost %llu times", faults, forces,
               static_cast<unsigned long long>(m_device->report().losses));
-        QVERIFY(faults > 4 && forces > 4 && m_device->report().losses > 3);
+        QVERIFY(faults > 3 && forces > 3 && m_device->report().losses > 3);
     }
 };
 

@@ -343,7 +343,7 @@ void DeviceChoice::reportBusDevices()
     if (!supported.isEmpty()) {
         lines << tr("Supported: %1.").arg(supported.join(QStringLiteral("; ")));
     }
-    lines << tr("Not supported yet: 3D Systems Touch, Haply Inverse3, Novint Falcon. A device plugin "
+    lines << tr("Not supported yet: 3D Systems Touch, Novint Falcon. A device plugin "
                 "connects such an arm; the page “device-plugin” of the documentation describes how to write one.");
     if (m_plugins != nullptr) {
         for (const device::PluginEntry& entry : m_plugins->plugins()) {
