@@ -11,7 +11,7 @@
 
 namespace palpate::haply {
 
-/// What keeps a connected device from working as a hand.
+/// Reason why a connected device does not work as a hand.
 enum class Trouble : std::uint8_t
 {
     None,
@@ -60,7 +60,7 @@ class Driver final : public device::HapticDevice
     /// Sends the next message, if one is due. @return false: the service has been silent for too long
     [[nodiscard]] bool pushNext(Session& session, std::int64_t now_ns);
     void take(const Update& update, std::int64_t asked_ns, std::int64_t now_ns) noexcept;
-    /// Compares what the service drives with what was sent.
+    /// Compares the force that the service drives with the force that was sent.
     void checkFollowing(Session& session, const Update& update, std::int64_t now_ns) noexcept;
     [[nodiscard]] core::Vec3 wantedForce(std::int64_t now_ns) noexcept;
     void publish(bool isPresent, bool isLost) noexcept;
@@ -88,7 +88,7 @@ class Driver final : public device::HapticDevice
     std::int64_t m_askedAll_ns = 0;   ///< for a full message
     std::int64_t m_sensed_ns = 0;     ///< last valid state received
     std::int64_t m_awayUntil_ns = 0;  ///< no hand is reported, so that the force is eased in afterwards
-    std::int64_t m_unfollowed_ns = 0; ///< since when the service has not driven what was sent; 0: it does
+    std::int64_t m_unfollowed_ns = 0; ///< begin of the time without a driven force; 0: the service follows
     std::int64_t m_answered_ns = 0;
 
     // Written by the I/O thread for report().

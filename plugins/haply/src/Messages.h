@@ -31,7 +31,7 @@ enum class ForceKey : std::uint8_t
     Vector, ///< 3.5
 };
 
-/// What a device says about itself.
+/// Condition of a device, as reported by the service.
 struct DeviceStatus
 {
     bool hasPower = true;
@@ -57,7 +57,7 @@ struct Inventory
 /// @return nothing: not a message of the service
 [[nodiscard]] std::optional<Inventory> readInventory(std::string_view json);
 
-/// What a message states about the axes of positions and forces.
+/// Axes of positions and forces, as stated by a message.
 enum class Axes : std::uint8_t
 {
     Unstated,

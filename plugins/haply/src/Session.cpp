@@ -177,6 +177,7 @@ Session::Session(Service service, const Inventory::Device& device, const Setting
 Session::~Session()
 {
     letGo();
+    m_socket.sayGoodbye();
     claims().giveBack(m_deviceId);
 }
 
@@ -192,6 +193,7 @@ bool Session::send(std::string_view text)
 
 void Session::begin()
 {
+    m_isDriving = true;
     (void)send(firstCommand(m_deviceId, m_key, m_isCentred));
     (void)askForAll();
 }
@@ -208,11 +210,8 @@ bool Session::askForAll()
 
 void Session::letGo() noexcept
 {
-    if (std::exchange(m_isLetGo, true)) {
-        return;
-    }
     try {
-        if (push(core::Vec3::Zero())) {
+        if (std::exchange(m_isDriving, false) && push(core::Vec3::Zero())) {
             Update ignored;
             std::int64_t asked_ns = 0;
             const std::int64_t until_ns = core::monotonicNow_ns() + kGoodbyeWithin_ns;
@@ -222,7 +221,6 @@ void Session::letGo() noexcept
         }
     } catch (const std::bad_alloc&) { // the end of the connection ends the session and its force
     }
-    m_socket.sayGoodbye();
 }
 
 void Session::switchKey() noexcept

@@ -15,7 +15,7 @@
 
 namespace palpate::haply {
 
-/// Connection to the Inverse Service, which has told its version and its devices.
+/// Connection to the Inverse Service, with its version and its devices.
 struct Service
 {
     WebSocket socket;
@@ -58,7 +58,7 @@ class Session
     bool push(const core::Vec3& f_N);
     /// Asks for a full message. @return false: not sent
     bool askForAll();
-    /// Drives zero, waits at most 20 ms for the service to take it, and ends the session.
+    /// Drives zero, and waits at most 20 ms for the service to take it.
     void letGo() noexcept;
     /// Uses the other name of the force vector from now on.
     void switchKey() noexcept;
@@ -94,7 +94,7 @@ class Session
     bool m_isCentred;
     bool m_isShared;
     bool m_isGripUndecided = false;
-    bool m_isLetGo = false;
+    bool m_isDriving = false;                              ///< between `begin` and `letGo`
     std::array<std::int64_t, kMostUnanswered> m_sent_ns{}; ///< oldest first
     std::size_t m_unanswered = 0;
     std::int64_t m_lastSent_ns = 0;

@@ -139,7 +139,8 @@ bool WebSocket::sendFrame(std::uint8_t opcode, std::string_view payload)
         m_out.push_back(static_cast<char>(payload.size() >> 8));
         m_out.push_back(static_cast<char>(payload.size() & 0xFF));
     }
-    // A mask must not be predictable by a web page's script. No such script has a say here: a cheap sequence will do.
+    // Masks protect proxies from scripts of web pages (RFC 6455, section 10.3). There are neither: a cheap sequence is
+    // enough.
     m_mask = m_mask * 1664525U + 1013904223U;
     std::array<char, 4> mask{};
     for (std::size_t i = 0; i < mask.size(); ++i) {
@@ -149,7 +150,7 @@ bool WebSocket::sendFrame(std::uint8_t opcode, std::string_view payload)
     for (std::size_t i = 0; i < payload.size(); ++i) {
         m_out.push_back(static_cast<char>(payload[i] ^ mask[i % 4]));
     }
-    (void)flush(); // what the peer does not take now follows with the next frame
+    (void)flush(); // the rest follows with the next frame
     return true;
 }
 
@@ -162,7 +163,7 @@ void WebSocket::sayGoodbye() noexcept
 {
     try {
         (void)sendFrame(kClose, std::string_view("\x03\xe8", 2)); // 1000: normal closure
-    } catch (const std::bad_alloc&) {                             // the end of the connection says the same
+    } catch (const std::bad_alloc&) {                             // the end of the connection has the same effect
     }
 }
 

@@ -12,10 +12,10 @@
 
 namespace palpate::haply {
 
-/// Client of a WebSocket on this machine (RFC 6455), for one thread that must never wait longer than it wants to. Not
-/// Qt's, whose messages pass through an event loop, which costs the I/O thread tens of microseconds a message and
-/// leaves the buffering to Qt. Memory is bounded whatever the peer sends: kLargestMessage for a message, as much again
-/// for what has been received but not read.
+/// Client of a WebSocket on this machine (RFC 6455), for one thread that must never wait longer than it wants to: a
+/// call of `receive` is one ppoll and one recv, where Qt's client would need an event loop in the I/O thread and in
+/// each caller of `DevicePlugin::find`. Memory is bounded whatever the peer sends: kLargestMessage for a message, and
+/// as much again for bytes that have been received but not read.
 class WebSocket
 {
   public:
