@@ -124,7 +124,7 @@ class HaplyProgram : public QObject
         // Without a service and settings, no word about either.
         m_bench->removeSettings();
         const QString without = list(PALPATE_PROGRAM);
-        QVERIFY2(without.contains(QLatin1String("haply 1.0")), qPrintable(without));
+        QVERIFY2(without.contains(QLatin1String("haply 0.1.0")), qPrintable(without));
         QVERIFY2(!without.contains(QLatin1String("Inverse Service does not answer")), qPrintable(without));
         m_bench->configure();
 #else
