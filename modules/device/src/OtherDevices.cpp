@@ -21,7 +21,8 @@ struct Known
 };
 
 constexpr std::string_view kTouchNeeds =
-    "its maker's Touch driver and OpenHaptics, which are closed: Palpate would need a plugin that is built on them";
+    "its maker's Touch driver and OpenHaptics (libHD.so), its configuration by Touch_Setup, and access to USB through "
+    "Palpate's udev rule, as the page \"devices\" of the documentation describes";
 constexpr std::string_view kFalconNeeds =
     "a plugin that speaks to its FTDI chip and loads its firmware at each start, as libnifalcon does";
 constexpr std::string_view kInverseNeeds =
@@ -31,10 +32,10 @@ constexpr std::string_view kForceDimensionNeeds = "its maker's library libdhd.so
                                                   "\"devices\" of the documentation describes";
 
 constexpr Known kKnown[] = {
-    {"2988", "", "", "3D Systems Touch", kTouchNeeds},
-    {"0301", "2988", "", "3D Systems Touch", kTouchNeeds},
-    {"", "", "3D Systems", "3D Systems Touch", kTouchNeeds},
-    {"", "", "SensAble", "SensAble PHANToM", kTouchNeeds},
+    {"2988", "", "", "3D Systems Touch", kTouchNeeds, "openhaptics"},
+    {"0301", "2988", "", "3D Systems Touch", kTouchNeeds, "openhaptics"},
+    {"", "", "3D Systems", "3D Systems Touch", kTouchNeeds, "openhaptics"},
+    {"", "", "SensAble", "SensAble PHANToM", kTouchNeeds, "openhaptics"},
     {"0403", "cb48", "", "Novint Falcon", kFalconNeeds},
     {"", "", "Haply", "Haply Inverse3", kInverseNeeds, "haply"},
     {"", "", "Inverse3", "Haply Inverse3", kInverseNeeds, "haply"},

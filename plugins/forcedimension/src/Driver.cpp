@@ -23,8 +23,6 @@ constexpr std::int64_t kPeriod_ns = kMillisecond_ns / 4; // shortest loop of the
 constexpr std::int64_t kStatusEvery_ns = 10 * kMillisecond_ns;
 constexpr std::int64_t kEnableEvery_ns = 100 * kMillisecond_ns;
 constexpr std::int64_t kFindEvery_ns = 100 * kMillisecond_ns;
-// A force expires unless the servo thread renews it: zero is on its way to the device within 10 ms.
-constexpr std::int64_t kForceTimeout_ns = 8 * kMillisecond_ns;
 // Without a successful call for so long, the device is opened anew.
 constexpr std::int64_t kLostAfter_ns = 100 * kMillisecond_ns;
 constexpr int kStartAttempts = 10;
@@ -177,11 +175,7 @@ Status Driver::start()
     m_states = 0;
     m_refused = 0;
     m_losses = 0;
-    m_latency.clear();
-    m_readState_ns = 0;
-    m_answered_ns = 0;
-    m_push.write(ForceCommand{});
-    m_state.write(device::DeviceState{});
+    m_exchange.reset();
     m_thread = std::thread([this, first = std::move(device)]() mutable { run(std::move(first)); });
     return {};
 }
@@ -266,9 +260,8 @@ void Driver::serve(OpenDevice& device) noexcept
         const bool isSensed = reading == Reading::New || reading == Reading::Same;
         const core::Vec3 f_D = isSensed ? wantedForce(now_ns) : core::Vec3(core::Vec3::Zero());
         const bool isPushed = device.push(f_D);
-        if (isPushed && !f_D.isZero(0.0) && m_push.value().get().answers_ns > m_answered_ns) {
-            m_answered_ns = m_push.value().get().answers_ns;
-            m_latency.add(core::monotonicNow_ns() - m_answered_ns);
+        if (isPushed) {
+            m_exchange.noteSent(f_D, core::monotonicNow_ns());
         }
         if (isPushed && reading != Reading::Failed) {
             answered_ns = now_ns;
@@ -305,13 +298,8 @@ void Driver::checkStatus(OpenDevice& device) noexcept
 
 core::Vec3 Driver::wantedForce(std::int64_t now_ns) noexcept
 {
-    m_push.fetch();
-    const ForceCommand push = m_push.value().get();
-    if (m_trouble != Trouble::None || now_ns - push.time_ns >= kForceTimeout_ns || !push.f_D.allFinite()) {
-        return core::Vec3::Zero();
-    }
-    const double force_N = push.f_D.norm();
-    return force_N > m_model.maxForce_N ? core::Vec3(push.f_D * (m_model.maxForce_N / force_N)) : push.f_D;
+    const core::Vec3 f_D = m_exchange.wantedForce(now_ns, m_model.maxForce_N);
+    return m_trouble == Trouble::None ? f_D : core::Vec3(core::Vec3::Zero());
 }
 
 void Driver::publish(bool isPresent, bool isLost) noexcept
@@ -319,20 +307,17 @@ void Driver::publish(bool isPresent, bool isLost) noexcept
     device::DeviceState state = m_sensed;
     state.isPresent = isPresent;
     state.isLost = isLost;
-    m_state.write(state);
+    m_exchange.publish(state);
 }
 
 device::DeviceState Driver::read(std::int64_t) noexcept PALPATE_NONBLOCKING
 {
-    m_state.fetch();
-    const device::DeviceState state = m_state.value().get();
-    m_readState_ns = state.time_ns;
-    return state;
+    return m_exchange.read();
 }
 
 void Driver::write(const core::Vec3& f_D) noexcept PALPATE_NONBLOCKING
 {
-    m_push.write(ForceCommand{f_D, m_readState_ns, core::monotonicNow_ns()});
+    m_exchange.write(f_D);
 }
 
 device::DeviceReport Driver::report() const
@@ -351,7 +336,7 @@ device::DeviceReport Driver::report() const
         report.text = "The limits of this model are not known, so it is driven with 3 N. Set max_force_N, "
                       "max_stiffness_N_per_mm and workspace_radius_mm in forcedimension.json.";
     }
-    report.latency = m_latency.summary();
+    report.latency = m_exchange.latency();
     report.states = m_states;
     report.refused = m_refused;
     report.losses = m_losses;

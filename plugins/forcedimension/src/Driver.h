@@ -4,8 +4,7 @@
 #include "Bus.h"
 #include "Models.h"
 
-#include <palpate/core/TripleBuffer.h>
-#include <palpate/device/PlainCopy.h>
+#include <vendor/HandExchange.h>
 
 #include <atomic>
 #include <thread>
@@ -47,14 +46,6 @@ class Driver final : public device::HapticDevice
     core::Status calibrate() override;
 
   private:
-    /// Force command from the servo thread.
-    struct ForceCommand
-    {
-        core::Vec3 f_D = core::Vec3::Zero(); ///< [N]
-        std::int64_t answers_ns = 0;         ///< time stamp of the state from which the force was computed
-        std::int64_t time_ns = 0;
-    };
-
     /// Takes identity and limits of an open device.
     void adopt(const OpenDevice& device);
 
@@ -70,20 +61,17 @@ class Driver final : public device::HapticDevice
     Settings m_settings;
     int m_serial;
     DeviceIdentity m_identity;           ///< written before the thread starts
-    Model m_model;                       ///< written before the thread starts
+    vendor::DeviceModel m_model;         ///< written before the thread starts
     std::unique_ptr<OpenDevice> m_ready; ///< opened at construction, until `start`
     std::thread m_thread;
     std::atomic<bool> m_isStopWanted{false};
 
-    core::TripleBuffer<device::PlainCopy<device::DeviceState>> m_state; // I/O thread -> servo thread
-    core::TripleBuffer<device::PlainCopy<ForceCommand>> m_push;         // servo thread -> I/O thread
-    std::int64_t m_readState_ns = 0; // servo thread only: time stamp of the last state read
+    vendor::HandExchange m_exchange; // between I/O thread and servo thread
 
     // I/O thread only.
     device::DeviceState m_sensed;
     std::int64_t m_enabled_ns = 0; ///< of the last attempt to enable forces
-    std::int64_t m_answered_ns = 0;
-    int m_watchdogAttempts = 0; ///< to set the device's watchdog, since the device was opened
+    int m_watchdogAttempts = 0;    ///< to set the device's watchdog, since the device was opened
 
     // Written by the I/O thread for report().
     std::atomic<bool> m_isLost{false};
@@ -92,7 +80,6 @@ class Driver final : public device::HapticDevice
     std::atomic<std::uint64_t> m_states{0};
     std::atomic<std::uint64_t> m_refused{0};
     std::atomic<std::uint64_t> m_losses{0};
-    core::TimingHistogram m_latency;
 };
 
 } // namespace palpate::forcedimension

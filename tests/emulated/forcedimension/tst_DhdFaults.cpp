@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Everything that a device, its cable and its library can do wrong, in virtual time: the motors never push more than
 // they may, and are off within 10 ms of silence.
-#include "EmulatedArm.h"
+#include "DeviceChecks.h"
 #include "EmulatedDhd.h"
 #include "TestRunner.h"
-
-#include <palpate/servo/ServoLoop.h>
 
 #include <cmath>
 #include <limits>
@@ -30,32 +28,7 @@ class DhdFaults : public QObject
   private:
     std::unique_ptr<EmulatedDhd> m_bench;
     std::unique_ptr<device::PluginHost> m_host;
-    std::unique_ptr<device::HapticDevice> m_device;
-    std::unique_ptr<servo::ServoLoop> m_loop;
-
-    /// Presses on a block.
-    void press()
-    {
-        m_device = makeDhd(*m_host);
-        QVERIFY(m_device != nullptr);
-        m_loop = std::make_unique<servo::ServoLoop>();
-        m_loop->setScene(blockScene(0.5));
-        const core::Status started = m_loop->start(*m_device, {.askRealtime = false});
-        QVERIFY2(started.isOk(), started.message().c_str());
-        liftAndPress();
-    }
-
-    /// A contact begins outside of the block.
-    void liftAndPress()
-    {
-        m_bench->moveHand({0, 10, 0}, 0.3);
-        pass(1.0);
-        m_bench->moveHand({0, -10, 0}, 0.5);
-        pass(1.5);
-        QVERIFY2(!m_loop->fault().isFaulted(), m_loop->fault().message.english().c_str());
-        QCOMPARE(m_device->report().condition, DeviceCondition::Working);
-        QVERIFY2(m_bench->motors().y() > 2.0, "the hand presses");
-    }
+    std::unique_ptr<PressingHand<standin::DhdBench>> m_hand;
 
     static standin::DhdDevice& first(standin::DhdBench& b) { return b.devices[0]; }
 
@@ -66,15 +39,14 @@ class DhdFaults : public QObject
         m_host = shippingPlugins();
         standin_makeTimeVirtual();
     }
-    void init() { m_bench->renew(); }
+    void init()
+    {
+        m_bench->renew();
+        m_hand = std::make_unique<PressingHand<standin::DhdBench>>(*m_bench, *m_host);
+    }
     void cleanup()
     {
-        if (m_loop != nullptr) {
-            m_loop->stop();
-        }
-        m_loop.reset();
-        m_device.reset();
-        QCOMPARE(m_bench->motors().norm(), 0.0);
+        m_hand->release();
         QCOMPARE(m_bench->violation(), QString());
     }
 
@@ -89,17 +61,12 @@ class DhdFaults : public QObject
     void doesNoHarm()
     {
         QFETCH(const Act, begin);
-        press();
+        m_hand->press();
         m_bench->with(begin);
         pass(1.0);
-        QVERIFY2(!m_loop->fault().isFaulted(), m_loop->fault().message.english().c_str());
-        QVERIFY(m_device->report().condition == DeviceCondition::Working);
-        double largest_N = 0.0;
-        for (int i = 0; i < 20; ++i) { // a failed read is answered by zero
-            largest_N = std::max(largest_N, m_bench->motors().y());
-            pass(0.001);
-        }
-        QVERIFY(largest_N > 2.0);
+        QVERIFY2(!m_hand->loop->fault().isFaulted(), m_hand->loop->fault().message.english().c_str());
+        QVERIFY(m_hand->device->report().condition == DeviceCondition::Working);
+        QVERIFY(m_hand->largestForce_N() > 2.0); // a failed read is answered by zero
     }
 
     void takesTheForceAway_data()
@@ -132,18 +99,18 @@ class DhdFaults : public QObject
     {
         QFETCH(const Act, begin);
         QFETCH(const bool, isLost);
-        press();
+        m_hand->press();
         m_bench->with(begin);
-        const std::uint64_t overruns = m_loop->timing().overruns;
+        const std::uint64_t overruns = m_hand->loop->timing().overruns;
         pass(0.020); // the watchdog of 9 ms, or the gate at 5 ms and its ramp of 8 ms
         QCOMPARE(m_bench->motors().norm(), 0.0);
-        QVERIFY(m_loop->fault().isFaulted() || isLost);
+        QVERIFY(m_hand->loop->fault().isFaulted() || isLost);
         pass(0.5);
         QCOMPARE(m_bench->motors().norm(), 0.0);
-        QVERIFY(m_loop->fault().isFaulted());
+        QVERIFY(m_hand->loop->fault().isFaulted());
         if (isLost) {
-            QCOMPARE(m_device->report().condition, DeviceCondition::Lost);
-            QVERIFY(!m_device->report().text.empty());
+            QCOMPARE(m_hand->device->report().condition, DeviceCondition::Lost);
+            QVERIFY(!m_hand->device->report().text.empty());
         }
         m_bench->with([](standin::DhdBench& b) {
             first(b).faults = {};
@@ -152,12 +119,12 @@ class DhdFaults : public QObject
             }
         });
         pass(11.0);
-        QCOMPARE(m_loop->timing().overruns, overruns); // no call of the library delays a tick
-        QVERIFY(m_loop->fault().isFaulted());          // latched, though all is well again
+        QCOMPARE(m_hand->loop->timing().overruns, overruns); // no call of the library delays a tick
+        QVERIFY(m_hand->loop->fault().isFaulted());          // latched, though all is well again
         QCOMPARE(m_bench->motors().norm(), 0.0);
-        QCOMPARE(m_device->report().condition, DeviceCondition::Working);
-        m_loop->rearm();
-        liftAndPress();
+        QCOMPARE(m_hand->device->report().condition, DeviceCondition::Working);
+        m_hand->loop->rearm();
+        m_hand->liftAndPress();
     }
 
     /// What the device says about itself reaches the user in words, and the force returns with easing.
@@ -184,17 +151,17 @@ class DhdFaults : public QObject
         QFETCH(const Act, begin);
         QFETCH(const Act, end);
         QFETCH(const QString, word);
-        press();
+        m_hand->press();
         std::uint64_t enablings = 0;
         m_bench->with([&](standin::DhdBench& b) {
             begin(b);
             enablings = first(b).enablings;
         });
         pass(0.5);
-        const device::DeviceReport report = m_device->report();
+        const device::DeviceReport report = m_hand->device->report();
         QCOMPARE(report.condition, DeviceCondition::NeedsCalibration);
         QVERIFY2(report.text.find(word.toStdString()) != std::string::npos, report.text.c_str());
-        QVERIFY(!m_device->read(core::monotonicNow_ns()).isPresent);
+        QVERIFY(!m_hand->device->read(core::monotonicNow_ns()).isPresent);
         QCOMPARE(m_bench->motors().norm(), 0.0);
         m_bench->with([&](standin::DhdBench& b) {
             QCOMPARE(first(b).enablings, enablings); // the device is not fought
@@ -203,20 +170,20 @@ class DhdFaults : public QObject
         });
         pass(0.1);
         QVERIFY2(m_bench->motors().norm() < 1.0, "eased in");
-        liftAndPress();
+        m_hand->liftAndPress();
     }
 
     void deviceWithoutWatchdogWorksWithAWarning()
     {
         m_bench->with([](standin::DhdBench& b) { first(b).faults.hasNoWatchdog = true; });
-        press();
-        QVERIFY2(m_device->report().text.find("watchdog could not be set") != std::string::npos,
-                 m_device->report().text.c_str());
+        m_hand->press();
+        QVERIFY2(m_hand->device->report().text.find("watchdog could not be set") != std::string::npos,
+                 m_hand->device->report().text.c_str());
     }
 
     void frozenPoseHoldsAtMostItsForce()
     {
-        press();
+        m_hand->press();
         const double before_N = m_bench->motors().norm();
         m_bench->with([](standin::DhdBench& b) { first(b).faults.isFrozen = true; });
         pass(1.0); // cannot be told from a hand at rest: the force stays, bounded
@@ -238,7 +205,7 @@ class DhdFaults : public QObject
         QFETCH(const int, error);
         QFETCH(const QString, word);
         m_bench->with([&](standin::DhdBench& b) { first(b).faults.openError = error; });
-        const auto device = makeDhd(*m_host);
+        const auto device = m_bench->make(*m_host);
         QVERIFY(device != nullptr);
         const core::Status status = device->start();
         QCOMPARE(status.code(), core::StatusCode::NotFound);
@@ -257,7 +224,7 @@ class DhdFaults : public QObject
 
     void startsAfterTheDeviceWasPluggedInAgain()
     {
-        const auto device = makeDhd(*m_host); // has it open
+        const auto device = m_bench->make(*m_host); // has it open
         QVERIFY(device != nullptr);
         m_bench->with([](standin::DhdBench& b) { standin::plugDhd(first(b), false); });
         QCOMPARE(device->start().code(), core::StatusCode::NotFound);
@@ -270,7 +237,7 @@ class DhdFaults : public QObject
 
     void everythingAtRandom()
     {
-        press();
+        m_hand->press();
         std::mt19937 random{11};
         const auto chance = [&random](double p) { return std::uniform_real_distribution<double>(0, 1)(random) < p; };
         int faults = 0, forces = 0;
@@ -294,11 +261,11 @@ class DhdFaults : public QObject
                     standin::plugDhd(first(b), !first(b).isPlugged);
                 }
             });
-            if (m_loop->fault().isFaulted()) {
+            if (m_hand->loop->fault().isFaulted()) {
                 ++faults;
-                m_loop->rearm();
+                m_hand->loop->rearm();
             }
-            if (m_device->report().text.find("button") != std::string::npos) {
+            if (m_hand->device->report().text.find("button") != std::string::npos) {
                 m_bench->with([](standin::DhdBench& b) { standin::pressForceButton(first(b)); });
             }
             m_bench->moveHand({0, 10, 0}, 0.2);
@@ -307,11 +274,11 @@ class DhdFaults : public QObject
             pass(0.6);
             forces += m_bench->motors().norm() > 1.0 ? 1 : 0;
             QCOMPARE(m_bench->violation(), QString());
-            QVERIFY(m_loop->isRunning());
+            QVERIFY(m_hand->loop->isRunning());
         }
         qInfo("%d faults, force in %d of 120 s, lost %llu times", faults, forces,
-              static_cast<unsigned long long>(m_device->report().losses));
-        QVERIFY(faults > 10 && forces > 10 && m_device->report().losses > 3);
+              static_cast<unsigned long long>(m_hand->device->report().losses));
+        QVERIFY(faults > 10 && forces > 10 && m_hand->device->report().losses > 3);
     }
 };
 

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A killed process cannot remove the force: the device's watchdog must, which the driver sets. In real time, with the
 // device on a bench that outlives its driver.
-#include "EmulatedArm.h"
+#include "DeviceChecks.h"
 #include "EmulatedDhd.h"
 #include "TestRunner.h"
-
-#include <palpate/servo/ServoLoop.h>
-
-#include <QCoreApplication>
-#include <QProcess>
 
 #include <csignal>
 
@@ -34,19 +29,7 @@ class DhdKilled : public QObject
             QSKIP("run by watchdogTakesTheForceAway, in a process of its own");
         }
         const EmulatedDhd bench(file);
-        const auto host = shippingPlugins();
-        const auto device = makeDhd(*host);
-        QVERIFY(device != nullptr);
-        servo::ServoLoop loop;
-        loop.setScene(blockScene(0.5));
-        const core::Status started = loop.start(*device, {});
-        QVERIFY2(started.isOk(), started.message().c_str());
-        for (;;) {
-            pass(0.05);
-            if (loop.fault().isFaulted()) { // on a busy machine a late tick may count as a fault
-                loop.rearm();
-            }
-        }
+        test::pressForever(bench);
     }
 
     void watchdogTakesTheForceAway()
@@ -55,24 +38,8 @@ class DhdKilled : public QObject
             QSKIP("this is the child");
         }
         EmulatedDhd bench;
-        bench.with([](standin::DhdBench& b) { b.devices[0].p = b.devices[0].to = {0.0, 0.010, 0.0}; });
         QProcess child;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert(QString::fromLatin1(kDhdChild), QString::fromStdString(bench.file()));
-        child.setProcessEnvironment(environment);
-        child.start(QCoreApplication::applicationFilePath(),
-                    {QStringLiteral("DhdKilled"), QStringLiteral("pressForever")});
-        QVERIFY(child.waitForStarted());
-        double force_N = 0.0;
-        for (int i = 0; i < 30 && force_N < 0.5; ++i) { // again after a fault, on a busy machine
-            bench.moveHand({0, 10, 0}, 0.3);
-            pass(1.0);
-            bench.moveHand({0, -10, 0}, 0.5);
-            for (int j = 0; j < 200 && force_N < 0.5; ++j) {
-                pass(0.005);
-                force_N = bench.motors().norm();
-            }
-        }
+        const double force_N = startPressing(bench, child, kDhdChild, "DhdKilled");
         std::uint64_t watchdogs = 0;
         kill(static_cast<pid_t>(child.processId()), SIGKILL);
         bench.with([&](standin::DhdBench& b) { watchdogs = b.devices[0].watchdogs; });
@@ -87,7 +54,7 @@ class DhdKilled : public QObject
         });
         // The next process starts cleanly.
         const auto host = shippingPlugins();
-        const auto device = makeDhd(*host);
+        const auto device = bench.make(*host);
         QVERIFY(device != nullptr);
         QVERIFY(device->start().isOk());
         device->stop();

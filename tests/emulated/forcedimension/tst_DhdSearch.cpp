@@ -45,7 +45,7 @@ class DhdSearch : public QObject
         if (!RealtimeGuard::isAvailable()) {
             QSKIP("not counted under this sanitizer");
         }
-        const auto device = makeDhd(*m_host);
+        const auto device = m_bench->make(*m_host);
         QVERIFY(device != nullptr);
         QVERIFY(device->start().isOk());
         std::uint64_t calls = 0;

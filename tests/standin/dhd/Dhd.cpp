@@ -58,7 +58,7 @@ Handles& handles()
 DhdBench& bench()
 {
     static DhdBench* const one = [] {
-        DhdBench* made = openDhdBench(std::getenv("PALPATE_STANDIN_DHD"));
+        DhdBench* made = openShared<DhdBench>(std::getenv("PALPATE_STANDIN_DHD"), kDhdMagic);
         if (made == nullptr) {
             std::fprintf(stderr, "stand-in: PALPATE_STANDIN_DHD names no bench\n");
             std::abort();
@@ -89,10 +89,10 @@ class Now
     Now()
         : time_ns(nowHere_ns())
     {
-        lockDhd(bench());
+        lockShared(bench());
         advanceDhd(bench(), time_ns);
     }
-    ~Now() { unlockDhd(bench()); }
+    ~Now() { unlockShared(bench()); }
     Now(const Now&) = delete;
     Now& operator=(const Now&) = delete;
     const std::int64_t time_ns;
@@ -129,7 +129,7 @@ Handle* enter(int id, std::int64_t takes_ns)
         t_error = kCom;
         return nullptr;
     }
-    if (device.faults.error != kNone || drawDhd(bench()) < device.faults.failing) {
+    if (device.faults.error != kNone || drawShared(bench()) < device.faults.failing) {
         t_error = device.faults.error != kNone ? device.faults.error : kFailed;
         return nullptr;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "SharedBench.h"
+
 #include <array>
 #include <cstdint>
 #include <pthread.h>
@@ -9,8 +11,6 @@
 /// the process that drives it. Guarded by `lock`. Everything here is in metres, newtons and the user frame U (x right,
 /// y up, z towards the user); the stand-in library converts to the axes of the maker's library.
 namespace standin {
-
-using V3 = std::array<double, 3>;
 
 /// What the library does wrong, for one device.
 struct DhdFaults
@@ -43,7 +43,7 @@ struct DhdSample
     V3 p{};
 };
 
-struct DhdDevice
+struct DhdDevice : HeldTip
 {
     int type = 33; ///< omega.3
     int serial = 1001;
@@ -68,16 +68,6 @@ struct DhdDevice
     std::int64_t lastForce_ns = 0;
     V3 f{}; ///< of the motors
 
-    // Mechanics: a mass at the tip, a hand that holds it.
-    double mass_kg = 0.15;
-    double viscosity_Ns_per_m = 1.0;
-    bool isHeld = true;
-    V3 p{};
-    V3 v{};
-    V3 from{}, to{}; ///< motion of the hand
-    std::int64_t begin_ns = 0;
-    double duration_s = 0.0;
-
     // Observations.
     double largestForce_N = 0.0;
     std::int64_t longestSilence_ns = 0; ///< longest time that motors drove without a new force call
@@ -90,6 +80,13 @@ struct DhdDevice
     DhdFaults faults;
 };
 
+inline DhdDevice secondDhd()
+{
+    DhdDevice device;
+    device.serial = 1002;
+    return device;
+}
+
 struct DhdBench
 {
     std::uint64_t magic = 0;
@@ -99,15 +96,13 @@ struct DhdBench
     int sdkMajor = 3;
     int count = 1;                  ///< devices on the bus, of `devices`
     std::array<int, 2> order{0, 1}; ///< index on the bus -> device
-    std::array<DhdDevice, 2> devices{};
+    std::array<DhdDevice, 2> devices{DhdDevice{}, secondDhd()};
     std::uint64_t unnamedCalls = 0; ///< calls for the default device, which changes with each opening
     std::uint64_t lateCalls = 0;    ///< calls with a closed handle
 };
 
-/// Opens the bench in the file `path` and creates the file if missing; null on failure.
-DhdBench* openDhdBench(const char* path);
-void lockDhd(DhdBench& bench);
-void unlockDhd(DhdBench& bench);
+inline constexpr std::uint64_t kDhdMagic = 0x70616c7064686431; ///< of an initialised bench
+
 /// Advances the mechanics and the watchdogs to `now_ns`.
 void advanceDhd(DhdBench& bench, std::int64_t now_ns);
 /// Unplugs the device, or plugs it in.
@@ -115,7 +110,5 @@ void plugDhd(DhdDevice& device, bool isPlugged);
 /// The user presses the device's force button.
 void pressForceButton(DhdDevice& device);
 void setMotors(DhdDevice& device, const V3& f);
-/// Returns a random number in [0, 1).
-double drawDhd(DhdBench& bench);
 
 } // namespace standin
