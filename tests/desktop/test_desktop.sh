@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# test_desktop.sh entry|metainfo|types|texts|version SOURCES BUILD WORK PALPATE VERSION   checks what resources/desktop
+# test_desktop.sh entry|metainfo|types|texts|thumbnail|version SOURCES BUILD WORK PALPATE VERSION   checks what resources/desktop
 # installs. Exit code 77 if a tool for the check is missing.
 set -euo pipefail
 what=$1 sources=$2 build=$3 work=$4 palpate=$5 version=$6
@@ -130,6 +130,41 @@ texts)
     else
         echo "the completion of zsh was not read: zsh is not installed"
     fi
+    ;;
+thumbnail)
+    # Without a display, as in the sandbox of a file manager.
+    draw() { env -i HOME="$work" "$palpate" thumbnail "$@"; }
+    phantom=$sources/data/phantom
+    mkdir scene && cp "$phantom"/*.stl "$phantom/phantom.vtp" "$phantom"/*.palpate.json "$phantom/palpation.palpate" scene/
+    draw scene/phantom.palpate.json --out scene.png --size 128
+    draw scene/palpation.palpate --out recording.png
+    draw scene/liver.stl --out "mesh 1.png" --size 48
+    for pair in scene.png=128 recording.png=256 "mesh 1.png=48"; do
+        # Width and height in the header of a PNG.
+        size=$(od -A n -t u1 -j 16 -N 8 "${pair%=*}" | tr -s ' \n' ' ')
+        expected=$((${pair#*=} / 256)) rest=$((${pair#*=} % 256))
+        [[ $size == " 0 0 $expected $rest 0 0 $expected $rest"* ]] || wrong "${pair%=*}: found the size$size, expected ${pair#*=}"
+    done
+    # A hidden target of an exercise is not drawn: as if it were invisible.
+    name="lump 20 mm"
+    grep -q "\"name\": \"$name\"" scene/phantom.palpate.json || wrong "the phantom has no $name"
+    sed "1a \"exercise\": {\"targets\": [\"$name\"]}," scene/phantom.palpate.json >scene/exercise.palpate.json
+    awk -v name="\"$name\"" 'index($0, "\"name\": " name) { on = 1 } on && /"visible"/ { sub(/true/, "false"); on = 0 } 1' \
+        scene/phantom.palpate.json >scene/invisible.palpate.json
+    draw scene/exercise.palpate.json --out exercise.png --size 128
+    draw scene/invisible.palpate.json --out invisible.png --size 128
+    cmp exercise.png invisible.png || failed=1
+    ! cmp -s exercise.png scene.png || wrong "the lump is not in the picture at all"
+    # No picture for what cannot be opened, and none for what is its own output.
+    echo nonsense >scene/bad.stl
+    for file in scene/bad.stl scene/none.stl scene/liver.stl; do
+        out=bad.png
+        [[ $file != scene/liver.stl ]] || out=$file
+        code=0
+        draw "$file" --out "$out" 2>error.txt || code=$?
+        [[ $code -eq 2 && -s error.txt && ! -e bad.png ]] || wrong "$file: exit code $code, expected 2 and no picture"
+    done
+    cmp "$phantom/liver.stl" scene/liver.stl || failed=1
     ;;
 version)
     said=$("$palpate" --version)
