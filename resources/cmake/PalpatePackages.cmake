@@ -12,7 +12,6 @@ function(palpate_add_packages)
   set(CPACK_GENERATOR DEB)
   set(CPACK_PACKAGE_NAME palpate)
   set(CPACK_PACKAGE_VENDOR "The Palpate authors")
-  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "feel segmented anatomy before an operation")
   set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
   set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
   set(CPACK_STRIP_FILES ON)
@@ -25,7 +24,7 @@ function(palpate_add_packages)
   set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
   set(CPACK_COMPONENTS_ALL runtime doc dev)
 
-  # The names of groups are used in upper case in the names of variables.
+  # Names of groups are upper case in the names of variables. The first line of a description is the summary.
   set(CPACK_COMPONENT_RUNTIME_GROUP program)
   set(CPACK_COMPONENT_DOC_GROUP program)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME palpate)
@@ -33,14 +32,15 @@ function(palpate_add_packages)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri")
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "xvfb, xauth")
-  set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Palpate lets a clinician feel segmented anatomy before an operation: which lump a
-hand will find, where, and how hard it has to press. It opens surface meshes
-and label maps, shows them in three dimensions and computes the force on a
-hand at 1 kHz, for haptic devices and for the mouse. Sessions are recorded,
-replayed, measured and reported.
-.
+  set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "feel segmented anatomy before an operation
+Palpate lets a clinician feel segmented anatomy before an operation: which
+lump a hand will find, where, and how hard it has to press. It opens surface
+meshes and label maps, shows them in three dimensions and computes the force
+on a hand at 1 kHz, for haptic devices and for the mouse. Sessions are
+recorded, replayed, measured and reported.
+
 ${disclaimer}
-.
+
 This package has the program, plugins for devices with rules of udev, a
 phantom and the documents.")
 
@@ -52,17 +52,19 @@ phantom and the documents.")
   # The components of the engine need no VTK.
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libvtk9-dev (>= 9.1)")
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libqt6opengl6-dev, libgl-dev, qt6-multimedia-dev, cmake, pkgconf")
-  set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "The engine of Palpate lets a hand feel surfaces: a god-object on a spatially
+  set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "engine that lets a hand feel surfaces - development files
+The engine of Palpate lets a hand feel surfaces: a god-object on a spatially
 indexed mesh, tissue, a servo loop at 1 kHz, device drivers and recordings.
-.
+
 ${disclaimer}
-.
+
 This package has the headers and static libraries of the engine, which needs
 neither VTK nor a window, and of the components that read meshes and draw
 (libvtk9-dev), with files for CMake and pkg-config.")
 
   if("python" IN_LIST all)
-    # A module for one version of Python, the one that the system's `python3` is.
+    # A module for one version of Python, that of the system's `python3`.
+    set(Python3_EXECUTABLE /usr/bin/python3)
     find_package(Python3 REQUIRED COMPONENTS Interpreter)
     math(EXPR next "${Python3_VERSION_MINOR} + 1")
     list(APPEND CPACK_COMPONENTS_ALL python)
@@ -73,11 +75,12 @@ neither VTK nor a window, and of the components that read meshes and draw
     set(CPACK_DEBIAN_BINDINGS_PACKAGE_SHLIBDEPS ON)
     set(CPACK_DEBIAN_BINDINGS_PACKAGE_DEPENDS
       "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3 (<< ${Python3_VERSION_MAJOR}.${next}), python3-numpy")
-    set(CPACK_DEBIAN_BINDINGS_DESCRIPTION "The engine of Palpate lets a hand feel surfaces: a god-object on a spatially
+    set(CPACK_DEBIAN_BINDINGS_DESCRIPTION "engine that lets a hand feel surfaces - Python module
+The engine of Palpate lets a hand feel surfaces: a god-object on a spatially
 indexed mesh, tissue, and recordings.
-.
+
 ${disclaimer}
-.
+
 This package has the module for Python 3.")
     palpate_install_package_documents(python3-palpate python)
   endif()

@@ -23,7 +23,9 @@ install() {
 build_packages() {
     source "$root/app/setup.sh"
     # dpkg-shlibdeps is in dpkg-dev; CPack asks `file` what is a binary.
+    # shellcheck disable=SC2154 # of setup.sh
     ensure_packages "${palpate_build_packages[@]}" dpkg-dev file lintian
+    [[ ! -d modules/python ]] || ensure_packages python3-dev pybind11-dev # for the component `python`
     ensure_configured packages
     build packages
     rm -rf "$made"
@@ -96,7 +98,7 @@ try_packages() {
     listed="palpate libpalpate-dev"
     if ls /packages/python3-palpate_*.deb >/dev/null 2>&1; then
         install /packages/python3-palpate_*.deb
-        try python3 -c 'import palpate'
+        try python3 -B -c 'import palpate'
         listed+=" python3-palpate"
     fi
 
