@@ -97,7 +97,8 @@ function(palpate_install_package_documents package component)
   set(folder ${PROJECT_BINARY_DIR}/package-documents/${package})
   file(WRITE ${folder}/changelog "palpate (${PROJECT_VERSION}) unstable; urgency=medium
 
-  * Palpate ${PROJECT_VERSION}: /usr/share/palpate/CHANGELOG.md of the package palpate lists the changes.
+  * Release ${PROJECT_VERSION}. The package palpate lists the changes in
+    /usr/share/palpate/CHANGELOG.md.
 
  -- ${PALPATE_MAINTAINER}  ${now}
 ")

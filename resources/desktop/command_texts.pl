@@ -43,8 +43,8 @@ sub commands_of {
     my $before = $path eq '' ? qr/^/ : qr/^\Q$path\E /;
     return map { /$before(\S+)$/ ? $1 : () } @paths;
 }
-# Only texts and not numbers: most of those are names of files.
-sub takes_file { return $_[0]{type} =~ /TEXT|PATH|FILE/ }
+# Most texts are names of files. Numbers with a unit are texts, too, which the program reads with the unit in its messages.
+sub takes_file { return $_[0]{type} =~ /TEXT|PATH|FILE/ && $_[0]{text} !~ m{\[[A-Za-z/]+\]} }
 sub value_name { return $_[0]{names}[0] =~ /^-/ ? ($_[0]{type} =~ /^(\w+)/)[0] : $_[0]{names}[0] }
 
 sub write_file {

@@ -73,7 +73,7 @@ types)
     ;;
 texts)
     need zcat
-    zcat "$made/palpate.1.gz" | sed -e 's/\\-/-/g' >man.txt
+    zcat "$made/palpate.1.gz" | sed -e 's/\\-/-/g' -e 's/\\f[A-Z]/ /g' >man.txt
     # holds FILE WORD WHERE: the word is in the file as a whole word.
     holds() {
         grep -q -E -- "(^|[^[:alnum:]_-])$2($|[^[:alnum:]_-])" "$1" || wrong "$1: found no $2 of \"$3\""
@@ -96,10 +96,13 @@ texts)
             done
             checked=$((checked + 1))
         done
-        for word in $(sed -n -e '1,/^Subcommands:/d' -e 's/^  \([a-z]*\) .*/\1/p' <<<"$help"); do
-            for file in bash.part zsh.part; do
-                holds "$file" "$word" "$*"
-            done
+        local commands
+        commands=$(sed -n -e '1,/^Subcommands:/d' -e 's/^  \([a-z]*\) .*/\1/p' <<<"$help")
+        for word in $commands; do
+            holds bash.part "$word" "$*"
+            holds zsh.part "$word" "$*"
+        done
+        for word in $commands; do
             check "$@" "$word"
         done
     }
