@@ -122,6 +122,8 @@ if [[ -z $systems ]]; then
     systems=$(mktemp -d) && chmod 755 "$systems" || exit 1
     trap 'rm -rf --one-file-system "$systems"' EXIT
 fi
+# The systems get the sources without .git: the build id names the commit all the same.
+commit=$(git -C "$root" describe --always --dirty --abbrev=12 2>/dev/null)
 for suite in "$@"; do
     case $suite in bookworm | trixie) ;; *)
         say "found \"$suite\", expected bookworm or trixie"
@@ -129,7 +131,7 @@ for suite in "$@"; do
         ;;
     esac
     builder=$systems/$suite-build fresh=$systems/$suite-fresh
-    "$root/tests/support/fresh_machine.sh" "$suite" "$builder" 'tests/package/debian_packages.sh --build' ||
+    "$root/tests/support/fresh_machine.sh" "$suite" "$builder" "PALPATE_COMMIT=$commit tests/package/debian_packages.sh --build" ||
         fail "$suite: the packages were not built"
     rm -rf "$root/build/packages/$suite" && mkdir -p "$root/build/packages/$suite" &&
         cp "$builder/palpate/$made"/*.deb "$root/build/packages/$suite/" || fail "$suite: the packages could not be copied"
