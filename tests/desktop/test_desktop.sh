@@ -181,11 +181,12 @@ version)
         wrong "palpate --version: found \"$said\""
     [[ $("$(dirname "$palpate")/palpate-evaluation" --version) == "$said" ]] || wrong "palpate-evaluation has another version"
     grep -q "^version: $version\$" "$sources/CITATION.cff" || wrong "CITATION.cff: expected version $version, the one in CMakeLists.txt"
-    newest=$(sed -n 's/^## \([0-9.]*\) - \([0-9-]*\)$/\1 \2/p' "$sources/CHANGELOG.md" | head -n 1)
+    newest=$(sed -n -e '/^## [0-9.]* - [0-9-]*$/{ s/^## \(.*\) - /\1 /p; q }' "$sources/CHANGELOG.md")
     [[ ${newest% *} == "$version" ]] || wrong "CHANGELOG.md: found $newest as the newest release, expected $version"
     grep -q "^date-released: ${newest#* }\$" "$sources/CITATION.cff" || wrong "CITATION.cff: expected date-released ${newest#* }, as in CHANGELOG.md"
     grep -q "<release version=\"$version\" date=\"${newest#* }\"/>" "$made"/*.metainfo.xml || wrong "metainfo: expected release $newest"
-    zcat "$made/palpate.1.gz" | sed 's/\\-/-/g' | grep -q "^.TH PALPATE 1 \"${newest#* }\" \"Palpate $version\"" || wrong "manual page: expected $newest"
+    zcat "$made/palpate.1.gz" | sed 's/\\-/-/g' >man.txt
+    grep -q "^.TH PALPATE 1 \"${newest#* }\" \"Palpate $version\"" man.txt || wrong "manual page: expected $newest"
     ;;
 esac
 exit $failed
