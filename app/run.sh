@@ -20,7 +20,7 @@ palpate=$palpate_root/build/$palpate_preset/bin/palpate
 phantom=$palpate_root/data/phantom
 
 case ${1:-} in
-    devices | evaluate | felt | findings | info | replay | session | stability | -h | --help | --version) exec "$palpate" "$@" ;;
+    devices | evaluate | felt | findings | info | replay | session | stability | thumbnail | -h | --help | --version) exec "$palpate" "$@" ;;
 esac
 [[ $# -gt 0 ]] || set -- "$phantom/phantom.palpate.json" "$phantom/palpation.palpate"
 [[ -z ${DISPLAY:-} ]] || exec "$palpate" "$@"

@@ -14,12 +14,14 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
+#include <sqlite3.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
+#include <vtkVersionMacros.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <cmath>
@@ -235,6 +237,23 @@ class CommandLine : public QObject
         if (arguments == QStringList{"--help"}) { // also lists the subcommands of the companion program
             QVERIFY(outcome.out.contains("  evaluate ") && outcome.out.contains("  stability "));
         }
+    }
+
+    /// The versions are those of the headers that the program was compiled with.
+    void versionNamesTheLibraries()
+    {
+        const QByteArrayList lines = run({"--version"}).out.split('\n');
+        QVERIFY(lines.size() >= 2 && lines[0].startsWith("palpate ") && lines[0].endsWith(')'));
+        QCOMPARE(QString::fromUtf8(lines[1]),
+                 QStringLiteral("built with Qt %1, VTK %2.%3.%4, SQLite %5, Eigen %6.%7.%8")
+                     .arg(QLatin1String(QT_VERSION_STR))
+                     .arg(VTK_MAJOR_VERSION)
+                     .arg(VTK_MINOR_VERSION)
+                     .arg(VTK_BUILD_VERSION)
+                     .arg(QLatin1String(SQLITE_VERSION))
+                     .arg(EIGEN_WORLD_VERSION)
+                     .arg(EIGEN_MAJOR_VERSION)
+                     .arg(EIGEN_MINOR_VERSION));
     }
 
     /// A folder with two spheres, the inner one 8 mm below the surface of the outer. A press of 12 mm above the inner

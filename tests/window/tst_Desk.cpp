@@ -152,7 +152,7 @@ class Desk : public QObject
     {
         const QString text = app::Help::versions();
         for (const QString& one : {QString::fromStdString(session::palpateVersion()), QString(qVersion()),
-                                   QString("VTK "), QString("SQLite ")}) {
+                                   QString("VTK "), QString("SQLite "), QString("Eigen ")}) {
             QVERIFY2(text.contains(one), qPrintable(text));
         }
         const auto folder = app::docsFolder();
@@ -165,6 +165,7 @@ class Desk : public QObject
                     button->click(); // copies, and keeps the box open
                 }
             }
+            QVERIFY(!box->iconPixmap().isNull());
             QVERIFY(box->isVisible() && box->informativeText().contains(QStringLiteral("Not a medical device")));
             box->reject();
         });

@@ -112,6 +112,7 @@ int run(int argc, char** argv)
     app::addInfoCommand(cli, chosen);
     app::addReplayCommand(cli, chosen);
     app::addSessionCommand(cli, chosen);
+    app::addThumbnailCommand(cli, chosen);
     WindowCommandLine window;
     addWindowOptions(cli, window);
     if (const auto code = app::parse(cli, argc, argv)) {

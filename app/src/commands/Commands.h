@@ -29,5 +29,6 @@ void addReplayCommand(CLI::App& app, Chosen& chosen);
 void addReportCommand(CLI::App& session, Chosen& chosen); ///< a subcommand of `session`
 void addSessionCommand(CLI::App& app, Chosen& chosen);
 void addStabilityCommand(CLI::App& app, Chosen& chosen);
+void addThumbnailCommand(CLI::App& app, Chosen& chosen);
 
 } // namespace palpate::app

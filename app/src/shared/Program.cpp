@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shared/Program.h"
+
+#include "shared/BuiltWith.h"
+#include "shared/CommandDescription.h"
 #include "shared/Console.h"
 
 #include <palpate/core/Scratch.h>
@@ -11,6 +14,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -61,11 +65,15 @@ int runProgram(int argc, char** argv, int (*run)(int argc, char** argv))
 
 std::string versionText()
 {
-    return "palpate " + session::palpateVersion() + " (" + session::buildId() + ")";
+    return "palpate " + session::palpateVersion() + " (" + session::buildId() + ")\n" + kBuiltWith;
 }
 
 std::optional<int> parse(CLI::App& cli, int argc, char** argv)
 {
+    if (argc == 2 && std::string_view(argv[1]) == kDescribeWord) {
+        std::fputs(describeCommands(cli).c_str(), stdout);
+        return kDone;
+    }
     try {
         cli.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -19,11 +19,11 @@ using Chosen = std::function<int()>;
 /// @return the exit code
 [[nodiscard]] int runProgram(int argc, char** argv, int (*run)(int argc, char** argv));
 
-/// Output of `--version`.
+/// Output of `--version`: a line with version and build, and one with the libraries that the program was built with.
 [[nodiscard]] std::string versionText();
 
-/// Parses the command line. @return the exit code if the program is done: help was printed, or the command line was
-/// invalid and an error was printed
+/// Parses the command line. @return the exit code if the program is done: help or a description of the commands was
+/// printed, or the command line was invalid and an error was printed
 [[nodiscard]] std::optional<int> parse(CLI::App& cli, int argc, char** argv);
 
 } // namespace palpate::app

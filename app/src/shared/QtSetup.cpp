@@ -3,6 +3,7 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <QGuiApplication>
 
 #include <clocale>
 #include <string_view>
@@ -36,6 +37,20 @@ void useUtf8()
         qunsetenv("LC_ALL");
     }
     qputenv("LC_CTYPE", "C.UTF-8");
+}
+
+void identifyProgram()
+{
+    QGuiApplication::setApplicationDisplayName(QStringLiteral("Palpate"));
+    QGuiApplication::setDesktopFileName(QStringLiteral("palpate"));
+    QGuiApplication::setWindowIcon(programIcon());
+}
+
+QIcon programIcon()
+{
+    QIcon icon(QStringLiteral(":/icons/palpate-48.png"));
+    icon.addFile(QStringLiteral(":/icons/palpate-256.png"));
+    return icon;
 }
 
 } // namespace palpate::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QIcon>
 #include <QTemporaryDir>
 
 #include <memory>
@@ -22,5 +23,12 @@ class RuntimeFolder
 /// Selects a UTF-8 encoding. With any other encoding in the locale, Qt prints a warning and switches to C.UTF-8.
 /// Setting only LC_CTYPE here keeps the user's number and date formats. Call before making the application object.
 void useUtf8();
+
+/// Sets what desktops show of the program: icon, name and desktop entry (resources/desktop/palpate.desktop). Call after
+/// making the application object.
+void identifyProgram();
+
+/// Icon of the program in 48 and 256 pixels.
+[[nodiscard]] QIcon programIcon();
 
 } // namespace palpate::app

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shell/Help.h"
 
+#include "shared/BuiltWith.h"
 #include "shared/Paths.h"
 #include "shared/ProgramFolders.h"
+#include "shared/QtSetup.h"
 
 #include <palpate/session/Recording.h>
 #include <palpate/ui/ActionList.h>
@@ -13,6 +15,7 @@
 #include <QDesktopServices>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSize>
 #include <QSysInfo>
 #include <QUrl>
 
@@ -38,9 +41,9 @@ QString Help::versions()
     return QStringList{
         QStringLiteral("Palpate %1").arg(QString::fromStdString(session::palpateVersion())),
         QStringLiteral("Build %1").arg(QString::fromStdString(session::buildId())),
-        QStringLiteral("Qt %1, VTK %2, SQLite %3")
+        QStringLiteral("Qt %1, VTK %2, SQLite %3, Eigen %4")
             .arg(QLatin1String(qVersion()), QLatin1String(vtkVersion::GetVTKVersion()),
-                 QLatin1String(sqlite3_libversion())),
+                 QLatin1String(sqlite3_libversion()), QLatin1String(kEigenVersion)),
         QStringLiteral("%1, %2, display %3")
             .arg(QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture(), QGuiApplication::platformName()),
     }
@@ -62,6 +65,7 @@ void Help::showAbout()
     QMessageBox box(m_window);
     box.setObjectName(QStringLiteral("about"));
     box.setWindowTitle(tr("About Palpate"));
+    box.setIconPixmap(programIcon().pixmap(QSize(64, 64), m_window->devicePixelRatioF()));
     box.setTextFormat(Qt::PlainText);
     box.setText(versions());
     box.setInformativeText(

@@ -207,7 +207,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     QCoreApplication::setOrganizationName(QStringLiteral("Palpate"));
     QCoreApplication::setApplicationName(options.screenshot ? QStringLiteral("Palpate screenshot")
                                                             : QStringLiteral("Palpate"));
-    QGuiApplication::setApplicationDisplayName(QStringLiteral("Palpate"));
+    app::identifyProgram();
     const SettingsFolder settingsFolder;
     app::applyChosenLanguage();
 
