@@ -34,9 +34,9 @@ bool isInReach(const Vec3& p_mm) noexcept
 }
 
 /// @pre 48 bytes are left.
-Transform readMatrix(FieldReader& fields)
+WireMatrix readMatrix(FieldReader& fields)
 {
-    Transform transform;
+    WireMatrix transform;
     for (int column = 0; column < 3; ++column) {
         for (int row = 0; row < 3; ++row) {
             transform.R(row, column) = static_cast<double>(fields.real32());
@@ -48,7 +48,7 @@ Transform readMatrix(FieldReader& fields)
     return transform;
 }
 
-void writeMatrix(FieldWriter& fields, const Transform& transform)
+void writeMatrix(FieldWriter& fields, const WireMatrix& transform)
 {
     for (int column = 0; column < 3; ++column) {
         for (int row = 0; row < 3; ++row) {
@@ -69,7 +69,7 @@ Pose toggleRas(const Pose& pose) noexcept
             core::Quaternion(pose.q.w(), -pose.q.x(), -pose.q.y(), pose.q.z())};
 }
 
-std::optional<Pose> poseOf(const Transform& transform) noexcept
+std::optional<Pose> poseOf(const WireMatrix& transform) noexcept
 {
     constexpr double kTolerance = 2e-3; // of R^T R, so 0.1 % of a length; single precision needs 1e-6
     const Eigen::Matrix3d& R = transform.R;
@@ -83,19 +83,19 @@ std::optional<Pose> poseOf(const Transform& transform) noexcept
     return Pose{transform.t_mm, core::Quaternion(R).normalized()};
 }
 
-Transform transformOf(const Pose& pose) noexcept
+WireMatrix transformOf(const Pose& pose) noexcept
 {
     return {pose.q.toRotationMatrix(), pose.p_mm};
 }
 
-Bytes encodeTransform(const Transform& transform)
+Bytes encodeTransform(const WireMatrix& transform)
 {
     FieldWriter fields;
     writeMatrix(fields, transform);
     return std::move(fields).bytes();
 }
 
-Result<Transform> decodeTransform(ByteView content)
+Result<WireMatrix> decodeTransform(ByteView content)
 {
     if (content.size() != kTransform_bytes) {
         return wrongSize("TRANSFORM", content.size(), kTransform_bytes);

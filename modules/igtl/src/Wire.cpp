@@ -107,7 +107,7 @@ MessageReader::Step MessageReader::next()
     if (m_isLost) {
         return Step::Lost;
     }
-    Header& header = m_message.header;
+    MessageHeader& header = m_message.header;
     if (!m_hasHeader) {
         if (stored_bytes() < kHeader_bytes) {
             return Step::NeedsMore;
@@ -145,7 +145,7 @@ MessageReader::Step MessageReader::next()
 
 MessageReader::Step MessageReader::finish()
 {
-    const Header& header = m_message.header;
+    const MessageHeader& header = m_message.header;
     const ByteView body = ByteView(m_bytes).subspan(m_begin, static_cast<std::size_t>(header.body_bytes));
     m_begin += body.size();
     m_hasHeader = false;

@@ -226,7 +226,7 @@ core::Vec3 Driver::wantedForce(std::int64_t now_ns) noexcept
 void Driver::sendForce(igtl::Connection& connection, const core::Vec3& f_D)
 {
     const igtl::Pose force{f_D, core::Quaternion::Identity()};
-    const igtl::Transform transform = igtl::transformOf(m_settings.isRas ? igtl::toggleRas(force) : force);
+    const igtl::WireMatrix transform = igtl::transformOf(m_settings.isRas ? igtl::toggleRas(force) : force);
     const bool isSent = connection.send(
         igtl::encodeMessage("TRANSFORM", m_settings.force, igtl::encodeTransform(transform), igtl::timestampNow()));
     const std::int64_t answers_ns = m_push.value().get().answers_ns;

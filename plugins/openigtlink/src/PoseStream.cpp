@@ -39,7 +39,7 @@ PoseStream::Outcome PoseStream::refuse(const Status& status)
 
 PoseStream::Outcome PoseStream::take(const igtl::Message& message, std::int64_t now_ns)
 {
-    const igtl::Header& header = message.header;
+    const igtl::MessageHeader& header = message.header;
     if (header.type == "TDATA") {
         const auto tools = igtl::decodeTrackingData(message.content);
         if (!tools.isOk()) {
@@ -65,7 +65,7 @@ PoseStream::Outcome PoseStream::take(const igtl::Message& message, std::int64_t 
     return pose.isOk() ? takePose(header.name, pose.value(), header.timestamp, now_ns) : refuse(pose.status());
 }
 
-PoseStream::Outcome PoseStream::takeMatrix(const std::string& name, const igtl::Transform& transform,
+PoseStream::Outcome PoseStream::takeMatrix(const std::string& name, const igtl::WireMatrix& transform,
                                            std::uint64_t timestamp, std::int64_t now_ns)
 {
     const auto pose = igtl::poseOf(transform);

@@ -42,7 +42,7 @@ class PoseStream
 
   private:
     [[nodiscard]] bool isWanted(const std::string& name, std::int64_t now_ns) const;
-    Outcome takeMatrix(const std::string& name, const igtl::Transform& transform, std::uint64_t timestamp,
+    Outcome takeMatrix(const std::string& name, const igtl::WireMatrix& transform, std::uint64_t timestamp,
                        std::int64_t now_ns);
     Outcome takePose(const std::string& name, const igtl::Pose& pose, std::uint64_t timestamp, std::int64_t now_ns);
     Outcome refuse(const core::Status& status);

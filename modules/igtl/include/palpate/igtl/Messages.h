@@ -32,7 +32,7 @@ struct Pose
 [[nodiscard]] Pose toggleRas(const Pose& pose) noexcept;
 
 /// Matrix of a TRANSFORM or TDATA, not checked.
-struct Transform
+struct WireMatrix
 {
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
     Vec3 t_mm = Vec3::Zero();
@@ -43,12 +43,12 @@ inline constexpr double kMaxCoordinate_mm = 1e6;
 
 /// @return the pose of a finite, rigid, right-handed matrix within `kMaxCoordinate_mm`; nothing if the matrix is
 /// singular, scaled by more than 0.1 % or mirrored, because the frame of the peer is then another one than expected
-[[nodiscard]] std::optional<Pose> poseOf(const Transform& transform) noexcept;
+[[nodiscard]] std::optional<Pose> poseOf(const WireMatrix& transform) noexcept;
 /// @return the matrix of a pose
-[[nodiscard]] Transform transformOf(const Pose& pose) noexcept;
+[[nodiscard]] WireMatrix transformOf(const Pose& pose) noexcept;
 
-[[nodiscard]] Bytes encodeTransform(const Transform& transform);
-[[nodiscard]] core::Result<Transform> decodeTransform(ByteView content);
+[[nodiscard]] Bytes encodeTransform(const WireMatrix& transform);
+[[nodiscard]] core::Result<WireMatrix> decodeTransform(ByteView content);
 
 [[nodiscard]] Bytes encodePosition(const Pose& pose);
 /// Some senders omit the orientation (12 bytes); a quaternion that cannot be normalised is refused.
@@ -59,7 +59,7 @@ struct TrackedTool
 {
     std::string name;
     std::uint8_t type = 2; ///< 1 tracker, 2 instrument with 6, 3 with 3, 4 with 5 degrees of freedom
-    Transform transform;
+    WireMatrix transform;
 };
 [[nodiscard]] Bytes encodeTrackingData(const std::vector<TrackedTool>& tools);
 [[nodiscard]] core::Result<std::vector<TrackedTool>> decodeTrackingData(ByteView content);

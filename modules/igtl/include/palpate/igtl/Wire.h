@@ -34,7 +34,7 @@ inline constexpr std::uint16_t kDefaultPort = 18944;
 [[nodiscard]] std::uint64_t crc64(ByteView bytes, std::uint64_t crc = 0) noexcept;
 
 /// Header of a message.
-struct Header
+struct MessageHeader
 {
     std::uint16_t version = 1;   ///< 1, or 2 with an extended header
     std::string type;            ///< "TRANSFORM", "STT_TDATA"; at most 12 bytes
@@ -47,7 +47,7 @@ struct Header
 /// Received message. `content` excludes extended header and metadata, and is valid until the next call to the reader.
 struct Message
 {
-    Header header;
+    MessageHeader header;
     ByteView content;
 };
 
