@@ -75,10 +75,12 @@ ShareDialog::ShareDialog(QWidget* parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
     auto* form = new QFormLayout(this);
-    form->addRow(wrappedLabel(tr("Sends the hand, the touched point, the force and the findings by OpenIGTLink. In 3D "
-                                 "Slicer, open the module OpenIGTLinkIF, add a connector of type Client with this port "
-                                 "and the host name localhost, and activate it."),
-                              this));
+    form->addRow(wrappedLabel(
+        tr("Sends the hand, the touched point, the force and the findings by OpenIGTLink. In 3D Slicer, open the "
+           "module "
+           "OpenIGTLinkIF, add a connector of type Client with this port and the host name localhost (on another "
+           "computer: the address of this one), and activate it."),
+        this));
     form->addRow(tr("&Reachable from"), m_reach);
     form->addRow(QString(), m_warning);
     form->addRow(tr("&Port"), m_port);

@@ -293,11 +293,12 @@ void ShareServer::answerQuery(Peer& peer, const Query& query, ByteView content)
     sendTo(peer, encodeMessage(type, kOwnPrefix, {&status, 1}, timestampNow()));
 }
 
-void ShareServer::sendTo(Peer& peer, ByteView message)
+bool ShareServer::sendTo(Peer& peer, ByteView message)
 {
     const bool isSent = peer.connection.send(message);
     const std::scoped_lock lock(m_mutex);
     ++(isSent ? m_report.sent : m_report.dropped);
+    return isSent;
 }
 
 void ShareServer::sendTransforms(Peer& peer)
@@ -349,11 +350,13 @@ void ShareServer::sendTouch(std::int64_t now_ns)
     }
 }
 
-/// Sends changed texts to all peers, and all texts to new peers.
+/// Sends changed texts to all peers, and all texts to new peers and to those that missed one and read again.
 void ShareServer::sendTexts()
 {
-    if (m_sentVersion == m_textVersion.load() &&
-        std::all_of(m_peers.begin(), m_peers.end(), [](const auto& peer) { return peer->hasTexts; })) {
+    const auto isDue = [](const std::unique_ptr<Peer>& peer) {
+        return !peer->hasTexts && !peer->connection.hasQueue();
+    };
+    if (m_sentVersion == m_textVersion.load() && std::none_of(m_peers.begin(), m_peers.end(), isDue)) {
         return;
     }
     std::map<std::string, std::string> texts;
@@ -363,13 +366,18 @@ void ShareServer::sendTexts()
         m_sentVersion = m_textVersion.load();
     }
     for (const auto& peer : m_peers) {
-        for (const auto& [name, text] : texts) {
-            const auto sent = m_sentTexts.find(name);
-            if (!peer->hasTexts || sent == m_sentTexts.end() || sent->second != text) {
-                sendTo(*peer, encodeMessage("STRING", name, encodeString(text), timestampNow()));
-            }
+        const bool isAll = isDue(peer);
+        if (!isAll && !peer->hasTexts) {
+            continue;
         }
         peer->hasTexts = true;
+        for (const auto& [name, text] : texts) {
+            const auto sent = m_sentTexts.find(name);
+            if (isAll || sent == m_sentTexts.end() || sent->second != text) {
+                const bool isSent = sendTo(*peer, encodeMessage("STRING", name, encodeString(text), timestampNow()));
+                peer->hasTexts = peer->hasTexts && isSent;
+            }
+        }
     }
     m_sentTexts = std::move(texts);
 }

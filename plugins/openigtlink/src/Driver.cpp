@@ -57,7 +57,7 @@ device::DeviceInfo Driver::info() const
     }
     info.workspaceRadius_mm = m_settings.workspaceRadius_mm;
     if (m_settings.workspaceRadius_mm > 0.0) {
-        // The axes of RAS before a user who faces the front of the room: x right, y away, z up; D is LPS.
+        // The axes of RAS before a user facing the front of the room: x right, y away, z up; D is LPS.
         Eigen::Matrix3d R_UD;
         R_UD << -1, 0, 0, 0, 0, 1, 0, 1, 0;
         info.q_UD = core::Quaternion(R_UD);

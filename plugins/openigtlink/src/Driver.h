@@ -32,7 +32,7 @@ class Driver final : public device::HapticDevice
     void stop() noexcept override;
     [[nodiscard]] device::DeviceState read(std::int64_t now_ns) noexcept PALPATE_NONBLOCKING override;
     void write(const core::Vec3& f_D) noexcept PALPATE_NONBLOCKING override;
-    /// `text` states the measured rate, and what can be felt at this rate.
+    /// `text` states the measured rate and its consequences for touch.
     [[nodiscard]] device::DeviceReport report() const override;
     /// With a workspace, makes the current position its centre.
     core::Status calibrate() override;

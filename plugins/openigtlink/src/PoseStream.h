@@ -56,7 +56,7 @@ class PoseStream
     std::int64_t m_interval_ns = 0;
 };
 
-/// Statement of what the hand can feel at this rate, for the user. @param hasForce  the force goes back to the sender
+/// Consequences of this rate for touch, for the user. @param hasForce  the force goes back to the sender
 [[nodiscard]] std::string feelText(double rate_Hz, bool hasForce);
 
 } // namespace palpate::openigtlink

@@ -30,7 +30,7 @@ class Connection
     [[nodiscard]] int descriptor() const noexcept { return m_socket.descriptor(); }
     [[nodiscard]] const Socket& socket() const noexcept { return m_socket; }
 
-    /// Receives what has arrived, at most about 1 MB, and calls `take(message)` for each complete message.
+    /// Receives the bytes that have arrived, at most 1 MB, and calls `take(message)` for each complete message.
     /// @return false when the peer has closed the connection or sends something else than OpenIGTLink; see `problem`
     template<class Take>
     bool receive(Take take)
@@ -52,7 +52,7 @@ class Connection
         return !m_isClosed;
     }
 
-    /// Queues a message and sends what the system takes.
+    /// Queues a message and sends as much as the system takes.
     /// @return false if the queue is full; the message is dropped then
     bool send(ByteView message);
     /// Sends queued bytes. @return false when the connection is closed

@@ -108,7 +108,7 @@ class ShareServer
     void takePolyData(const Message& message);
     void sendTouch(std::int64_t now_ns);
     void sendTexts();
-    void sendTo(Peer& peer, ByteView message);
+    bool sendTo(Peer& peer, ByteView message);
     void sendTransforms(Peer& peer);
     void sendTracking(Peer& peer);
     void closeSilent(std::int64_t now_ns);

@@ -45,7 +45,7 @@ class Socket
         std::size_t bytes = 0;
         bool isClosed = false; ///< by the peer, or failed
     };
-    /// Copies what has arrived, at most `size` bytes.
+    /// Copies the bytes that have arrived, at most `size` bytes.
     [[nodiscard]] Transfer receive(std::uint8_t* to, std::size_t size) noexcept;
     /// Sends as much as the system takes at once.
     [[nodiscard]] Transfer send(ByteView bytes) noexcept;

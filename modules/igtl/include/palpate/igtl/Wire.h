@@ -110,7 +110,7 @@ class MessageReader
 };
 
 /// Reads big-endian numbers and fixed-length texts, in order.
-/// @pre The caller has compared the size of the content with what it reads.
+/// @pre The caller has compared the size of the content with the bytes to read.
 class FieldReader
 {
   public:
