@@ -26,9 +26,9 @@ using ui::ActionGroup;
 
 namespace {
 
-constexpr int kSample_ms = 33; // of a display at 30 Hz, as the server sends
-constexpr int kRefresh_ms = 500;
-constexpr int kRetry_ms = 100;
+constexpr int kShareEvery_ms = 33; // of a display at 30 Hz, as the server sends
+constexpr int kShareRefresh_ms = 500;
+constexpr int kAddRetry_ms = 100;
 constexpr auto kFindingsName = "PalpateFindings";
 
 /// Findings as a table that fits into one message; the last ones are left out if there are too many. Without the paths
@@ -57,12 +57,12 @@ SharePart::SharePart(const WindowCore& core, DocumentPart& document, SceneFiles&
     , m_received(new ReceivedSurfaces(this))
 {
     m_chip.say({});
-    m_sample.setInterval(kSample_ms);
+    m_sample.setInterval(kShareEvery_ms);
     m_sample.setTimerType(Qt::PreciseTimer);
     connect(&m_sample, &QTimer::timeout, this, &SharePart::shareTouch);
-    m_refresh.setInterval(kRefresh_ms);
+    m_refresh.setInterval(kShareRefresh_ms);
     connect(&m_refresh, &QTimer::timeout, this, &SharePart::refresh);
-    m_adding.setInterval(kRetry_ms);
+    m_adding.setInterval(kAddRetry_ms);
     connect(&m_adding, &QTimer::timeout, this, &SharePart::addNext);
     connect(&document.document(), &SceneDocument::findingsChanged, this, &SharePart::shareFindings);
     // Emitted on the thread of the writer or of the server.
