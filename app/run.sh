@@ -10,7 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 ensure_packages "${palpate_build_packages[@]}"
 ensure_configured "$palpate_preset"
 targets=(palpate_app palpate_plugin_woodenhaptics palpate_plugin_spacemouse palpate_plugin_forcedimension
-    palpate_plugin_haply palpate_plugin_openhaptics)
+    palpate_plugin_haply palpate_plugin_openhaptics palpate_plugin_openigtlink)
 case ${1:-} in
     evaluate | stability) targets+=(palpate_evaluation_app) ;;
 esac

@@ -17,6 +17,6 @@ cmake --build "$work/sway/build"
 # Nothing of this machine's own: no user's plugins.
 said=$(XDG_DATA_HOME=$work/nothing "$work/prefix/bin/palpate" devices --plugin-path "$work/sway/build")
 echo "$said"
-for expected in "sway 1.0 (BSD-3-Clause)" "on the bus: Swaying hand" "$work/prefix/lib" "woodenhaptics 0" "spacemouse 0" "forcedimension 0" "haply 0" "openhaptics 0"; do
+for expected in "sway 1.0 (BSD-3-Clause)" "on the bus: Swaying hand" "$work/prefix/lib" "woodenhaptics 0" "spacemouse 0" "forcedimension 0" "haply 0" "openhaptics 0" "openigtlink 0"; do
     [[ $said == *"$expected"* ]] || { echo "missing: $expected"; exit 1; }
 done

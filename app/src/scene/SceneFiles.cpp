@@ -18,7 +18,9 @@
 #include <QFileDialog>
 #include <QLocale>
 #include <QMainWindow>
+#include <QMimeData>
 #include <QSettings>
+#include <QUrl>
 
 #include <algorithm>
 #include <utility>
@@ -201,6 +203,17 @@ void SceneFiles::add(const std::vector<std::filesystem::path>& files)
     if (!meshes.empty()) {
         m_loader.add(std::move(meshes), m_options.unit_mm, std::move(there));
     }
+}
+
+std::vector<std::filesystem::path> SceneFiles::filesIn(const QMimeData& data)
+{
+    std::vector<std::filesystem::path> files;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) {
+            files.push_back(toPath(url.toLocalFile()));
+        }
+    }
+    return files;
 }
 
 void SceneFiles::drop(const std::vector<std::filesystem::path>& files)

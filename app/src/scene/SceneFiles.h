@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+class QMimeData;
+
 namespace palpate::ui {
 class WelcomePage;
 }
@@ -34,6 +36,8 @@ class SceneFiles : public WindowPart
     void open(const std::vector<std::filesystem::path>& files, const meshio::ReadOptions& options = {});
     /// Adds files to the open scene; a recording among them is opened for playback.
     void add(const std::vector<std::filesystem::path>& files);
+    /// Local files in dragged data.
+    [[nodiscard]] static std::vector<std::filesystem::path> filesIn(const QMimeData& data);
     /// Opens files that were dropped on the window, or asks whether to add them to the open scene.
     void drop(const std::vector<std::filesystem::path>& files);
     /// Reads the meshes of the open scene again. @param scene  the scene with other axes

@@ -11,7 +11,7 @@
 #include "scene/RecentFiles.h"
 #include "scene/SceneFiles.h"
 #include "scene/StructuresPart.h"
-#include "shared/Paths.h"
+#include "share/SharePart.h"
 #include "shell/Docks.h"
 #include "shell/HelpPart.h"
 #include "shell/Language.h"
@@ -61,7 +61,6 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
-#include <QUrl>
 
 #include <utility>
 
@@ -145,6 +144,7 @@ void MainWindow::makeParts()
     auto* report = keep(new ReportPart(core, m_recording->playback()));
     m_files = keep(new SceneFiles(core, *m_document, *progress, *m_welcome));
     m_coordinates = keep(new CoordinatesPart(core, *m_document, *m_files));
+    auto* share = keep(new SharePart(core, *m_document, *m_files));
     auto* lumps = keep(new LumpsPart(core, {structures->maps(), structures->pointed(), m_files->loader(), *progress}));
     auto* touchMap = keep(new TouchMapPart(core, structures->maps(), m_recording->playback()));
     auto* comparison = keep(new ComparisonPart(core, m_recording->playback(), *touchMap));
@@ -163,10 +163,10 @@ void MainWindow::makeParts()
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files,     m_document, picture,     report,   structures, m_touch,    m_device,
-                          fingertip,   motion,     m_recording, findings, results,    comparison, lumps,
-                          m_distances, touchMap,   section,     image,    peek,       m_view,     m_coordinates,
-                          m_docks,     m_notices,  engineering, m_help};
+    const Parts menuOrder{m_files,       m_document,  picture,   report,      structures, m_touch, m_device,
+                          share,         fingertip,   motion,    m_recording, findings,   results, comparison,
+                          lumps,         m_distances, touchMap,  section,     image,      peek,    m_view,
+                          m_coordinates, m_docks,     m_notices, engineering, m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }
@@ -343,12 +343,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-    std::vector<std::filesystem::path> files;
-    for (const QUrl& url : event->mimeData()->urls()) {
-        if (url.isLocalFile()) {
-            files.push_back(toPath(url.toLocalFile()));
-        }
-    }
+    const std::vector<std::filesystem::path> files = SceneFiles::filesIn(*event->mimeData());
     if (!files.empty()) {
         event->acceptProposedAction();
         m_files->drop(files);
