@@ -168,10 +168,10 @@ std::shared_ptr<Scene> sceneOf(const Recording& self)
     return std::make_shared<Scene>(std::move(loaded), scenes.empty() ? 0.0 : scenes.front().fingertip_mm);
 }
 
-py::object measuresOf(const Recording& self, std::optional<double> distance_mm, const fs::path& scene)
+py::object measuresOf(const Recording& self, std::optional<double> distance_mm, const std::optional<fs::path>& scene)
 {
     study::RecordingMeasureOptions options;
-    options.scene = scene;
+    options.scene = scene.value_or(fs::path());
     options.distance_mm = distanceFrom(distance_mm);
     const auto measured = valueOf(longCall([&](const std::atomic<bool>& isCancelled) {
         options.progress = [&isCancelled](double) { return !isCancelled; };
@@ -181,14 +181,14 @@ py::object measuresOf(const Recording& self, std::optional<double> distance_mm, 
     return parsedJson(study::measuresJson(measured.measures));
 }
 
-py::dict verify(const Recording& self, const fs::path& scene)
+py::dict verify(const Recording& self, const std::optional<fs::path>& scene)
 {
     const session::Resimulation result = valueOf(longCall([&](const std::atomic<bool>& isCancelled) {
         return self.locked([&](const session::RecordingReader& reader) -> core::Result<session::Resimulation> {
             if (core::Status status = reader.verify([&](double) { return !isCancelled; }); !status.isOk()) {
                 return status;
             }
-            const auto surfaces = study::recordedSurfaces(reader, scene);
+            const auto surfaces = study::recordedSurfaces(reader, scene.value_or(fs::path()));
             if (!surfaces.isOk()) {
                 return surfaces.status();
             }
@@ -208,10 +208,10 @@ py::dict verify(const Recording& self, const fs::path& scene)
 }
 
 py::object compare(const fs::path& first, const fs::path& second, std::optional<double> distance_mm,
-                   const fs::path& scene)
+                   const std::optional<fs::path>& scene)
 {
     study::CompareOptions options;
-    options.scene = scene;
+    options.scene = scene.value_or(fs::path());
     options.distance_mm = distanceFrom(distance_mm);
     const auto compared = valueOf(longCall([&](const std::atomic<bool>& isCancelled) {
         options.progress = [&isCancelled](double) { return !isCancelled; };
@@ -247,18 +247,18 @@ void bindRecording(py::module_& module)
              "Return the path of the haptic interface point: (n, 3) float64 [mm], one row for each tick with a hand.\n"
              "`replay` takes it. Read-only, without a further copy.")
         .def("scene", &sceneOf, "Return the scene that was recorded, with its fingertip.")
-        .def("measures", &measuresOf, py::kw_only(), arg("distance_mm") = py::none(), arg("scene") = fs::path(),
+        .def("measures", &measuresOf, py::kw_only(), arg("distance_mm") = py::none(), arg("scene") = py::none(),
              "Return the measures as a dictionary, as `palpate session measure --json` writes.\n\n"
              "distance_mm: how near a contact counts as touching [mm]; None: radius of the fingertip, 5 for a point.\n"
-             "scene: where the scene is now; empty: as stored in the recording.")
-        .def("verify", &verify, py::kw_only(), arg("scene") = fs::path(),
+             "scene: where the scene is now; None: as stored in the recording.")
+        .def("verify", &verify, py::kw_only(), arg("scene") = py::none(),
              "Check all checksums, compute the recording again and return a dictionary: compared, differing and\n"
              "unverified [ticks], is_same, is_within_rounding, farthest_mm, farthest_N.")
         .def("__repr__", [](const Recording& self) {
             return toPython("<palpate.Recording of " + std::to_string(self.reader().extent().ticks) + " ticks>");
         });
     module.def("compare", &compare, arg("first"), arg("second"), py::kw_only(), arg("distance_mm") = py::none(),
-               arg("scene") = fs::path(),
+               arg("scene") = py::none(),
                "Compare two recordings of the same surfaces and return a dictionary, as\n"
                "`palpate session compare --json` writes. Arguments as for `Recording.measures`.");
 }
