@@ -107,7 +107,7 @@ std::vector<geometry::Triangle> trianglesFrom(const py::object& array, const cha
 {
     const py::array any = arrayOf(array, what, "iu", "whole numbers");
     checkRowsOfThree(any, what);
-    const auto rows = converted<Integers>(any); // what exceeds 2^63 becomes negative
+    const auto rows = converted<Integers>(any); // numbers above 2^63 become negative
     std::vector<geometry::Triangle> triangles(static_cast<std::size_t>(rows.shape(0)));
     const std::int64_t* from = rows.data();
     for (std::size_t i = 0; i < triangles.size(); ++i) {

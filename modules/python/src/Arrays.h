@@ -20,7 +20,7 @@ namespace palpate::python {
 // Arrays that come in may have any memory order, byte order and number type, and are copied: the engine's containers
 // own their memory, and other threads may change an array while the GIL is released.
 
-/// Converts an (n, 3) array of numbers. @param what  name of the argument, for messages
+/// Converts an (n, 3) array of numbers. @param what  argument name, for messages
 /// @throws TypeError for another type, ValueError for another shape
 [[nodiscard]] std::vector<core::Vec3> pointsFrom(const py::object& array, const char* what);
 

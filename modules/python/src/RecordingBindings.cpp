@@ -47,7 +47,7 @@ class Recording
         : m_reader(valueOf(session::RecordingReader::open(path)))
     {
     }
-    /// For what never changes.
+    /// For constant data.
     [[nodiscard]] const session::RecordingReader& reader() const noexcept { return *m_reader; }
     /// Calls `use(reader)` while no other thread reads.
     /// @pre the GIL is not held

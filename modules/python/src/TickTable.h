@@ -29,7 +29,7 @@ class TickTable
         Session ///< session::TickCsv::Rows::Session without the events; NaN or empty in ticks without a hand
     };
     /// @param names  names of the structures by scene generation and number
-    /// @param hasLayers  fills the column `layers`, whose texts take half of the time
+    /// @param hasLayers  fills the column `layers`; the texts take most of the time
     TickTable(Columns columns, bool hasLayers)
         : m_columns(columns)
         , m_hasLayers(hasLayers)
