@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What is installed, with the install components `runtime` (programs, shared libraries, plugins, data), `dev` (what
-# another program is built with) and `doc`.
+# another program is built with), `doc` and `python` (modules/python).
 set(palpate_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Palpate)
 
 # palpate_install_module(NAME): libraries, headers and palpate-NAME.pc of a module; called by palpate_module, whose M_...

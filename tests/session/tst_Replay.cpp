@@ -50,7 +50,35 @@ class Replay : public QObject
         return reader.isOk() ? session::resimulate(*reader.value(), test::boxSurfaces()) : reader.status();
     }
 
+    static void compareBits(const servo::TickRecord& a, const servo::TickRecord& b)
+    {
+        QCOMPARE(a.tick, b.tick);
+        QCOMPARE(a.flags, b.flags);
+        for (int axis = 0; axis < 3; ++axis) {
+            QCOMPARE(std::bit_cast<std::uint64_t>(a.felt.f_W[axis]), std::bit_cast<std::uint64_t>(b.felt.f_W[axis]));
+            QCOMPARE(std::bit_cast<std::uint64_t>(a.felt.p_WG[axis]), std::bit_cast<std::uint64_t>(b.felt.p_WG[axis]));
+        }
+    }
+
   private Q_SLOTS:
+    void givesTheSameTicksOneByOne()
+    {
+        const auto plain = test::boxScene(0.5);
+        auto structures = plain->structures();
+        structures[0].tissue.damping_Ns_per_mm = 0.003;
+        const haptics::HapticScene damped(structures);
+        const auto motion = pressing(500);
+        session::ReplayHand hand;
+        for (const haptics::HapticScene* scene : {plain.get(), &damped, plain.get()}) {
+            const auto expected = felt(*scene, motion);
+            hand.borrowScene(scene);
+            hand.reset();
+            for (std::size_t i = 0; i < expected.size(); ++i) {
+                compareBits(hand.step(motion.p_WH[i], motion.dt_s), expected[i]);
+            }
+        }
+    }
+
     void givesOneTickARow()
     {
         const auto motion = pressing(10000); // longer than a batch

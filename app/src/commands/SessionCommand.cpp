@@ -14,8 +14,8 @@
 #include <palpate/session/Replay.h>
 #include <palpate/study/CompareRecordings.h>
 #include <palpate/study/ExerciseScore.h>
+#include <palpate/study/MeasureRecording.h>
 #include <palpate/study/RecordedScene.h>
-#include <palpate/study/SearchedLumps.h>
 #include <palpate/study/SessionExport.h>
 #include <palpate/study/StructureSources.h>
 
@@ -115,43 +115,32 @@ int runRecover(const SessionOptions& options)
     return recovered.value().losses.empty() ? kDone : kSomeLost;
 }
 
-/// Computes the results with all available surfaces and prints which surfaces are missing.
+/// Measures with all available surfaces and prints which surfaces are missing.
 core::Result<session::SessionMeasures> measure(const RecordingReader& reader, const SessionOptions& options,
                                                bool& isWhole)
 {
-    const auto surfaces = study::recordedSurfaces(reader, options.scene);
-    if (!surfaces.isOk() && !options.scene.empty()) {
-        return surfaces.status();
-    }
-    const session::MeshesByHash meshes = surfaces.isOk() ? surfaces.value() : session::MeshesByHash{};
-    const auto distance = options.distance.empty() ? core::Result<double>(study::defaultDistance_mm(reader, meshes))
-                                                   : numberOption("--distance", options.distance, {.isAbove = true});
-    if (!distance.isOk()) {
-        return distance.status();
-    }
-    session::MeasureOptions how;
-    how.distance_mm = distance.value();
-    const auto scene = options.scene.empty() ? study::sceneOfRecording(options.file) : study::openScene(options.scene);
-    auto organs = scene.isOk() ? study::computePalpability(scene.value())
-                               : core::Result<std::vector<study::OrganPalpability>>(scene.status());
-    if (scene.isOk() && !organs.isOk()) {
-        return organs.status();
-    }
-    auto measures = scene.isOk()
-                        ? study::measureSearch(reader, meshes, scene.value(), std::move(organs).value(), std::move(how))
-                        : session::measureSession(reader, meshes, how);
-    if (measures.isOk()) {
-        std::string names;
-        for (const std::string& name : measures.value().unmeasured) {
-            names += (names.empty() ? "" : ", ") + name;
+    study::RecordingMeasureOptions how;
+    how.scene = options.scene;
+    if (!options.distance.empty()) {
+        const auto distance = numberOption("--distance", options.distance, {.isAbove = true});
+        if (!distance.isOk()) {
+            return distance.status();
         }
-        isWhole = names.empty();
-        if (!isWhole) {
-            printError(PALPATE_TEXT("%1: no coverage of %2: %3; say where the scene is with --scene"), options.file,
-                       names,
-                       surfaces.isOk() ? core::Message(PALPATE_TEXT("its surface is another one now"))
-                                       : surfaces.status().text());
-        }
+        how.distance_mm = distance.value();
+    }
+    auto measured = study::measureRecording(reader, how);
+    if (!measured.isOk()) {
+        return measured.status();
+    }
+    session::SessionMeasures measures = std::move(measured.value().measures);
+    std::string names;
+    for (const std::string& name : measures.unmeasured) {
+        names += (names.empty() ? "" : ", ") + name;
+    }
+    isWhole = names.empty();
+    if (!isWhole) {
+        printError(PALPATE_TEXT("%1: no coverage of %2: %3; say where the scene is with --scene"), options.file, names,
+                   measured.value().unmeasured);
     }
     return measures;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/Replay.h"
 
-#include <palpate/servo/MotionTrack.h>
 #include <palpate/servo/ServoCore.h>
 
 #include <algorithm>
@@ -9,41 +8,48 @@
 
 namespace palpate::session {
 
-namespace {
-
-/// @param hand  null if no structure needs the velocity
-servo::TickRecord feel(haptics::Palpator& palpator, servo::MotionTrack* hand, const Motion& motion, std::size_t tick)
+void ReplayHand::borrowScene(const haptics::HapticScene* scene) noexcept
 {
-    servo::TickRecord record;
-    record.tick = static_cast<std::int64_t>(tick);
-    record.time_ns = std::llround(static_cast<double>(tick) * motion.dt_s * 1e9);
-    record.scene = 1;
-    record.p_WH = motion.p_WH[tick];
-    record.flags = tick == 0 ? servo::kReset : 0;
-    if (hand != nullptr) {
-        hand->step(record.p_WH);
-        record.v_WH = hand->slope() / motion.dt_s;
-    }
-    servo::feelTick(palpator, motion.dt_s, record);
-    record.fSent_W = record.felt.f_W;
-    return record;
+    m_palpator.borrowScene(scene);
+    m_isDamped = scene != nullptr && scene->isDamped();
 }
 
-} // namespace
+void ReplayHand::reset() noexcept
+{
+    m_track = servo::MotionTrack(0.0); // without the sensor steps that it has seen
+    m_tick = 0;
+}
+
+servo::TickRecord ReplayHand::step(const Vec3& p_WH, double dt_s) noexcept
+{
+    servo::TickRecord record;
+    record.tick = m_tick;
+    record.time_ns = std::llround(static_cast<double>(m_tick) * dt_s * 1e9);
+    record.scene = 1;
+    record.p_WH = p_WH;
+    record.flags = m_tick == 0 ? servo::kReset : 0;
+    if (m_isDamped) {
+        m_track.step(record.p_WH);
+        record.v_WH = m_track.slope() / dt_s;
+    }
+    servo::feelTick(m_palpator, dt_s, record);
+    record.fSent_W = record.felt.f_W;
+    ++m_tick;
+    return record;
+}
 
 void replay(const haptics::HapticScene& scene, const Motion& motion, const TickSink& sink)
 {
     // Processes ticks in batches, so that the sink does not evict the solver's data from the caches after every tick.
     constexpr std::size_t kBatch = 4096;
-    haptics::Palpator palpator;
-    palpator.borrowScene(&scene);
-    servo::MotionTrack hand(0.0); // a motion has no information about sensor resolution
+    ReplayHand hand;
+    hand.borrowScene(&scene);
     std::vector<servo::TickRecord> batch;
     batch.reserve(std::min(kBatch, motion.p_WH.size()));
     for (std::size_t first = 0; first < motion.p_WH.size(); first += kBatch) {
         batch.clear();
         for (std::size_t tick = first; tick < std::min(first + kBatch, motion.p_WH.size()); ++tick) {
-            batch.push_back(feel(palpator, scene.isDamped() ? &hand : nullptr, motion, tick));
+            batch.push_back(hand.step(motion.p_WH[tick], motion.dt_s));
         }
         for (const servo::TickRecord& record : batch) {
             if (!sink(record)) {

@@ -158,6 +158,13 @@ bool isIn(const internal::CsvColumn& column, TickCsv::Rows rows)
 
 } // namespace
 
+std::string layersText(const haptics::TickResult& felt, const StructureNames& names)
+{
+    std::string text;
+    appendLayers(text, felt, names);
+    return text;
+}
+
 TickCsv::TickCsv(core::AtomicFile file, Rows rows)
     : m_file(std::move(file))
     , m_rows(rows)

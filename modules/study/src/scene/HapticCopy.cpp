@@ -65,14 +65,17 @@ std::shared_ptr<const geometry::SurfaceIndex> indexed(const geometry::RepairedMe
     return std::make_shared<const geometry::SurfaceIndex>(geometry::SurfaceIndex::build(surface));
 }
 
-std::shared_ptr<const haptics::HapticScene> hapticScene(const meshio::LoadedScene& scene)
+std::shared_ptr<const haptics::HapticScene>
+hapticScene(const meshio::LoadedScene& scene,
+            const std::function<std::shared_ptr<const geometry::SurfaceIndex>(std::size_t)>& indexOf)
 {
     std::vector<haptics::HapticStructure> structures;
     structures.reserve(scene.structures.size());
     for (const meshio::LoadedStructure& structure : scene.structures) {
         const bool isFelt = canBeFelt(structure.description) && !structure.isTransmitted &&
                             structure.surface != nullptr && !structure.surface->mesh.triangles.empty();
-        structures.push_back(hapticStructure(structure.description, isFelt ? indexed(*structure.surface) : nullptr));
+        auto index = !isFelt ? nullptr : indexOf ? indexOf(structures.size()) : indexed(*structure.surface);
+        structures.push_back(hapticStructure(structure.description, std::move(index)));
         if (isFelt) {
             structures.back().maps = tissueMaps(structure, *structures.back().surface);
             structures.back().motion = structure.motion;

@@ -7,6 +7,8 @@
 #include <palpate/core/Export.h>
 #include <palpate/core/Status.h>
 #include <palpate/haptics/HapticScene.h>
+#include <palpate/haptics/Palpator.h>
+#include <palpate/servo/MotionTrack.h>
 #include <palpate/servo/TickRecord.h>
 
 #include <array>
@@ -26,6 +28,34 @@ using TickSink = std::function<bool(const servo::TickRecord&)>;
 /// thread. The god-object starts at the first HIP. `fSent_W` is the model force because there is no device.
 /// @par Cost `solve_ns` measures the Palpator's step only, with the monotonic clock.
 PALPATE_EXPORT void replay(const haptics::HapticScene& scene, const Motion& motion, const TickSink& sink);
+
+/// Feels a scene tick by tick with the same code and the same bits as `replay`, for a path that is not known in
+/// advance.
+///
+///     ReplayHand hand;
+///     hand.borrowScene(scene.get());
+///     const servo::TickRecord tick = hand.step(p_WH, 1e-3); // tick.felt.f_W is the force [N]
+///
+/// @par Thread One thread at a time. Not for the servo thread, which has servo::ServoCore.
+class PALPATE_EXPORT ReplayHand
+{
+  public:
+    /// Sets the scene of the following ticks, see haptics::Palpator::setScene.
+    /// @param scene  only read; must stay alive until another scene is set or this object is destroyed
+    void borrowScene(const haptics::HapticScene* scene) noexcept;
+    /// The next tick is the first of a motion again: tick 0, with the god-object at the HIP.
+    void reset() noexcept;
+    /// Computes the next tick.
+    /// @param p_WH  HIP [mm]
+    /// @param dt_s  time since the previous tick [s], > 0. Moving structures are at the time `tick * dt_s`
+    [[nodiscard]] servo::TickRecord step(const Vec3& p_WH, double dt_s) noexcept;
+
+  private:
+    haptics::Palpator m_palpator;
+    servo::MotionTrack m_track{0.0}; // a motion has no information about sensor resolution
+    std::int64_t m_tick = 0;
+    bool m_isDamped = false;
+};
 
 /// Overrides for core::kTissueTerms, in the same order and units; empty entries keep the value.
 using TissueOverride = std::array<std::optional<double>, core::kTissueTerms.size()>;

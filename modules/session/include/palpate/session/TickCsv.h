@@ -6,6 +6,7 @@
 #include "palpate/session/StructureNames.h"
 
 #include <palpate/core/Export.h>
+#include <palpate/haptics/TickResult.h>
 #include <palpate/servo/TickRecord.h>
 
 #include <filesystem>
@@ -13,6 +14,10 @@
 #include <string>
 
 namespace palpate::session {
+
+/// Returns the text of the column `layers`: `name=force_N=depth_mm` for each structure in contact, see
+/// docs/recording.md.
+[[nodiscard]] PALPATE_EXPORT std::string layersText(const haptics::TickResult& felt, const StructureNames& names);
 
 /// Writes ticks as CSV with the columns of docs/recording.md, "As CSV". Numbers have 17 significant digits and read
 /// back bit-exactly. Atomic like core::AtomicFile.

@@ -7,6 +7,7 @@
 #include <palpate/meshio/LoadScene.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 
 namespace palpate::study {
@@ -37,8 +38,11 @@ indexed(const geometry::RepairedMesh& surface);
 /// Builds the haptic scene for the servo. Structures keep their indices. A structure that is not palpable or has no
 /// triangles gets no surface. The window also omits hidden structures and limits tissues to the device: see
 /// ui/StructureModel.h.
-/// @par Cost one call of `indexed` per palpable structure.
-[[nodiscard]] PALPATE_EXPORT std::shared_ptr<const haptics::HapticScene> hapticScene(const meshio::LoadedScene& scene);
+/// @param indexOf  returns the index of the surface of a palpable structure, by number; empty: `indexed`
+/// @par Cost one call of `indexOf` per palpable structure.
+[[nodiscard]] PALPATE_EXPORT std::shared_ptr<const haptics::HapticScene>
+hapticScene(const meshio::LoadedScene& scene,
+            const std::function<std::shared_ptr<const geometry::SurfaceIndex>(std::size_t)>& indexOf = {});
 
 /// Returns the number of palpable triangles.
 [[nodiscard]] PALPATE_EXPORT std::size_t triangleCount(const haptics::HapticScene& scene);
