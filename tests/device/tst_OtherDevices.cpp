@@ -68,9 +68,9 @@ class OtherDevices : public QObject
         if (!found.empty()) {
             QCOMPARE(found.front().name, name.toStdString());
             QVERIFY(found.front().needs.size() > 20);
-            QCOMPARE(found.front().plugin.empty(),
-                     name != QLatin1String("Force Dimension") && name != QLatin1String("3D Systems Touch") &&
-                         name != QLatin1String("Haply Inverse3"));
+            QCOMPARE(found.front().plugin.empty(), name != QLatin1String("Force Dimension") &&
+                                                       name != QLatin1String("3D Systems Touch") &&
+                                                       name != QLatin1String("Haply Inverse3"));
         }
     }
 

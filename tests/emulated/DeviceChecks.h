@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// What every driver of a maker's library must do, with devices that work as they should and with others.
+/// Requirements on every driver of a maker's library, with healthy devices and with faults.
 namespace palpate::test {
 
 /// Writes a force in the user frame for some time, tick by tick.
@@ -57,7 +57,7 @@ void checkForceAcceleratesTheTip(SharedDevices<Bench>& bench, device::PluginHost
     QCOMPARE(bench.motors().norm(), 0.0);
 }
 
-/// A hand 8 mm below the surface of a block of 1 N/mm is pressed back by what the spring law says.
+/// A hand 8 mm below the surface of a block of 1 N/mm is pressed back with the force of the spring law.
 template<class Bench>
 void checkBlockIsFelt(SharedDevices<Bench>& bench, device::PluginHost& host, double depth_mm)
 {

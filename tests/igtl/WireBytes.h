@@ -30,7 +30,7 @@ class WireBytes
     std::vector<std::uint8_t> m_bytes;
 };
 
-/// What differs from a valid message.
+/// Differences from a valid message.
 struct Framing
 {
     unsigned version = 1;

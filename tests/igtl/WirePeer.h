@@ -44,7 +44,7 @@ class WirePeer
     /// Waits for the next message, of this type if given. @return an empty type at the end of the connection or after
     /// `timeout_ms`
     WireText read(const std::string& type = {}, int timeout_ms = 10000);
-    /// True when the other side has closed the connection; discards what arrives. Waits up to `timeout_ms`.
+    /// True when the other side has closed the connection; discards incoming bytes. Waits up to `timeout_ms`.
     bool isClosedByOther(int timeout_ms);
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The server against peers that write bytes themselves: what they get, and that none of them delays another.
+// The server against peers that write bytes themselves: the messages that they get; none of them delays another.
 #include "TestRunner.h"
 #include "WireBytes.h"
 #include "WirePeer.h"

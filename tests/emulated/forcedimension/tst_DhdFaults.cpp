@@ -127,7 +127,7 @@ class DhdFaults : public QObject
         m_hand->liftAndPress();
     }
 
-    /// What the device says about itself reaches the user in words, and the force returns with easing.
+    /// The state of the device reaches the user in words, and the force returns with easing.
     void tellsWhatToDo_data()
     {
         QTest::addColumn<Act>("begin");

@@ -237,7 +237,7 @@ class HaplyFaults : public QObject
         liftAndPress();
     }
 
-    /// What the device says about itself reaches the user in words, and the force returns with easing.
+    /// The state of the device reaches the user in words, and the force returns with easing.
     void tellsWhatToDo_data()
     {
         QTest::addColumn<HaplyAct>("begin");

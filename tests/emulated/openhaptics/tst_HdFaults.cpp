@@ -145,7 +145,7 @@ class HdFaults : public QObject
         m_hand->liftAndPress();
     }
 
-    /// What the device says about itself reaches the user in words, and the force returns with easing.
+    /// The state of the device reaches the user in words, and the force returns with easing.
     void tellsWhatToDo_data()
     {
         QTest::addColumn<HdAct>("begin");

@@ -12,7 +12,7 @@
 /// y up, z towards the user); the stand-in library converts to the axes of the maker's library.
 namespace standin {
 
-/// What the library does wrong, for one device.
+/// Faults of the library, for one device.
 struct DhdFaults
 {
     std::int64_t blockEach_ns = 0;   ///< each position read blocks for this long

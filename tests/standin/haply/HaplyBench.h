@@ -13,7 +13,7 @@ namespace standin {
 
 using HaplyV3 = std::array<double, 3>;
 
-/// What an answer contains instead of the state.
+/// Content of an answer instead of the state.
 enum class HaplyAnswer
 {
     State,

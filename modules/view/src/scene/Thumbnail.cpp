@@ -115,13 +115,13 @@ void drawSurface(const ThumbnailSurface& surface, const View& view, int samples,
 }
 
 /// Colour of a sample: red, green, blue (multiplied by alpha) and alpha.
-using Sample = std::array<float, 4>;
+using Rgba = std::array<float, 4>;
 
 /// Draws the opaque surfaces, then the translucent ones over them, the one that comes nearest to the viewer last, so
 /// that an organ lies over what is inside. Two layers of samples are enough for any number of surfaces.
-std::vector<Sample> drawSamples(std::span<const ThumbnailSurface> surfaces, const View& view, int samples)
+std::vector<Rgba> drawSamples(std::span<const ThumbnailSurface> surfaces, const View& view, int samples)
 {
-    std::vector<Sample> picture(static_cast<std::size_t>(samples) * static_cast<std::size_t>(samples), Sample{});
+    std::vector<Rgba> picture(static_cast<std::size_t>(samples) * static_cast<std::size_t>(samples), Rgba{});
     Layer opaque(picture.size());
     std::vector<std::pair<double, const ThumbnailSurface*>> translucent; // with the nearness
     for (const ThumbnailSurface& surface : surfaces) {
@@ -161,7 +161,7 @@ std::vector<Sample> drawSamples(std::span<const ThumbnailSurface> surfaces, cons
 }
 
 /// Averages the samples of each pixel.
-std::vector<std::uint8_t> pixelsOf(const std::vector<Sample>& samples, int size_px)
+std::vector<std::uint8_t> pixelsOf(const std::vector<Rgba>& samples, int size_px)
 {
     std::vector<std::uint8_t> pixels;
     pixels.reserve(4 * static_cast<std::size_t>(size_px) * static_cast<std::size_t>(size_px));
@@ -170,10 +170,10 @@ std::vector<std::uint8_t> pixelsOf(const std::vector<Sample>& samples, int size_
     };
     for (int row = 0; row < size_px; ++row) {
         for (int column = 0; column < size_px; ++column) {
-            Sample sum{};
+            Rgba sum{};
             for (int i = 0; i < kSamples * kSamples; ++i) {
                 const int y = kSamples * row + i / kSamples, x = kSamples * column + i % kSamples;
-                const Sample& one = samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(kSamples * size_px) +
+                const Rgba& one = samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(kSamples * size_px) +
                                             static_cast<std::size_t>(x)];
                 for (std::size_t k = 0; k < 4; ++k) {
                     sum[k] += one[k] / (kSamples * kSamples);
