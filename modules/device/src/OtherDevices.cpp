@@ -24,8 +24,8 @@ constexpr std::string_view kTouchNeeds =
     "its maker's Touch driver and OpenHaptics, which are closed: Palpate would need a plugin that is built on them";
 constexpr std::string_view kFalconNeeds =
     "a plugin that speaks to its FTDI chip and loads its firmware at each start, as libnifalcon does";
-constexpr std::string_view kInverseNeeds =
-    "its maker's Inverse Service (version 3.1 or later) running, as the page \"devices\" of the documentation describes";
+constexpr std::string_view kInverseNeeds = "its maker's Inverse Service (version 3.1 or later) running, as the page "
+                                           "\"devices\" of the documentation describes";
 constexpr std::string_view kForceDimensionNeeds = "its maker's library libdhd.so.3 (Force Dimension SDK 3) and access "
                                                   "to USB through Palpate's udev rule, as the page "
                                                   "\"devices\" of the documentation describes";
