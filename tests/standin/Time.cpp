@@ -137,6 +137,19 @@ void sleepUntil(std::int64_t time_ns)
 
 namespace {
 
+/// Wakes the threads that wait for a socket, after something was sent. @return `sent`
+ssize_t alerted(ssize_t sent)
+{
+    if (sent > 0 && t_isCounted) {
+        const int error = errno;
+        VirtualTime& time = virtualTime();
+        const std::lock_guard guard(time.lock);
+        time.alert(time.now_ns + kLink_ns);
+        errno = error;
+    }
+    return sent;
+}
+
 struct Started
 {
     void* (*run)(void*);
@@ -223,15 +236,13 @@ int ppoll(pollfd* fds, nfds_t count, const timespec* timeout, const sigset_t* si
 
 ssize_t send(int socket, const void* bytes, std::size_t size, int flags)
 {
-    using Send = ssize_t (*)(int, const void*, std::size_t, int);
-    static const auto real = reinterpret_cast<Send>(dlsym(RTLD_NEXT, "send"));
-    const ssize_t sent = real(socket, bytes, size, flags);
-    if (sent > 0 && standin::t_isCounted) {
-        auto& time = virtualTime();
-        const std::lock_guard guard(time.lock);
-        time.alert(time.now_ns + standin::kLink_ns);
-    }
-    return sent;
+    return standin::alerted(syscall(SYS_sendto, socket, bytes, size, flags, nullptr, 0));
+}
+
+/// Qt writes to sockets by it.
+ssize_t write(int file, const void* bytes, std::size_t size)
+{
+    return standin::alerted(syscall(SYS_write, file, bytes, size));
 }
 
 int clock_gettime(clockid_t clock, timespec* out)

@@ -33,10 +33,10 @@ class HaplyProgram : public QObject
   private Q_SLOTS:
     void initTestCase()
     {
-        m_host = shippingPlugins();
         if (std::getenv(kHaplyChild) == nullptr) {
             m_bench = std::make_unique<EmulatedHaply>();
         }
+        m_host = shippingPlugins(); // with the settings of the bench
     }
     void cleanupTestCase() { m_bench.reset(); }
 
