@@ -101,13 +101,12 @@ class HdFaults : public QObject
         QTest::newRow("bursts at 50 Hz") << HdAct([](auto& b) { b.scheduler.isBursting = true; }) << false;
         QTest::newRow("20 Hz") << HdAct([](auto& b) { first(b).faults.blockEach_ns = 50'000'000; }) << false;
         QTest::newRow("jumps by 1 m") << HdAct([](auto& b) { first(b).faults.jump_mm = 1000.0; }) << true;
-        QTest::newRow("jumps by 50 mm") << HdAct([](auto& b) { first(b).faults.jump_mm = 50.0; }) << false;
+        QTest::newRow("jumps by 70 mm") << HdAct([](auto& b) { first(b).faults.jump_mm = 70.0; }) << false;
         QTest::newRow("NaN") << poison(std::numeric_limits<double>::quiet_NaN()) << true;
         QTest::newRow("infinity") << poison(std::numeric_limits<double>::infinity()) << true;
         QTest::newRow("1e308") << poison(1e308) << true;
         QTest::newRow("unplugged") << HdAct([](auto& b) { standin::plugHd(first(b), false); }) << true;
-        for (const unsigned error : {0x0100U, 0x0101U, 0x0102U, 0x0103U, 0x0104U, 0x0300U, 0x0301U, 0x0302U, 0x0303U,
-                                     0x0304U, 0x0401U, 0x0402U, 0x0500U, 0x0501U, 0x0999U}) {
+        for (const unsigned error : {0x0103U, 0x0104U, 0x0302U, 0x0999U}) {
             QTest::addRow("error 0x%04x in each frame", error) << frameError(error) << true;
         }
         QTest::newRow("every call fails") << HdAct([](auto& b) { first(b).faults.callError = 0x0302; }) << true;
@@ -136,7 +135,11 @@ class HdFaults : public QObject
                 standin::plugHd(first(b), true);
             }
         });
-        pass(12.0);
+        const auto works = [this] { return m_hand->device->report().condition == DeviceCondition::Working; };
+        for (int i = 0; i < 120 && !works(); ++i) {
+            pass(0.1);
+        }
+        pass(0.5);
         QCOMPARE(m_hand->loop->timing().overruns, overruns); // no call of the library delays a tick
         QVERIFY(m_hand->loop->fault().isFaulted());          // latched, though all is well again
         QCOMPARE(m_bench->motors().norm(), 0.0);
@@ -365,7 +368,7 @@ class HdFaults : public QObject
         std::mt19937 random{11};
         const auto chance = [&random](double p) { return std::uniform_real_distribution<double>(0, 1)(random) < p; };
         int faults = 0, forces = 0;
-        for (int second = 0; second < 80; ++second) {
+        for (int second = 0; second < 40; ++second) {
             m_bench->with([&](standin::HdBench& b) {
                 standin::HdFaults& f = first(b).faults;
                 f = {};
@@ -403,9 +406,9 @@ class HdFaults : public QObject
             QCOMPARE(m_bench->violation(), QString());
             QVERIFY(m_hand->loop->isRunning());
         }
-        qInfo("%d faults, force in %d of 80 s, lost %llu times", faults, forces,
+        qInfo("%d faults, force in %d of 40 s, lost %llu times", faults, forces,
               static_cast<unsigned long long>(m_hand->device->report().losses));
-        QVERIFY(faults > 8 && forces > 8 && m_hand->device->report().losses > 3);
+        QVERIFY(faults > 4 && forces > 4 && m_hand->device->report().losses > 1);
         m_bench->with([](standin::HdBench& b) {
             first(b).faults = {};
             b.scheduler = {};
