@@ -123,6 +123,6 @@ function(palpate_install_package)
   configure_file(resources/cmake/PalpateConfigVersion.cmake.in PalpateConfigVersion.cmake @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/PalpateConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/PalpateConfigVersion.cmake
     resources/cmake/PalpatePlugin.cmake DESTINATION ${palpate_package_dir} COMPONENT dev)
-  install(DIRECTORY resources/docs resources/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/palpate COMPONENT doc)
+  install(DIRECTORY resources/cohort resources/docs resources/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/palpate COMPONENT doc)
   install(FILES LICENSE CHANGELOG.md README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/palpate COMPONENT doc)
 endfunction()

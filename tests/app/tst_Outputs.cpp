@@ -144,6 +144,11 @@ class Outputs : public QObject
             << QStringList{"session", "export", "r.palpate", "--vtp", "o.vtp"} << QStringList{"o.vtp", "o-surface.vtp"};
         QTest::newRow("session measure --json")
             << QStringList{"session", "measure", "r.palpate", "--json", "o.json"} << QStringList{"o.json"};
+        QTest::newRow("session measure --csv")
+            << QStringList{"session", "measure", "r.palpate", "--csv", "o.csv", "--findings", "f.csv"}
+            << QStringList{"o.csv", "f.csv"};
+        QTest::newRow("session share") << QStringList{"session", "share", "r.palpate", "--out", "o.palpate"}
+                                       << QStringList{"o.palpate"};
         QTest::newRow("session recover") << QStringList{"session", "recover", "r.palpate", "--out", "o.palpate"}
                                          << QStringList{"o.palpate"};
         QTest::newRow("felt") << QStringList{"felt",  "s.palpate.json", "--press", "0",
@@ -216,7 +221,9 @@ class Outputs : public QObject
         row({"session", "measure", "r.palpate", "--json", "s.palpate.json"}, "s.palpate.json");
         row({"session", "export", "r.palpate", "--csv", "organ.obj"}, "organ.obj");
         row({"session", "export", "r.palpate", "--vtp", "foreign.vtp"}, "foreign-surface.vtp");
+        row({"session", "measure", "r.palpate", "--csv", "organ.obj"}, "organ.obj");
         row({"session", "recover", "r.palpate", "--out", "organ.obj"}, "organ.obj");
+        row({"session", "share", "r.palpate", "--force", "--out", "organ.obj"}, "organ.obj");
         row({"session", "recover", "r.palpate", "--force", "--out", "organ.obj"}, "organ.obj");
         row({"evaluate", "s.palpate.json", "--motion", "results.csv", "--out", "."}, "results.csv");
         row({"stability", "stability.html.json", "--out", "link.d"}, "stability.html");

@@ -13,6 +13,7 @@
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -74,7 +75,7 @@ class RecordedScene : public QObject
         const auto felt = study::hapticScene(loaded.value());
         session::RecordingInfo info;
         info.firstGeneration = 1;
-        study::setSceneSource(info, path("s.palpate.json"), path(name));
+        study::setSceneSource(info, path("s.palpate.json"));
         std::filesystem::remove(path(name)); // from an earlier test
         auto writer = session::RecordingWriter::create(path(name), info, session::RecordingWriter::Sync::AtEnd);
         QVERIFY(writer.isOk());
@@ -219,8 +220,7 @@ class RecordedScene : public QObject
             std::filesystem::rename(path(name), path(std::string("moved/") + name));
         }
         const auto reader = session::RecordingReader::open(path("moved/r.palpate"));
-        QCOMPARE(reader.value()->info().scene, path("s.palpate.json").string()); // an absolute path to a missing file
-        QCOMPARE(reader.value()->info().sceneBeside, std::string("s.palpate.json"));
+        QCOMPARE(reader.value()->info().scene, std::string("s.palpate.json")); // relative to the recording
         QCOMPARE(reader.value()->info().sceneSha256, meshio::fileHash(path("moved/s.palpate.json")));
         QCOMPARE(study::recordedSceneFile(*reader.value()).value(), path("moved/s.palpate.json"));
         QVERIFY(study::recordedSurfaces(*reader.value()).isOk());
@@ -258,14 +258,27 @@ class RecordedScene : public QObject
         QVERIFY(none.status().message().starts_with("r.palpate: found none of the surfaces"));
     }
 
-    void aSceneElsewhereIsSaidByItsWholePathAlone()
+    /// Older recordings have absolute paths. The writer stores none, so one of the same length is put into the file.
+    void anOlderRecordingIsFoundByItsWholePath()
     {
+        std::filesystem::create_directory(path("elsewhere"));
+        std::filesystem::copy_file(path("s.palpate.json"), path("elsewhere/other.palpate.json"),
+                                   std::filesystem::copy_options::overwrite_existing);
+        const std::string whole = path("elsewhere/other.palpate.json").string();
         session::RecordingInfo info;
-        study::setSceneSource(info, "scenes/s.palpate.json", "recordings/r.palpate");
-        QVERIFY(std::filesystem::path(info.scene).is_absolute());
-        QVERIFY(info.sceneBeside.empty());
-        study::setSceneSource(info, "recordings/deep/s.palpate.json", "recordings/r.palpate");
-        QCOMPARE(info.sceneBeside, std::string("deep/s.palpate.json"));
+        info.scene.assign(whole.size(), 'x');
+        std::filesystem::remove(path("old.palpate"));
+        QVERIFY(session::RecordingWriter::create(path("old.palpate"), info).isOk());
+        QFile file(QString::fromStdString(path("old.palpate").string()));
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        const QByteArray bytes =
+            file.readAll().replace(QByteArray::fromStdString(info.scene), QByteArray::fromStdString(whole));
+        file.seek(0);
+        file.write(bytes);
+        file.close();
+        const auto reader = session::RecordingReader::open(path("old.palpate"));
+        QVERIFY2(reader.isOk(), reader.status().message().c_str());
+        QCOMPARE(study::recordedSceneFile(*reader.value()).value().string(), whole);
     }
 };
 

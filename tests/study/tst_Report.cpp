@@ -152,7 +152,7 @@ class Report : public QObject
         }
         std::filesystem::remove(path("r.palpate"));
         session::RecordingInfo info;
-        study::setSceneSource(info, path("s.palpate.json"), path("r.palpate"));
+        study::setSceneSource(info, path("s.palpate.json"));
         auto writer = session::RecordingWriter::create(path("r.palpate"), info, session::RecordingWriter::Sync::AtEnd);
         QVERIFY(writer.isOk());
         QVERIFY(writer.value()->addScene(session::describeScene(1, *haptic, study::sourcesOf(scene.value()))).isOk());

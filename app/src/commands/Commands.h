@@ -25,6 +25,7 @@ void addEvaluateCommand(CLI::App& app, Chosen& chosen);
 void addFeltCommand(CLI::App& app, Chosen& chosen);
 void addFindingsCommand(CLI::App& app, Chosen& chosen);
 void addInfoCommand(CLI::App& app, Chosen& chosen);
+void addMeasureCommand(CLI::App& session, Chosen& chosen); ///< a subcommand of `session`
 void addReplayCommand(CLI::App& app, Chosen& chosen);
 void addReportCommand(CLI::App& session, Chosen& chosen); ///< a subcommand of `session`
 void addSessionCommand(CLI::App& app, Chosen& chosen);

@@ -261,6 +261,7 @@ Status ReplayRun::startRecording(const session::RecordingInfo& info)
     const auto sync =
         m_options.isLive ? session::RecordingWriter::Sync::EachCommit : session::RecordingWriter::Sync::AtEnd;
     session::RecordingInfo whole = info;
+    study::setSceneSource(whole, m_options.scene);
     whole.looks = m_looks;
     std::error_code error;
     const bool replaces = m_options.isForced && fs::exists(fs::symlink_status(m_options.record, error));
@@ -342,7 +343,6 @@ Status ReplayRun::feel()
         return feelLive();
     }
     session::RecordingInfo info;
-    study::setSceneSource(info, m_options.scene, m_options.record);
     info.device.id = "replay";
     info.device.name = "Replay of " + m_options.motion.filename().string();
     info.dt_s = m_motion.dt_s;
@@ -422,7 +422,6 @@ Status ReplayRun::feelLive()
     }
     const auto begin = [this, &hand](const servo::RecordingStart& start) {
         session::RecordingInfo info;
-        study::setSceneSource(info, m_options.scene, m_options.record);
         info.device = hand.device->info();
         info.dt_s = m_motion.dt_s;
         info.rate_Hz = 1.0 / m_motion.dt_s;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/Commands.h"
+#include "commands/JsonOutput.h"
+#include "commands/MeasureRun.h"
 #include "reports/ComparisonReport.h"
 #include "reports/ExerciseReport.h"
-#include "reports/MeasuresReport.h"
 #include "reports/SessionReport.h"
 #include "shared/Console.h"
 
-#include <palpate/core/AtomicFile.h>
 #include <palpate/meshio/SceneFile.h>
 #include <palpate/session/MeasureSession.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/Recovery.h>
 #include <palpate/session/Replay.h>
+#include <palpate/session/SharedCopy.h>
 #include <palpate/study/CompareRecordings.h>
 #include <palpate/study/ExerciseScore.h>
-#include <palpate/study/MeasureRecording.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/SessionExport.h>
 #include <palpate/study/StructureSources.h>
@@ -23,7 +23,9 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace palpate::app {
 
@@ -39,6 +41,7 @@ struct SessionOptions
     std::string distance;  ///< empty: fingertip radius of the recording
     std::string within;    ///< of a target; empty: default
     bool isForced = false; ///< allows replacing files
+    std::vector<std::string> columns;
 };
 
 int runInfo(const SessionOptions& options)
@@ -89,20 +92,28 @@ int runVerify(const SessionOptions& options)
     return kDone;
 }
 
-int runRecover(const SessionOptions& options)
+/// Checks the name of a copy, which may replace a recording.
+Status checkCopy(const SessionOptions& options)
 {
-    if (const Status status = checkOutputs({options.file}, {options.out}); !status.isOk()) {
-        return report(status);
+    if (Status status = checkOutputs({options.file}, {options.out}); !status.isOk()) {
+        return status;
     }
     std::error_code error;
     const bool isThere = std::filesystem::is_regular_file(std::filesystem::symlink_status(options.out, error));
     if (isThere && !options.isForced && std::filesystem::file_size(options.out, error) > 0 &&
         !session::isRecordingFile(options.out)) {
-        return report(
-            {StatusCode::BadCommandLine,
-             PALPATE_TEXT("%1: found a file that is no recording, expected another name for the copy, or --force to "
-                          "replace it"),
-             options.out});
+        return {StatusCode::BadCommandLine,
+                PALPATE_TEXT("%1: found a file that is no recording, expected another name for the copy, or --force to "
+                             "replace it"),
+                options.out};
+    }
+    return {};
+}
+
+int runRecover(const SessionOptions& options)
+{
+    if (const Status status = checkCopy(options); !status.isOk()) {
+        return report(status);
     }
     const auto recovered = session::recoverRecording(options.file, options.out);
     if (!recovered.isOk()) {
@@ -113,98 +124,6 @@ int runRecover(const SessionOptions& options)
         printError(PALPATE_TEXT("%1: missing in the copy: %2"), options.file, loss);
     }
     return recovered.value().losses.empty() ? kDone : kSomeLost;
-}
-
-/// Measures with all available surfaces and prints which surfaces are missing.
-core::Result<session::SessionMeasures> measure(const RecordingReader& reader, const SessionOptions& options,
-                                               bool& isWhole)
-{
-    study::RecordingMeasureOptions how;
-    how.scene = options.scene;
-    if (!options.distance.empty()) {
-        const auto distance = numberOption("--distance", options.distance, {.isAbove = true});
-        if (!distance.isOk()) {
-            return distance.status();
-        }
-        how.distance_mm = distance.value();
-    }
-    auto measured = study::measureRecording(reader, how);
-    if (!measured.isOk()) {
-        return measured.status();
-    }
-    session::SessionMeasures measures = std::move(measured.value().measures);
-    std::string names;
-    for (const std::string& name : measures.unmeasured) {
-        names += (names.empty() ? "" : ", ") + name;
-    }
-    isWhole = names.empty();
-    if (!isWhole) {
-        printError(PALPATE_TEXT("%1: no coverage of %2: %3; say where the scene is with --scene"), options.file, names,
-                   measured.value().unmeasured);
-    }
-    return measures;
-}
-
-/// JSON output of a command: a file, or stdout, which then contains only JSON.
-class JsonOutput
-{
-  public:
-    /// Checks the output and creates the file. @param path  "-": stdout; empty: none
-    Status open(const std::filesystem::path& path, const std::vector<std::filesystem::path>& inputs)
-    {
-        m_isPiped = path == "-";
-        if (path.empty() || m_isPiped) {
-            return {};
-        }
-        if (Status status = checkOutputs(inputs, {path}); !status.isOk()) {
-            return status;
-        }
-        auto file = core::AtomicFile::create(path);
-        if (file.isOk()) {
-            m_file = std::move(file).value();
-        }
-        return file.status();
-    }
-    [[nodiscard]] bool isPiped() const noexcept { return m_isPiped; }
-    Status write(const std::string& json)
-    {
-        if (m_isPiped) {
-            printJson(json);
-        }
-        if (!m_file) {
-            return {};
-        }
-        m_file->write(json);
-        return m_file->finish();
-    }
-
-  private:
-    bool m_isPiped = false;
-    std::optional<core::AtomicFile> m_file;
-};
-
-int runMeasure(const SessionOptions& options)
-{
-    const auto opened = RecordingReader::open(options.file);
-    if (!opened.isOk()) {
-        return report(opened.status());
-    }
-    JsonOutput json;
-    if (const Status status = json.open(options.json, {options.file, options.scene}); !status.isOk()) {
-        return report(status);
-    }
-    bool isWhole = true;
-    const auto measures = measure(*opened.value(), options, isWhole);
-    if (!measures.isOk()) {
-        return report(measures.status());
-    }
-    if (!json.isPiped()) {
-        printMeasures(measures.value());
-    }
-    if (const Status status = json.write(study::measuresJson(measures.value())); !status.isOk()) {
-        return report(status);
-    }
-    return reportDamage(options.file, measures.value().damaged, isWhole ? kDone : kSomeLost);
 }
 
 int runCompare(const SessionOptions& options)
@@ -284,6 +203,20 @@ core::Result<study::ExerciseScore> scored(const RecordingReader& reader, const S
     return study::scoreExercise(reader, surfaces.value(), exercise.value(), how);
 }
 
+int runShare(const SessionOptions& options)
+{
+    if (const Status status = checkCopy(options); !status.isOk()) {
+        return report(status);
+    }
+    const auto shared = session::shareRecording(options.file, options.out);
+    if (!shared.isOk()) {
+        return report(shared.status());
+    }
+    print("%s: %s ticks copied without the names of folders\n", options.out.string().c_str(),
+          grouped(shared.value()).c_str());
+    return kDone;
+}
+
 int runExercise(const SessionOptions& options)
 {
     const auto opened = RecordingReader::open(options.file);
@@ -318,6 +251,10 @@ int exportAll(const SessionOptions& options, const RecordingReader& reader)
         return report(
             {StatusCode::BadCommandLine, PALPATE_TEXT("session export: found no output, expected --csv or --vtp")});
     }
+    if (options.csv.empty() && !options.columns.empty()) {
+        return report({StatusCode::BadCommandLine,
+                       PALPATE_TEXT("--columns: found no --csv, expected the file with these columns")});
+    }
     // Path and touched surface are separate data sets, so each gets its own file.
     const std::filesystem::path surface = study::surfaceFileOf(options.vtp);
     std::vector<std::filesystem::path> outputs;
@@ -336,7 +273,7 @@ int exportAll(const SessionOptions& options, const RecordingReader& reader)
         }
     }
     if (!options.csv.empty()) {
-        if (const Status status = study::exportTicks(reader, options.csv); !status.isOk()) {
+        if (const Status status = study::exportTicks(reader, options.csv, {}, options.columns); !status.isOk()) {
             return report(status);
         }
     }
@@ -347,7 +284,7 @@ int exportAll(const SessionOptions& options, const RecordingReader& reader)
         return report(status);
     }
     bool isWhole = true;
-    const auto measures = measure(reader, options, isWhole);
+    const auto measures = measureRecording(reader, {options.scene, options.distance}, isWhole);
     Status status = measures.isOk() ? study::exportSurface(measures.value(), surface) : measures.status();
     if (status.code() == StatusCode::Empty) {
         printError(status.text());
@@ -385,15 +322,16 @@ void addSessionCommand(CLI::App& app, Chosen& chosen)
     CLI::App* recover = add("recover", "Make the best readable copy of a damaged or cut-off one", runRecover);
     recover->add_option("--out", options->out, "Where the copy goes; an older recording there is replaced")->required();
     recover->add_flag("--force", options->isForced, "Replace a file that is no recording, too");
+    CLI::App* share = add("share", "Copy it without the names of folders, to give to others", runShare);
+    share->add_option("--out", options->out, "Where the copy goes; an older recording there is replaced")->required();
+    share->add_flag("--force", options->isForced, "Replace a file that is no recording, too");
     const auto addSurfaceOptions = [&](CLI::App* sub) {
         sub->add_option("--scene", options->scene, "Where the scene is that it was made on");
         sub->add_option("--distance", options->distance,
                         "How near the contact must come to count as touched [mm]; else the fingertip's radius, 5 for a "
                         "point");
     };
-    CLI::App* measure = add("measure", "Say what the hand did, in numbers", runMeasure);
-    measure->add_option("--json", options->json, "Write the measures as JSON; - for stdout, and nothing else there");
-    addSurfaceOptions(measure);
+    addMeasureCommand(*command, chosen);
     CLI::App* compare = add("compare", "Compare two recordings of the same surfaces", runCompare);
     compare->add_option("SECOND", options->second, "Second recording")->required();
     compare->add_option("--json", options->json, "Write the comparison as JSON; - for stdout, and nothing else there");
@@ -405,6 +343,9 @@ void addSessionCommand(CLI::App& app, Chosen& chosen)
     addSurfaceOptions(exercise);
     CLI::App* exporter = add("export", "Write its ticks, path and touched surface in other forms", runExport);
     exporter->add_option("--csv", options->csv, "Write the ticks as CSV");
+    exporter->add_option("--columns", options->columns, "Write only these columns of the CSV, as time_s,force_N")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     exporter->add_option("--vtp", options->vtp,
                          "Write the path as VTP, and the touched surface beside it as NAME-surface.vtp");
     addSurfaceOptions(exporter);

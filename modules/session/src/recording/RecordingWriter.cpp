@@ -5,6 +5,7 @@
 
 #include "recording/RenamedFile.h"
 #include "recording/SceneChanges.h"
+#include "recording/StoredPath.h"
 #include "store/DiskReserve.h"
 #include "store/RecordingPlace.h"
 #include "store/RecordingStore.h"
@@ -161,6 +162,7 @@ core::Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std
     if (filled.startedUtc.empty()) {
         filled.startedUtc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     }
+    filled.scene = internal::storedPath(filled.scene, path);
     auto claimed = internal::RecordingPlace::claim(path, old);
     if (!claimed.isOk()) {
         return claimed.status();
@@ -214,6 +216,7 @@ Status RecordingWriter::addScene(const SceneRecord& given)
     SceneRecord scene = given;
     for (StructureRecord& structure : scene.structures) {
         StructureSource& source = structure.source;
+        source.mesh = internal::storedPath(source.mesh, m_d->path);
         if (source.embed != nullptr && source.sha256.empty()) {
             source.sha256 = geometryHash(source.embed->mesh);
         }

@@ -8,6 +8,7 @@
 #include "recording/RecordingCopy.h"
 #include "recording/RecordingSurvey.h"
 #include "recording/RenamedFile.h"
+#include "recording/StoredPath.h"
 #include "store/PageSalvage.h"
 #include "store/SchemaCheck.h"
 #include "tables/Schema.h"
@@ -222,6 +223,7 @@ class Rescue
 
     Status makeCopy()
     {
+        m_info.scene = internal::movedPath(m_info.scene, m_from, m_to);
         auto made = RecordingWriter::create(m_to, m_info, RecordingWriter::Sync::AtEnd,
                                             RecordingWriter::Events::AsGiven, core::ExistingFile::Replace);
         if (!made.isOk()) {
@@ -239,6 +241,7 @@ class Rescue
                 continue;
             }
             for (StructureRecord& structure : scene.structures) {
+                structure.source.mesh = internal::movedPath(structure.source.mesh, m_from, m_to);
                 const std::string& hash = structure.source.sha256;
                 if (std::binary_search(m_chosen->survey.embedded.begin(), m_chosen->survey.embedded.end(), hash)) {
                     if (auto surface = m_chosen->tables.readEmbedded(hash); surface.isOk()) {

@@ -150,6 +150,36 @@ void appendCsvColumn(std::string& line, std::string_view column, const servo::Ti
     }
 }
 
+std::string joined(std::span<const std::string> names)
+{
+    std::string out;
+    for (const std::string& name : names) {
+        out += (out.empty() ? "" : ",") + name;
+    }
+    return out;
+}
+
+/// Returns the indices of the columns among all names.
+core::Result<std::vector<std::size_t>> chosenCells(const std::vector<std::string>& names,
+                                                   std::span<const std::string> columns)
+{
+    std::vector<std::size_t> chosen;
+    for (const std::string& column : columns) {
+        const auto found = std::find(names.begin(), names.end(), column);
+        if (found == names.end()) {
+            return core::Status(core::StatusCode::BadCommandLine,
+                                PALPATE_TEXT("--columns: found \"%1\", expected some of %2"), column, joined(names));
+        }
+        const auto cell = static_cast<std::size_t>(found - names.begin());
+        if (std::find(chosen.begin(), chosen.end(), cell) != chosen.end()) {
+            return core::Status(core::StatusCode::BadCommandLine,
+                                PALPATE_TEXT("--columns: found \"%1\" twice, expected each column once"), column);
+        }
+        chosen.push_back(cell);
+    }
+    return chosen;
+}
+
 bool isIn(const internal::CsvColumn& column, TickCsv::Rows rows)
 {
     return column.in == internal::InCsv::All ||
@@ -171,31 +201,62 @@ TickCsv::TickCsv(core::AtomicFile file, Rows rows)
 {
 }
 
-core::Result<TickCsv> TickCsv::create(const std::filesystem::path& path, Rows rows)
+core::Result<TickCsv> TickCsv::create(const std::filesystem::path& path, Rows rows,
+                                      std::span<const std::string> columns)
 {
+    std::vector<std::string> names;
+    for (const internal::TickColumn& column : shownColumns()) {
+        for (const std::string& name : internal::columnNames(column)) {
+            names.push_back(name);
+        }
+    }
+    for (const internal::CsvColumn& column : internal::kCsvColumns) {
+        if (isIn(column, rows)) {
+            names.emplace_back(column.name);
+        }
+    }
+    auto chosen = chosenCells(names, columns);
+    if (!chosen.isOk()) {
+        return chosen.status();
+    }
     auto file = core::AtomicFile::create(path);
     if (!file.isOk()) {
         return file.status();
     }
     TickCsv csv(std::move(file).value(), rows);
-    for (const internal::TickColumn& column : shownColumns()) {
-        for (const std::string& name : internal::columnNames(column)) {
-            csv.m_line += (csv.m_line.empty() ? "" : ",") + name;
-        }
-    }
-    for (const internal::CsvColumn& column : internal::kCsvColumns) {
-        if (isIn(column, rows)) {
-            csv.m_line.append(",").append(column.name);
-        }
-    }
-    csv.m_line += '\n';
-    csv.m_file.write(csv.m_line);
+    csv.m_chosen = std::move(chosen).value();
+    csv.m_file.write(joined(columns.empty() ? std::span<const std::string>(names) : columns) + '\n');
     return csv;
+}
+
+/// Stores the ends of the last cells of the line. @param count  more than one for a vector, whose numbers have no
+/// commas
+void TickCsv::endCells(std::size_t count)
+{
+    const std::size_t first = m_ends.size();
+    m_ends.resize(first + count, m_line.size());
+    for (std::size_t i = first + count - 1; i > first; --i) {
+        m_ends[i - 1] = m_line.rfind(',', m_ends[i] - 1);
+    }
+}
+
+/// Writes the chosen cells of the line.
+void TickCsv::writeChosen()
+{
+    std::string line;
+    for (const std::size_t cell : m_chosen) {
+        const std::size_t begin = cell == 0 ? 0 : m_ends[cell - 1] + 1;
+        line += line.empty() && cell == m_chosen.front() ? "" : ",";
+        line.append(m_line, begin, m_ends[cell] - begin);
+    }
+    m_file.write(line + '\n');
 }
 
 void TickCsv::write(const servo::TickRecord& tick, const StructureNames& names, std::span<const RecordingEvent> events)
 {
     m_line.clear();
+    m_ends.clear();
+    const bool isChosen = !m_chosen.empty();
     const bool isEmpty = m_rows == Rows::Session && (tick.flags & servo::kNoHand) != 0;
     for (const internal::TickColumn& column : shownColumns()) {
         m_line += m_line.empty() ? "" : ",";
@@ -207,6 +268,9 @@ void TickCsv::write(const servo::TickRecord& tick, const StructureNames& names, 
         } else {
             internal::useValue(column, tick, [this](const auto& value) { appendValue(m_line, value); });
         }
+        if (isChosen) {
+            endCells(internal::columnNames(column).size());
+        }
     }
     for (const internal::CsvColumn& column : internal::kCsvColumns) {
         if (!isIn(column, m_rows)) {
@@ -216,6 +280,13 @@ void TickCsv::write(const servo::TickRecord& tick, const StructureNames& names, 
         if (!isEmpty || column.isWithoutHand) {
             appendCsvColumn(m_line, column.name, tick, names, events);
         }
+        if (isChosen) {
+            m_ends.push_back(m_line.size());
+        }
+    }
+    if (isChosen) {
+        writeChosen();
+        return;
     }
     m_line += '\n';
     m_file.write(m_line);

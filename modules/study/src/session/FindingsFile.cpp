@@ -117,32 +117,36 @@ std::string organOf(const Finding& finding)
     return layers.empty() || layers.front().structure == finding.structure ? std::string() : layers.front().structure;
 }
 
+std::string findingRow(const Finding& one, std::size_t number)
+{
+    std::vector<std::string> cells{core::csvCell(one.id.empty() ? std::to_string(number) : one.id),
+                                   core::csvCell(one.name), core::csvCell(core::nameOf(one.type)),
+                                   core::csvCell(one.structure)};
+    for (int axis = 0; axis < 3; ++axis) {
+        cells.push_back(one.hasPlace ? digits(one.p_W[axis]) : std::string());
+    }
+    cells.emplace_back(one.hasPlace ? "LPS" : "");
+    for (const auto& value : {one.size_mm, one.force_N, one.depth_mm, core::felt_N_per_mm(one)}) {
+        cells.push_back(numberCell(value));
+    }
+    cells.push_back(one.recording ? digits(one.recording->time_s) : std::string());
+    cells.push_back(one.recording ? core::csvCell(std::filesystem::path(one.recording->file).filename().string())
+                                  : std::string());
+    cells.push_back(core::csvCell(one.note));
+    cells.push_back(core::csvCell(organOf(one)));
+    cells.push_back(numberCell(totalForce_N(one)));
+    std::string row;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        row += (i > 0 ? "," : "") + cells[i];
+    }
+    return row;
+}
+
 std::string findingsCsv(const std::vector<Finding>& findings)
 {
     std::string out = std::string(kFindingColumns) + "\r\n";
-    std::size_t number = 0;
-    for (const Finding& one : findings) {
-        ++number;
-        std::vector<std::string> cells{core::csvCell(one.id.empty() ? std::to_string(number) : one.id),
-                                       core::csvCell(one.name), core::csvCell(core::nameOf(one.type)),
-                                       core::csvCell(one.structure)};
-        for (int axis = 0; axis < 3; ++axis) {
-            cells.push_back(one.hasPlace ? digits(one.p_W[axis]) : std::string());
-        }
-        cells.emplace_back(one.hasPlace ? "LPS" : "");
-        for (const auto& value : {one.size_mm, one.force_N, one.depth_mm, core::felt_N_per_mm(one)}) {
-            cells.push_back(numberCell(value));
-        }
-        cells.push_back(one.recording ? digits(one.recording->time_s) : std::string());
-        cells.push_back(one.recording ? core::csvCell(std::filesystem::path(one.recording->file).filename().string())
-                                      : std::string());
-        cells.push_back(core::csvCell(one.note));
-        cells.push_back(core::csvCell(organOf(one)));
-        cells.push_back(numberCell(totalForce_N(one)));
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            out += (i > 0 ? "," : "") + cells[i];
-        }
-        out += "\r\n";
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        out += findingRow(findings[i], i + 1) + "\r\n";
     }
     return out;
 }

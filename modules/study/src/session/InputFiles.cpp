@@ -58,9 +58,9 @@ std::vector<fs::path> filesOf(const fs::path& input)
     }
     for (const session::SceneRecord& scene : reader.value()->scenes()) {
         for (const session::StructureRecord& structure : scene.structures) {
-            const fs::path mesh = structure.source.mesh;
+            const fs::path mesh = recordedMeshFile(*reader.value(), structure);
             out.push_back(mesh);
-            out.push_back(input.parent_path() / mesh.filename()); // second location that is searched
+            out.push_back(input.parent_path() / mesh.filename()); // last location that is searched
         }
     }
     return out;

@@ -145,7 +145,7 @@ QJsonArray lumpsJson(const std::vector<session::LumpSearch>& lumps)
     return out;
 }
 
-std::string measuresJson(const session::SessionMeasures& m)
+QJsonObject measuresObject(const session::SessionMeasures& m)
 {
     QJsonObject out = sumsJson(m.sums);
     QJsonObject structures = out["structures"].toObject();
@@ -177,7 +177,12 @@ std::string measuresJson(const session::SessionMeasures& m)
     out["findings"] = findingsJson(m.findings);
     out["lumps"] = lumpsJson(m.lumps);
     out["notes"] = notesJson(m.findings);
-    return QJsonDocument(out).toJson().toStdString();
+    return out;
+}
+
+std::string measuresJson(const session::SessionMeasures& m)
+{
+    return QJsonDocument(measuresObject(m)).toJson().toStdString();
 }
 
 } // namespace palpate::study

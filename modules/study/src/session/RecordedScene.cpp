@@ -71,12 +71,22 @@ meshio::ReadOptions readAs(const RecordingReader& reader, const fs::path& file)
     return options;
 }
 
-/// Finds a file at the recorded path, else relative to the recording's folder, else by name in that folder.
+/// Finds a file at the recorded path, which is relative to the recording's folder, in older recordings absolute or as
+/// typed, else by name in that folder.
 std::optional<fs::path> locateFile(const RecordingReader& reader, const fs::path& file, const fs::path& beside = {})
 {
+    if (file.filename().empty()) {
+        return std::nullopt;
+    }
     const fs::path folder = reader.path().parent_path();
-    for (const fs::path& place : {file, beside.empty() ? fs::path() : folder / beside, folder / file,
-                                  file.filename().empty() ? fs::path() : folder / file.filename()}) {
+    fs::path stored = folder / file;
+    if (*file.begin() == "..") { // relative to the parent of a link's target
+        std::error_code error;
+        const fs::path resolved = fs::weakly_canonical(fs::absolute(folder, error), error);
+        stored = error ? stored : (resolved / file).lexically_normal();
+    }
+    for (const fs::path& place :
+         {stored, beside.empty() ? fs::path() : folder / beside, file, folder / file.filename()}) {
         std::error_code error;
         if (!place.empty() && fs::exists(place, error)) {
             return place;
@@ -372,22 +382,20 @@ Result<meshio::LoadedScene> openScene(const fs::path& path, const meshio::ReadOp
     return loaded;
 }
 
-void setSceneSource(session::RecordingInfo& info, const fs::path& scene, const fs::path& recording)
+void setSceneSource(session::RecordingInfo& info, const fs::path& scene)
 {
-    if (scene.empty() || recording.empty()) {
+    if (scene.empty()) {
         return;
     }
     std::error_code error; // fails without a working directory
     const fs::path whole = fs::absolute(scene, error).lexically_normal();
-    const fs::path folder = fs::absolute(recording, error).lexically_normal().parent_path();
-    if (error) {
-        info.scene = scene.string();
-        return;
-    }
-    const fs::path beside = whole.lexically_relative(folder);
-    info.scene = whole.string();
-    info.sceneBeside = beside.empty() || *beside.begin() == ".." ? std::string() : beside.string();
-    info.sceneSha256 = meshio::isSceneFile(whole) ? meshio::fileHash(whole) : std::string();
+    info.scene = (error ? scene : whole).string();
+    info.sceneSha256 = meshio::isSceneFile(info.scene) ? meshio::fileHash(info.scene) : std::string();
+}
+
+fs::path recordedMeshFile(const RecordingReader& reader, const StructureRecord& structure)
+{
+    return locateFile(reader, structure.source.mesh).value_or(structure.source.mesh);
 }
 
 std::optional<fs::path> recordedSceneFile(const RecordingReader& reader)
@@ -420,7 +428,7 @@ Result<MeshesByHash> recordedSurfaces(const RecordingReader& reader, const fs::p
         files.push_back(recordedSceneFile(reader).value_or(reader.info().scene));
     } else if (!reader.scenes().empty()) {
         for (const StructureRecord& structure : reader.scenes().front().structures) {
-            const fs::path file = locateFile(reader, structure.source.mesh).value_or(structure.source.mesh);
+            const fs::path file = recordedMeshFile(reader, structure);
             if (!file.empty() && std::find(files.begin(), files.end(), file) == files.end()) {
                 files.push_back(file);
             }

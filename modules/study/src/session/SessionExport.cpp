@@ -62,9 +62,9 @@ Status write(const std::filesystem::path& path, const meshio::VtpFile& file)
 } // namespace
 
 Status exportTicks(const session::RecordingReader& reader, const std::filesystem::path& path,
-                   const ExportProgress& progress)
+                   const ExportProgress& progress, std::span<const std::string> columns)
 {
-    auto csv = session::TickCsv::create(path, session::TickCsv::Rows::Session);
+    auto csv = session::TickCsv::create(path, session::TickCsv::Rows::Session, columns);
     if (!csv.isOk()) {
         return csv.status();
     }

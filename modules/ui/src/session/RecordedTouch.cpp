@@ -118,9 +118,9 @@ std::vector<std::pair<double, QString>> RecordedTouch::marks() const
 {
     std::vector<std::pair<double, QString>> marks;
     for (const session::RecordingEvent& event : m_reader->events()) {
-        if (event.kind == "scene" || event.kind == "clutch" || event.kind == "timing") {
-            // Scene changes have events of their own, clutch events repeat with each press, and timing covers the whole
-            // recording.
+        if (event.kind == "scene" || event.kind == "clutch" || event.kind == "timing" || event.kind == "shared") {
+            // Scene changes have events of their own, clutch events repeat with each press, timing and shared concern
+            // the whole recording.
             continue;
         }
         const double time_s = static_cast<double>(event.tick - m_reader->extent().firstTick) / m_reader->info().rate_Hz;

@@ -301,7 +301,7 @@ core::Status LiveTouch::startRecording(const std::filesystem::path& path, const 
     }
     session::RecordingInfo info;
     info.looks = study::looksText(looks);
-    study::setSceneSource(info, scene, path);
+    study::setSceneSource(info, scene);
     return m_session.startRecording(path, embeds ? session::Embed::Yes : session::Embed::No, std::move(info));
 }
 

@@ -35,7 +35,7 @@ inline constexpr std::int32_t kRecordingApplicationId = 0x50616c70;
 /// Origin of a structure's surface. A HapticScene does not store this information.
 struct StructureSource
 {
-    std::string mesh;     ///< path of the file
+    std::string mesh;     ///< path of the file; the writer stores it relative to the folder of the recording
     std::string part;     ///< structure inside the file; empty: the whole file
     double unit_mm = 1.0; ///< length of one file unit [mm]
     core::FileFrame frame =
@@ -98,10 +98,9 @@ struct RecordingInfo
     std::string palpate = palpateVersion();
     std::string build = buildId();
     std::string startedUtc; ///< ISO 8601; set by the writer
-    std::string scene;      ///< path of the opened scene or mesh; empty if none
-    /// Path of the scene relative to the recording's folder, if the scene was in that folder or below. Used to find the
-    /// scene after both were moved together.
-    std::string sceneBeside;
+    /// Path of the opened scene or mesh; empty if none. The writer stores it relative to the folder of the recording.
+    std::string scene;
+    std::string sceneBeside; ///< of older recordings with absolute paths: the same, if in that folder or below
     std::string sceneSha256; ///< hash of the scene file at the start of the recording, 64 hex digits; empty: unknown
     std::string looks;       ///< appearance of the structures in the first scene, JSON; empty: unknown
     double rate_Hz = 1000.0;

@@ -9,9 +9,11 @@
 #include <palpate/haptics/TickResult.h>
 #include <palpate/servo/TickRecord.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace palpate::session {
 
@@ -31,7 +33,10 @@ class PALPATE_EXPORT TickCsv
         Device, ///< computed values and the force sent to a device
         Session ///< with time, sent force, depth and events; cells are empty without a hand
     };
-    [[nodiscard]] static core::Result<TickCsv> create(const std::filesystem::path& path, Rows rows = Rows::Ticks);
+    /// @param columns  names of the columns to write, in their order; empty: all columns of `rows`
+    /// @return BadCommandLine for an unknown name or one that is given twice
+    [[nodiscard]] static core::Result<TickCsv> create(const std::filesystem::path& path, Rows rows = Rows::Ticks,
+                                                      std::span<const std::string> columns = {});
     /// @param tick  for Rows::Session, `time_ns` counts from the first tick of the recording
     /// @param events  events of this tick, for Rows::Session
     void write(const servo::TickRecord& tick, const StructureNames& names, std::span<const RecordingEvent> events = {});
@@ -40,8 +45,13 @@ class PALPATE_EXPORT TickCsv
   private:
     TickCsv(core::AtomicFile file, Rows rows);
 
+    void endCells(std::size_t count);
+    void writeChosen();
+
     core::AtomicFile m_file;
     Rows m_rows = Rows::Ticks;
+    std::vector<std::size_t> m_chosen; ///< indices of the cells to write; empty: all
+    std::vector<std::size_t> m_ends;   ///< end of each cell in `m_line`, only if cells are chosen
     std::string m_line;
 };
 

@@ -30,6 +30,9 @@ inline constexpr const char* kFindingColumns =
 /// A text that a spreadsheet would evaluate as a formula gets a leading `'`.
 [[nodiscard]] PALPATE_EXPORT std::string findingsCsv(const std::vector<core::Finding>& findings);
 
+/// Returns the row of `findingsCsv` for one finding, without the line end. @param number  id of a finding without an id
+[[nodiscard]] PALPATE_EXPORT std::string findingRow(const core::Finding& finding, std::size_t number);
+
 /// Writes one point list per type, in LPS and mm. Fields without an equivalent in a point list are stored in the
 /// point's field `palpate`, so that `readMarkups` restores equal findings, except for the place of recording.
 [[nodiscard]] PALPATE_EXPORT std::string findingsMarkups(const std::vector<core::Finding>& findings);

@@ -20,15 +20,19 @@ namespace palpate::study {
                                                                          const meshio::ReadOptions& options = {},
                                                                          std::vector<OrganPalpability>* felt = nullptr);
 
-/// Stores the scene of a recording in `info`: absolute path, path relative to the recording's folder if the scene is in
-/// that folder or below, and hash of a scene file.
-/// @param scene,  recording  no effect if either is empty
-PALPATE_EXPORT void setSceneSource(session::RecordingInfo& info, const std::filesystem::path& scene,
-                                   const std::filesystem::path& recording);
+/// Stores the scene of a recording in `info`: path and hash of a scene file. The writer of a recording stores the path
+/// relative to the folder of the recording.
+/// @param scene  no effect if empty
+PALPATE_EXPORT void setSceneSource(session::RecordingInfo& info, const std::filesystem::path& scene);
 
-/// Finds the scene or mesh of a recording: at the original path, else relative to the recording.
+/// Finds the scene or mesh of a recording: relative to the folder of the recording, at the absolute path of an older
+/// recording, else by name beside the recording.
 [[nodiscard]] PALPATE_EXPORT std::optional<std::filesystem::path>
 recordedSceneFile(const session::RecordingReader& reader);
+
+/// Finds the mesh file of a recorded structure in the same places. @return the recorded path if it is in none of them
+[[nodiscard]] PALPATE_EXPORT std::filesystem::path recordedMeshFile(const session::RecordingReader& reader,
+                                                                    const session::StructureRecord& structure);
 
 /// Finds the surfaces of a recording: embedded surfaces, else the surfaces of the scene.
 /// @param scene  path of the scene; empty: as stored in the recording

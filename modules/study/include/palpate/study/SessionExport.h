@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 
 namespace palpate::study {
@@ -20,10 +21,12 @@ namespace palpate::study {
 using ExportProgress = std::function<bool(double share)>;
 
 /// Writes every tick as CSV (session::TickCsv::Rows::Session). Events of a missing tick are attached to the next tick.
-/// @return Cancelled if `progress` returned false
+/// @param columns  names of the columns to write, in their order; empty: all
+/// @return Cancelled if `progress` returned false, BadCommandLine for an unknown column
 [[nodiscard]] PALPATE_EXPORT core::Status exportTicks(const session::RecordingReader& reader,
                                                       const std::filesystem::path& path,
-                                                      const ExportProgress& progress = {});
+                                                      const ExportProgress& progress = {},
+                                                      std::span<const std::string> columns = {});
 
 /// Writes the path of the HIP as a VTP polyline, in LPS and mm, interrupted where ticks or the hand are missing. Point
 /// arrays: `time_s`, `force_N`, `depth_mm`, `force` and `god_object` (three components), `structure` (-1 in free
@@ -50,6 +53,8 @@ using ExportProgress = std::function<bool(double share)>;
 
 /// Serializes all measures as one JSON document, see docs/measures.md.
 [[nodiscard]] PALPATE_EXPORT std::string measuresJson(const session::SessionMeasures& measures);
+/// Returns the content of this document.
+[[nodiscard]] PALPATE_EXPORT QJsonObject measuresObject(const session::SessionMeasures& measures);
 /// Serializes the sums in the form shared by all JSON output.
 [[nodiscard]] PALPATE_EXPORT QJsonObject sumsJson(const session::Measures& sums);
 
