@@ -268,7 +268,9 @@ class Exercise : public QObject
              {"section", "peek", "felt", "distances", "tape", "touch-map-next", "measures", "report"}) {
             QVERIFY2(!command(id).isEnabled(), id);
             QVERIFY2(command(id).toolTip().startsWith(QStringLiteral("Off until")), id);
-            m_desk->pressKeyOf(id);
+            if (!command(id).shortcut().isEmpty()) {
+                m_desk->pressKeyOf(id);
+            }
             command(id).setChecked(true); // as another command might
             QVERIFY2(!command(id).isChecked(), id);
         }

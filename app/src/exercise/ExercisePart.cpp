@@ -214,6 +214,8 @@ void ExercisePart::takeEnd()
 void ExercisePart::hide()
 {
     m_recording.playback().setRecording(nullptr);
+    m_touch.panel().showNoHand(); // the last moment of the recording names targets
+    m_core.viewport.view().cursor().setState({});
     dropTargets();
     for (const char* name : {"felt", "distances"}) { // also when the stored layout shows them
         if (auto* dock = m_core.window.findChild<QDockWidget*>(QLatin1String(name))) {
