@@ -127,19 +127,31 @@ class HapticCopy : public QObject
         QVERIFY(!model.isListed(2) && !model.appearanceOf(2).isVisible);
         QCOMPARE(model.scene().hiddenTargets(), std::size_t{1});
 
+        // Only files, recordings and computations know the name.
+        QCOMPARE(model.structure(2).name, std::string(study::kUnnamed));
+        QVERIFY(!model.data(model.index(2, ui::StructureModel::Name), Qt::DisplayRole).toString().contains('c'));
+        QCOMPARE(model.scene().described(2).name, std::string("c"));
+        QCOMPARE(model.scene().sceneFile({}).structures[2].name, std::string("c"));
+        QCOMPARE(model.scene().loadedScene().structures[2].description.name, std::string("c"));
+        QCOMPARE(model.hapticScene({100.0, 100.0})->structures()[2].name, std::string("c"));
+        QVERIFY(model.scene().givesTargetAway("part C: open") && !model.scene().givesTargetAway("a, b"));
+
         // Neither edits nor undo reveal it; a saved scene names it.
         meshio::SceneStructure changed = model.structure(2);
         changed.name = "d";
         changed.isHiddenTarget = false;
         model.edit(2, changed);
         QVERIFY(!model.isListed(2) && isFelt(2));
-        QVERIFY(model.scene().sceneFile({}).exercise->targets == std::vector<std::string>{"d"});
+        QVERIFY(model.scene().sceneFile({}).exercise->targets == std::vector<std::string>{"c"});
+        QCOMPARE(model.structure(2).name, std::string(study::kUnnamed));
         model.undoStack().undo();
         QVERIFY(!model.isListed(2) && isFelt(2));
         QVERIFY(model.scene().exercise()->targets == std::vector<std::string>{"c"});
 
         model.setTargetsHidden(false);
         QVERIFY(model.isListed(2) && model.appearanceOf(2).isVisible && isFelt(2));
+        QCOMPARE(model.structure(2).name, std::string("c"));
+        QVERIFY(!model.scene().givesTargetAway("part C: open"));
         model.setTargetsHidden(true);
         QVERIFY(!model.isListed(2) && !model.appearanceOf(2).isVisible && isFelt(2));
 

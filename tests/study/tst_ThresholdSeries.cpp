@@ -2,6 +2,7 @@
 #include "TestRunner.h"
 #include "Trials.h"
 
+#include <palpate/study/PressedPairs.h>
 #include <palpate/study/ThresholdSeries.h>
 
 #include <QTest>
@@ -69,6 +70,29 @@ class ThresholdSeries : public QObject
         answers({false});
         QCOMPARE(series.trials().size(), std::size_t{7});
         QVERIFY(series.trials()[2].percent == 80.0 / 1.6 && !series.trials()[2].isRight);
+    }
+
+    void oneOfTwoPressesIsStiffer()
+    {
+        study::PressedPairs pairs(7, 3);
+        int second = 0;
+        for (int trial = 0; trial < 3; ++trial) {
+            const double first = pairs.ratio();
+            QVERIFY(!pairs.takeForce(0.5) && !pairs.takeForce(0.0)); // touched, not pressed
+            QVERIFY(!pairs.takeForce(2.0) && pairs.takeForce(0.0));
+            QVERIFY(pairs.stage() == study::PressedPairs::Stage::Second);
+            QVERIFY((first == 1.0) != (pairs.ratio() == 1.0));
+            QVERIFY((pairs.ratio() > first) == pairs.isSecondStiffer());
+            second += pairs.isSecondStiffer() ? 1 : 0;
+            pairs.answer(true); // too early
+            QVERIFY(!pairs.takeForce(2.0) && pairs.takeForce(0.0));
+            pairs.answer(pairs.isSecondStiffer());
+        }
+        QVERIFY(pairs.stage() == study::PressedPairs::Stage::Done && pairs.series().isDone());
+        QVERIFY(pairs.series().trials()[2].isRight && second > 0 && second < 3);
+        const auto wall = study::wallScene({1, 2, 3}, core::Vec3(0, 0, 1), 50.0, 0.3);
+        QCOMPARE(wall->structures()[0].tissue.stiffness_N_per_mm, 0.3);
+        QCOMPARE(wall->structures()[0].surface->triangleCount(), std::size_t{2});
     }
 
     void levelsStayInTheirRange()

@@ -44,7 +44,10 @@ LumpsPart::~LumpsPart()
 void LumpsPart::connectMaps()
 {
     connect(&m_parts.progress, &StatusProgress::cancelled, m_lumps, &ui::LumpMaps::cancel);
-    connect(m_lumps, &ui::LumpMaps::progressed, &m_parts.progress, &StatusProgress::show);
+    connect(m_lumps, &ui::LumpMaps::progressed, this, [this](const QString& step, double share) {
+        const bool isSecret = m_core.model.scene().hiddenTargets() > 0; // the step names the organ with the lumps
+        m_parts.progress.show(isSecret ? tr("Preparing for touch") : step, share);
+    });
     connect(m_lumps, &ui::LumpMaps::ended, this, [this] {
         if (!m_parts.loader.isBusy() && m_parts.progress.isVisible()) {
             m_parts.progress.end();

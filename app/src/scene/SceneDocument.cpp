@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QUndoCommand>
+#include <QUndoStack>
 #include <QUuid>
 
 #include <algorithm>
@@ -75,6 +76,8 @@ void SceneDocument::take(const ui::OpenedScene& scene)
     m_rest.structures.clear();
     m_rest.findings.clear();
     m_rest.tapes.clear();
+    m_findingsAside.clear();
+    m_tapesAside.clear();
     m_tapes.reset(scene.scene.tapes);
     m_findings.reset(scene.scene.findings); // before writing a copy of unsaved changes, which includes the findings
     m_unopened = scene.unopened;
@@ -103,6 +106,26 @@ void SceneDocument::take(const ui::OpenedScene& scene)
     }
     m_claim.reset();
     Q_EMIT imageChanged();
+}
+
+void SceneDocument::setAside(bool isAside)
+{
+    QUndoStack& undo = m_model.undoStack();
+    const bool wasClean = undo.isClean();
+    undo.clear(); // steps refer to rows of findings
+    if (!wasClean) {
+        undo.resetClean();
+    }
+    std::vector<core::Finding> findings = std::exchange(m_findingsAside, {});
+    std::vector<core::Tape> tapes = std::exchange(m_tapesAside, {});
+    findings.insert(findings.end(), m_findings.findings().begin(), m_findings.findings().end());
+    tapes.insert(tapes.end(), m_tapes.tapes().begin(), m_tapes.tapes().end());
+    if (isAside) {
+        m_findingsAside = std::exchange(findings, {});
+        m_tapesAside = std::exchange(tapes, {});
+    }
+    m_findings.reset(std::move(findings));
+    m_tapes.reset(std::move(tapes));
 }
 
 void SceneDocument::add(const ui::OpenedScene& scene)
@@ -180,8 +203,10 @@ void SceneDocument::addFinding(const core::Finding& finding)
 meshio::SceneFile SceneDocument::content() const
 {
     meshio::SceneFile scene = m_model.scene().sceneFile(m_rest);
-    scene.findings = m_findings.findings();
-    scene.tapes = m_tapes.tapes();
+    scene.findings = m_findingsAside;
+    scene.findings.insert(scene.findings.end(), m_findings.findings().begin(), m_findings.findings().end());
+    scene.tapes = m_tapesAside;
+    scene.tapes.insert(scene.tapes.end(), m_tapes.tapes().begin(), m_tapes.tapes().end());
     scene.structures.insert(scene.structures.end(), m_unopened.begin(), m_unopened.end());
     return scene;
 }

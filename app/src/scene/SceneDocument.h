@@ -44,6 +44,10 @@ class SceneDocument : public QObject
     /// disappears.
     void addFinding(const palpate::core::Finding& finding);
 
+    /// Sets findings and tapes aside, or brings them back before those made meanwhile. They are still saved. Clears the
+    /// undo stack.
+    void setAside(bool isAside);
+
     /// Volume shown in sections; empty: none.
     [[nodiscard]] const std::filesystem::path& image() const noexcept { return m_rest.image; }
     /// Sets the volume shown in sections (undoable). @param file  empty: none
@@ -90,6 +94,8 @@ class SceneDocument : public QObject
     palpate::ui::TapesModel m_tapes;
     palpate::meshio::SceneFile m_rest; ///< camera and unknown fields
     std::vector<palpate::meshio::SceneStructure> m_unopened;
+    std::vector<palpate::core::Finding> m_findingsAside;
+    std::vector<palpate::core::Tape> m_tapesAside;
     QTimer m_copyTimer;
     std::filesystem::path m_copy;
     bool m_hasCopyFailed = false;

@@ -62,13 +62,22 @@ void StructuresPart::connectMapWarnings()
 {
     auto* warnings = new ui::MapWarnings(m_core.live, this);
     connect(warnings, &ui::MapWarnings::changed, m_panel,
-            [this, warnings] { m_panel->setMapWarnings(warnings->lines()); });
+            [this, warnings] { m_panel->setMapWarnings(isSecret() ? QStringList() : warnings->lines()); });
     connect(warnings, &ui::MapWarnings::warned, this, [this](const QString& line) {
+        if (isSecret()) {
+            return; // the line has the place of a lump's border
+        }
         m_core.notices.warn({line});
         m_core.notices.hint().say(line);
     });
     connect(&m_core.live, &ui::LiveTouch::stiffnessRefused, this,
             [this](const QString& line) { m_core.notices.say(line, 20000); });
+}
+
+/// True while targets of an exercise are hidden.
+bool StructuresPart::isSecret() const
+{
+    return m_core.model.scene().hiddenTargets() > 0;
 }
 
 void StructuresPart::addActions()

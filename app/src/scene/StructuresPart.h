@@ -34,6 +34,7 @@ class StructuresPart : public WindowPart
   private:
     void recolour(bool isSafe, int first);
     void connectMapWarnings();
+    [[nodiscard]] bool isSecret() const;
 
     WindowCore m_core;
     ui::StructurePanel* m_panel = nullptr;

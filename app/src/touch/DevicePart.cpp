@@ -5,6 +5,7 @@
 #include "shell/Docks.h"
 #include "shell/Notices.h"
 #include "touch/RecordingPart.h"
+#include "touch/ThresholdDialog.h"
 #include "touch/TouchPart.h"
 
 #include <palpate/device/PluginHost.h>
@@ -21,6 +22,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRandomGenerator>
 
 #include <utility>
 
@@ -38,6 +40,8 @@ DevicePart::DevicePart(const WindowCore& core, StructuresPart& structures, Touch
     , m_chip(*core.chips.add("device", tr("Device"), 2))
 {
     connectDevices(structures);
+    // Recording (R) starts to palpate, too: "P palpate" would then end what it names.
+    connect(&touch, &TouchPart::palpationChanged, this, [this] { m_core.notices.hint().say(howToTouch()); });
     connect(m_hand, &ui::HandControl::said, this, [this](const QString& line) { m_core.notices.say(line); });
     connect(m_hand, &ui::HandControl::settingsTaken, this, &DevicePart::takePress);
     connect(&m_palpation, &ui::PalpationController::effortTurned, m_hand, &ui::HandControl::setEffort);
@@ -85,6 +89,9 @@ void DevicePart::addActions()
             m_core.notices.say(howToTouch(), 60000); // the hint about the wheel is no longer valid
         }
     });
+    connect(actions.add("threshold", ActionGroup::Session, tr("My threshold…"),
+                        tr("Measure the smallest increase of stiffness that your hand detects")),
+            &QAction::triggered, this, &DevicePart::measureThreshold);
     QAction* clutch = actions.add(
         "clutch", ActionGroup::Session, tr("Lift the hand"),
         tr("Move the device without moving the hand in the scene, like lifting a mouse; press again to continue"),
@@ -103,6 +110,17 @@ void DevicePart::addActions()
     addFit("fit-device-lump", tr("Fit the workspace to the lump"),
            tr("The workspace of the device covers 10 mm around the place that is touched, under the pointer or marked"),
            Qt::Key_L, ui::MapFill::Lump);
+}
+
+void DevicePart::measureThreshold()
+{
+    if (m_core.live.recording().isRecording) {
+        m_core.notices.say(tr("Stop the recording before you measure your threshold."));
+        return;
+    }
+    auto* dialog =
+        new ThresholdDialog(m_core.live, m_core.viewport, QRandomGenerator::global()->generate(), &m_core.window);
+    dialog->open();
 }
 
 void DevicePart::addPanel(Docks& docks)
@@ -160,6 +178,10 @@ QString DevicePart::howToTouch() const
 {
     if (!m_core.live.usesPointer()) {
         return tr("Touch with the device; O or L fits the workspace to the organ or lump, C lifts the hand");
+    }
+    if (m_palpation.isPalpating()) {
+        return m_panel->settings().isByEffort ? tr("Hold to press harder, wheel for the force limit; P turns the view")
+                                              : tr("Drag to press, wheel for depth; P turns the view");
     }
     return m_panel->settings().isByEffort ? tr("P palpate, hold to press harder, wheel for the force limit")
                                           : tr("P palpate, drag to press, wheel for depth");

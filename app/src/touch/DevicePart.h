@@ -58,6 +58,7 @@ class DevicePart : public WindowPart
     void use(const std::string& id);
     void takePress(const ui::HandSettings& settings);
     void showDevice();
+    void measureThreshold();
     void tellFault(const QString& line);
 
     WindowCore m_core;

@@ -106,6 +106,12 @@ void RecordingPart::showState(const WindowState& state)
     showForceLimit(state);
 }
 
+WindowState RecordingPart::windowState() const
+{
+    const bool hasRecording = m_playback->recording() != nullptr;
+    return {m_core.model.rowCount() > 0, hasRecording, hasRecording && m_playback->isPlaying(), isRecording()};
+}
+
 /// Shows the limit of the hand whose force is shown: the recording's only during playback.
 void RecordingPart::showForceLimit(const WindowState& state)
 {
@@ -119,6 +125,13 @@ void RecordingPart::showForceLimit(const WindowState& state)
 
 void RecordingPart::open(const std::filesystem::path& path)
 {
+    if (m_core.model.scene().hiddenTargets() > 0) {
+        const QString line =
+            tr("%1: a recording names what was touched. Open it after the exercise.").arg(toText(path.filename()));
+        m_core.notices.showError(line);
+        Q_EMIT openFailed(line);
+        return;
+    }
     auto recording = ui::RecordedTouch::open(path);
     if (!recording.isOk()) {
         m_core.notices.showError(ui::translated(recording.status()));

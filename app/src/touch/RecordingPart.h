@@ -31,6 +31,8 @@ class RecordingPart : public WindowPart
     void showState(const WindowState& state) override;
 
     [[nodiscard]] ui::Playback& playback() noexcept { return *m_playback; }
+    /// State of the window, which depends on scene and recording.
+    [[nodiscard]] WindowState windowState() const;
     [[nodiscard]] bool isRecording() const { return m_control->isRecording(); }
     /// Opens a recording for playback. Without a scene, the recording is shown alone.
     void open(const std::filesystem::path& path);

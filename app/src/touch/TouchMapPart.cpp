@@ -8,6 +8,7 @@
 #include <palpate/ui/LiveTouch.h>
 #include <palpate/ui/MapDisplay.h>
 #include <palpate/ui/Playback.h>
+#include <palpate/ui/StructureModel.h>
 
 #include <QAction>
 #include <QActionGroup>
@@ -113,6 +114,9 @@ void TouchMapPart::compare(double distance_mm)
 void TouchMapPart::showState(const WindowState& state)
 {
     m_core.actions.setEnabled({"touch-map", "touch-map-next", "touch-map-back"}, state.hasScene);
+    if (m_core.model.scene().hiddenTargets() > 0 && m_map->quantity() != TouchQuantity::None) {
+        select(0); // the map of an inner structure shows where it is
+    }
     const bool isRecorded = state.hasRecording && !state.isRecording && m_playback.recording() != nullptr;
     if (state.isRecording && !m_isRecording) {
         restart();

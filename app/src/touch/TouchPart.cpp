@@ -112,7 +112,11 @@ void TouchPart::setPalpating(bool isPalpating)
         Q_EMIT palpationBegins();
         m_core.viewport.setFocus();
     }
+    const bool wasPalpating = m_palpation->isPalpating();
     m_palpation->setPalpating(isPalpating);
+    if (m_palpation->isPalpating() != wasPalpating) {
+        Q_EMIT palpationChanged();
+    }
     Q_EMIT stateChanged(); // the displayed force limit may change
 }
 

@@ -34,6 +34,8 @@ class TouchPart : public WindowPart
   Q_SIGNALS:
     /// Emitted before palpation begins.
     void palpationBegins();
+    /// Emitted after palpation began or ended.
+    void palpationChanged();
     /// Emitted for Esc. Call `letGo` unless Esc closes the key card or the tour.
     void letGoWanted();
 

@@ -2,6 +2,7 @@
 #include "window/MainWindow.h"
 
 #include "compare/ComparisonPart.h"
+#include "exercise/ExercisePart.h"
 #include "inside/ImagePart.h"
 #include "inside/PeekPart.h"
 #include "inside/SectionPart.h"
@@ -157,16 +158,17 @@ void MainWindow::makeParts()
     auto* peek = keep(new PeekPart(core, structures->panel(), m_touch->panel()));
     m_view = keep(new ViewPart(core, m_touch->panel()));
     m_help = keep(new HelpPart(core));
-    m_changes = new SceneChanges(
-        core, {*m_document, *m_files, *m_coordinates, *progress, *structures, *m_touch, *m_recording, *m_device});
+    auto* exercise = keep(new ExercisePart(core, *m_document, *m_touch, *m_recording)); // last: may disable commands
+    m_changes = new SceneChanges(core, {*m_document, *m_files, *m_coordinates, *progress, *structures, *m_touch,
+                                        *m_recording, *m_device, *exercise});
     connect(m_files, &SceneFiles::markupsWanted, findings, &FindingsPart::importFrom);
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files,       m_document,  picture,   report,      structures, m_touch, m_device,
-                          share,         fingertip,   motion,    m_recording, findings,   results, comparison,
-                          lumps,         m_distances, touchMap,  section,     image,      peek,    m_view,
-                          m_coordinates, m_docks,     m_notices, engineering, m_help};
+    const Parts menuOrder{m_files,    m_document,    picture,     report,      structures,  m_touch,  m_device,
+                          share,      fingertip,     motion,      m_recording, findings,    exercise, results,
+                          comparison, lumps,         m_distances, touchMap,    section,     image,    peek,
+                          m_view,     m_coordinates, m_docks,     m_notices,   engineering, m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }
@@ -270,10 +272,7 @@ void MainWindow::restoreLayout()
 
 void MainWindow::showState()
 {
-    const Playback& playback = m_recording->playback();
-    const bool hasRecording = playback.recording() != nullptr;
-    const WindowState state{m_model.rowCount() > 0, hasRecording, hasRecording && playback.isPlaying(),
-                            m_recording->isRecording()};
+    const WindowState state = m_recording->windowState();
     for (WindowPart* part : m_parts) {
         part->showState(state);
     }

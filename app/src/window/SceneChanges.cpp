@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "window/SceneChanges.h"
 
+#include "exercise/ExercisePart.h"
 #include "scene/CoordinatesPart.h"
 #include "scene/DocumentPart.h"
 #include "scene/LayerOffers.h"
@@ -110,20 +111,25 @@ void SceneChanges::replace(ui::OpenedScene& scene)
 {
     m_parts.recording.playback().setRecording(nullptr);
     m_parts.document.setFiles(scene.files);
+    const bool isReview = m_parts.files.hasWaitingRecording() || m_parts.document.isFromRecording();
     for (ui::StructureRow& row : scene.rows) {
-        row.loaded.description.isHiddenTarget = false; // the window has no exercises
+        row.loaded.description.isHiddenTarget = row.loaded.description.isHiddenTarget && !isReview;
     }
     m_surfaces->draw(scene.rows);
     m_core.model.setRows(std::move(scene.rows), scene.scene.buried, scene.scene.exercise);
     m_parts.document.document().take(scene);
+    m_parts.exercise.takeScene();
     show(scene);
     m_parts.document.takeFiles();
     greet(scene);
     Q_EMIT stateChanged();
-    arrange(scene);
+    const bool isSecret = m_core.model.scene().hiddenTargets() > 0;
+    if (!isSecret) {
+        arrange(scene); // offers name structures inside others
+    }
     showProblems(scene);
-    if (scene.scene.exercise) {
-        m_core.notices.warn({tr("The scene has an exercise. The window shows its targets.")});
+    if (scene.scene.exercise && isReview) {
+        m_core.notices.warn({tr("The scene has an exercise. Its targets are shown, because a recording is opened.")});
     }
     m_surfaces->offerRepairs();
     m_parts.files.openWaiting();
@@ -184,9 +190,24 @@ void SceneChanges::arrange(const ui::OpenedScene& scene)
 
 void SceneChanges::showProblems(const ui::OpenedScene& scene)
 {
-    if (!scene.problems.isEmpty()) {
-        m_core.notices.showError(scene.problems.join(QLatin1Char('\n')));
+    if (const QStringList problems = namable(scene.problems); !problems.isEmpty()) {
+        m_core.notices.showError(problems.join(QLatin1Char('\n')));
     }
+}
+
+/// Leaves out texts that name a hidden target, and states their number.
+QStringList SceneChanges::namable(const QStringList& texts) const
+{
+    QStringList kept;
+    for (const QString& text : texts) {
+        if (!m_core.model.scene().givesTargetAway(text.toStdString())) {
+            kept << text;
+        }
+    }
+    if (const auto withheld = static_cast<int>(texts.size() - kept.size()); withheld > 0) {
+        kept << tr("%n note(s) on hidden targets are withheld", nullptr, withheld);
+    }
+    return kept;
 }
 
 /// Adds notes from opening to the list of messages. Structures with the same defects share a note. @return the number
@@ -198,7 +219,7 @@ int SceneChanges::listNotes(const ui::OpenedScene& scene)
     QStringList kinds;     // in the order of the structures
     QHash<QString, std::vector<int>> rowsOf;
     for (int row = 0; row < model.rowCount(); ++row) {
-        const QStringList found = model.findings(row);
+        const QStringList found = model.isListed(row) ? model.findings(row) : QStringList();
         if (found.isEmpty()) {
             continue;
         }
@@ -213,7 +234,7 @@ int SceneChanges::listNotes(const ui::OpenedScene& scene)
         rowsOf[kind].push_back(row);
     }
     QStringList notes;
-    for (const QString& warning : scene.warnings) {
+    for (const QString& warning : namable(scene.warnings)) {
         if (!details.contains(warning)) {
             notes << warning;
         }
@@ -289,6 +310,7 @@ void SceneChanges::close()
     m_core.viewport.view().setStructures({});
     m_core.model.setRows({});
     m_parts.document.document().take({});
+    m_parts.exercise.takeScene();
     m_parts.document.setFiles({});
     Q_EMIT viewChanged(false);
     m_parts.document.showTitle();

@@ -13,6 +13,7 @@ namespace palpate::app {
 class CoordinatesPart;
 class DevicePart;
 class DocumentPart;
+class ExercisePart;
 class LayerOffers;
 class RecordingPart;
 class SceneFiles;
@@ -37,6 +38,7 @@ class SceneChanges : public QObject
         TouchPart& touch;
         RecordingPart& recording;
         DevicePart& device;
+        ExercisePart& exercise;
     };
     SceneChanges(const WindowCore& core, const Parts& parts);
 
@@ -59,6 +61,7 @@ class SceneChanges : public QObject
     void addRows(ui::OpenedScene& scene, int first);
     void close();
     void showProblems(const ui::OpenedScene& scene);
+    [[nodiscard]] QStringList namable(const QStringList& texts) const;
     [[nodiscard]] int listNotes(const ui::OpenedScene& scene);
 
     WindowCore m_core;

@@ -16,6 +16,15 @@ namespace {
 
 using Kind = SceneEvent::Kind;
 
+/// Text as compared by `givesTargetAway`: ASCII letters in lower case, "_" as a space.
+std::string comparable(std::string text)
+{
+    for (char& c : text) {
+        c = c == '_' ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return text;
+}
+
 /// Prepares the maps for the servo tick. @par Cost O(triangles) per map
 void refreshTouchMaps(OpenStructure& one)
 {
@@ -38,6 +47,12 @@ void OpenScene::reset(std::vector<OpenStructure> structures, meshio::BuriedTouch
     m_structures = std::move(structures);
     m_buried = buried;
     m_exercise = std::move(exercise);
+    m_undisclosed.clear();
+    for (std::size_t i = 0; i < m_structures.size(); ++i) {
+        if (m_structures[i].loaded.description.isHiddenTarget) {
+            hide(i);
+        }
+    }
     for (OpenStructure& one : m_structures) {
         if (buried == meshio::BuriedTouch::Layers) {
             one.recordedBelow = one.loaded.feltBelow;
@@ -55,6 +70,14 @@ SceneEvents OpenScene::apply(const SceneEdit& edit)
         meshio::SceneStructure& now = m_structures[one.structure].loaded.description;
         before.push_back(std::exchange(now, one.description));
         now.isHiddenTarget = before.back().isHiddenTarget;
+        if (const auto hidden = m_undisclosed.find(one.structure); hidden != m_undisclosed.end()) {
+            const std::string name = std::move(hidden->second.name);
+            hidden->second = now;
+            hidden->second.name = name;
+            now.name = kUnnamed; // the edit may be older than the exercise
+        } else if (now.name == kUnnamed) {
+            now.name = before.back().name; // the edit was made while the structure was a hidden target
+        }
         if (before.back().maps != now.maps) {
             resolveMaps(one.structure, events);
         } else if (before.back().tissue != now.tissue) {
@@ -77,7 +100,7 @@ SceneEvents OpenScene::apply(const SceneEdit& edit)
     }
     for (std::size_t i = 0; i < edit.descriptions.size(); ++i) {
         const std::size_t number = edit.descriptions[i].structure;
-        const meshio::SceneStructure& now = edit.descriptions[i].description;
+        const meshio::SceneStructure& now = m_structures[number].loaded.description;
         if (needsOtherSurface(before[i], now) && m_structures[number].loaded.asRead != nullptr) {
             events.push_back({Kind::SurfaceWanted, number});
         }
@@ -125,18 +148,52 @@ SceneEvents OpenScene::setTargetsHidden(bool areHidden)
     SceneEvents events;
     for (std::size_t i = 0; m_exercise && i < m_structures.size(); ++i) {
         meshio::SceneStructure& one = m_structures[i].loaded.description;
+        const auto& targets = m_exercise->targets;
         const bool isTarget =
-            !m_structures[i].isRemoved &&
-            std::find(m_exercise->targets.begin(), m_exercise->targets.end(), one.name) != m_exercise->targets.end();
+            !m_structures[i].isRemoved && std::find(targets.begin(), targets.end(), described(i).name) != targets.end();
         if (!isTarget || one.isHiddenTarget == areHidden) {
             continue;
         }
-        const meshio::SceneStructure before = one;
-        one.isHiddenTarget = areHidden;
-        one.visible = one.visible || !areHidden; // at the end all targets are shown
-        note(i, before, false, events);
+        if (areHidden) {
+            one.isHiddenTarget = true;
+            hide(i);
+        } else {
+            one = m_undisclosed.at(i);
+            one.isHiddenTarget = false;
+            one.visible = true; // at the end all targets are shown
+            m_undisclosed.erase(i);
+        }
+        events.push_back({Kind::Look, i});
     }
     return events;
+}
+
+/// Replaces the name of a hidden target.
+void OpenScene::hide(std::size_t structure)
+{
+    meshio::SceneStructure& one = m_structures[structure].loaded.description;
+    m_undisclosed[structure] = one;
+    one.name = kUnnamed;
+}
+
+const meshio::SceneStructure& OpenScene::described(std::size_t structure) const
+{
+    const auto hidden = m_undisclosed.find(structure);
+    return hidden != m_undisclosed.end() ? hidden->second : m_structures[structure].loaded.description;
+}
+
+bool OpenScene::givesTargetAway(const std::string& text) const
+{
+    const std::string where = comparable(text);
+    return std::any_of(m_undisclosed.begin(), m_undisclosed.end(), [&where](const auto& hidden) {
+        const std::string file = hidden.second.part.empty() ? hidden.second.mesh.stem().string() : std::string();
+        for (const std::string& name : {hidden.second.name, hidden.second.part, file}) {
+            if (!name.empty() && where.find(comparable(name)) != std::string::npos) {
+                return true;
+            }
+        }
+        return false;
+    });
 }
 
 std::size_t OpenScene::hiddenTargets() const noexcept
@@ -300,8 +357,9 @@ std::optional<SceneEvents> OpenScene::setSurface(std::size_t structure, const Op
 LumpRule OpenScene::lumpRule() const
 {
     std::vector<PlacedStructure> placed;
-    for (const OpenStructure& one : m_structures) {
-        placed.push_back({&one.loaded.description, one.isThere() ? one.loaded.surface.get() : nullptr, one.in});
+    for (std::size_t i = 0; i < m_structures.size(); ++i) {
+        const OpenStructure& one = m_structures[i];
+        placed.push_back({&described(i), one.isThere() ? one.loaded.surface.get() : nullptr, one.in});
     }
     return LumpRule(std::move(placed));
 }
@@ -331,7 +389,7 @@ std::vector<haptics::HapticStructure> OpenScene::hapticStructures(const haptics:
     const std::vector<bool> isThrough = transmitted();
     for (std::size_t i = 0; i < m_structures.size(); ++i) {
         const OpenStructure& one = m_structures[i];
-        const meshio::SceneStructure& from = one.loaded.description;
+        const meshio::SceneStructure& from = described(i);
         const bool isTouched = canBeFelt(from) && !one.loaded.isTransmitted && !one.isRemoved;
         structures.push_back(hapticStructure(from, isTouched ? one.touch : nullptr));
         if (structures.back().surface != nullptr) {
@@ -370,9 +428,10 @@ meshio::LoadedScene OpenScene::loadedScene() const
 {
     meshio::LoadedScene scene;
     scene.scene.buried = m_buried;
-    for (const OpenStructure& from : m_structures) {
+    for (std::size_t i = 0; i < m_structures.size(); ++i) {
+        const OpenStructure& from = m_structures[i];
         meshio::LoadedStructure one;
-        one.description = from.loaded.description;
+        one.description = described(i);
         one.surface = from.isRemoved ? nullptr : from.loaded.surface;
         scene.structures.push_back(std::move(one));
     }
@@ -382,9 +441,9 @@ meshio::LoadedScene OpenScene::loadedScene() const
 meshio::SceneFile OpenScene::sceneFile(meshio::SceneFile rest) const
 {
     rest.buried = m_buried;
-    for (const OpenStructure& one : m_structures) {
-        if (!one.isRemoved) {
-            rest.structures.push_back(one.loaded.description);
+    for (std::size_t i = 0; i < m_structures.size(); ++i) {
+        if (!m_structures[i].isRemoved) {
+            rest.structures.push_back(described(i));
         }
     }
     rest.exercise = m_exercise;

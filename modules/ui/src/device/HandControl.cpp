@@ -181,7 +181,7 @@ std::optional<HandControl::Filled> HandControl::organ()
             row = static_cast<int>(pick->structure);
         }
     }
-    if (row < 0 || row >= m_model.rowCount()) {
+    if (row < 0 || row >= m_model.rowCount() || !m_model.isListed(row)) {
         return std::nullopt;
     }
     const double* b = m_model.picture(row)->GetBounds();
@@ -261,7 +261,7 @@ QString HandControl::inside() const
         return {};
     }
     for (const study::OpenStructure& one : m_model.rows()) {
-        if (one.touch != nullptr && !one.isRemoved && study::canBeFelt(one.loaded.description) &&
+        if (one.touch != nullptr && one.isListed() && study::canBeFelt(one.loaded.description) &&
             one.loaded.surface->report.isClosed() && geometry::isInside(*one.touch, tick.p_WH)) {
             return readableName(one.loaded.description.name);
         }

@@ -411,7 +411,7 @@ void PalpationController::showDevice(std::int64_t now_ns)
 
 void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_ns)
 {
-    if (now_ns - m_shown_ns < kFrame_ns) {
+    if (now_ns - m_shown_ns < kFrame_ns || m_live.isLent()) {
         return;
     }
     m_shown_ns = now_ns;
@@ -423,7 +423,7 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         reading.layers = layerShares(tick, f_W.norm(), [this](std::uint32_t number) {
             const int row = static_cast<int>(number);
             return row < m_model.rowCount()
-                       ? LayerStyle{readableName(m_model.structure(row).name), colourOf(m_model.structure(row))}
+                       ? LayerStyle{m_model.shownName(row), colourOf(m_model.structure(row)), !m_model.isListed(row)}
                        : LayerStyle{};
         });
     }
@@ -444,7 +444,8 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
     reading.time_s = seconds(now_ns);
     reading.isAtIterationLimit = (tick.flags & servo::kIterationLimit) != 0;
     if (state.isInContact && tick.felt.structure < m_model.rowCount()) {
-        reading.structure = readableName(m_model.structure(tick.felt.structure).name);
+        reading.structure =
+            reading.layers.empty() ? m_model.shownName(tick.felt.structure) : reading.layers.front().name;
         const ContactStiffness stiffness = contactStiffness(tick, [this](std::uint32_t number) {
             const int row = static_cast<int>(number);
             return row < m_model.rowCount() ? &m_model.structure(row).tissue : nullptr;

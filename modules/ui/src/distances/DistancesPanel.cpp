@@ -231,7 +231,7 @@ void DistancesPanel::fillChoice()
     m_from->clear();
     m_from->addItem(tr("lumps"));
     for (int row = 0; row < m_model.rowCount(); ++row) {
-        if (m_model.rows()[static_cast<std::size_t>(row)].isThere()) {
+        if (m_model.isListed(row) && m_model.rows()[static_cast<std::size_t>(row)].isThere()) {
             m_from->addItem(readableName(m_model.structure(row).name), row);
         }
     }

@@ -41,14 +41,16 @@ SceneDistances::SceneDistances(StructureModel& model, QObject* parent)
     connect(&model, &StructureModel::edited, this, &SceneDistances::follow);
     connect(&model, &StructureModel::surfaceReplaced, this, &SceneDistances::follow);
     connect(&model, &QAbstractItemModel::rowsInserted, this, &SceneDistances::follow);
-    connect(&model, &QAbstractItemModel::modelReset, this, [this] {
+    const auto reset = [this] {
         m_from.reset();
         m_table = {};
         m_indices.clear();
         m_causes.clear();
         follow();
         Q_EMIT outdated(); // also without structures
-    });
+    };
+    connect(&model, &QAbstractItemModel::modelReset, this, reset);
+    connect(&model, &StructureModel::targetsHidden, this, reset); // the table names targets
 }
 
 SceneDistances::~SceneDistances()
@@ -123,7 +125,7 @@ void SceneDistances::restart()
 
 void SceneDistances::begin()
 {
-    if (m_model.presentCount() == 0) {
+    if (m_model.presentCount() == 0 || m_model.scene().hiddenTargets() > 0) {
         return;
     }
     m_since.start();

@@ -2,6 +2,7 @@
 #include "palpate/ui/FeltPanel.h"
 
 #include "palpate/ui/FeltWords.h"
+#include "palpate/ui/OwnThreshold.h"
 
 #include "widgets/ShownComboBox.h"
 
@@ -47,7 +48,8 @@ QString ends(const buried::FeltSurface::LumpPress& press)
 /// Tool tip of a cell: bounds of the change, and the verdict with the underlying ratios.
 QString tipText(const buried::FeltSurface::LumpPress& press, const buried::FeltSurface::Lump& lump)
 {
-    const QString verdict = verdictRangeText(press, lump.ratio);
+    const QString own = press.best ? ownVerdictText(press.felt.estimate) : QString();
+    const QString verdict = verdictRangeText(press, lump.ratio) + (own.isEmpty() ? own : QLatin1Char('\n') + own);
     return press.best ? FeltPanel::tr("between %1 and %2")
                                 .arg(responseChangeText(press.felt.low), responseChangeText(press.felt.high)) +
                             QLatin1Char('\n') + verdict
@@ -56,7 +58,8 @@ QString tipText(const buried::FeltSurface::LumpPress& press, const buried::FeltS
 
 QString cellText(const buried::FeltSurface::LumpPress& press)
 {
-    const QString verdict = verdictWords(press.verdict);
+    const QString own = press.best ? ownVerdictText(press.felt.estimate) : QString();
+    const QString verdict = verdictWords(press.verdict) + (own.isEmpty() ? own : QStringLiteral(", ") + own);
     return (press.best ? responseChangeText(press.felt.estimate) + QLatin1Char('\n') + verdict : verdict) + ends(press);
 }
 

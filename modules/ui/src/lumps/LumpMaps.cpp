@@ -210,6 +210,7 @@ LumpMaps::LumpMaps(StructureModel& model, QObject* parent)
     connect(&model, &StructureModel::edited, this, &LumpMaps::follow);
     connect(&model, &QAbstractItemModel::rowsInserted, this, &LumpMaps::follow);
     connect(&model, &QAbstractItemModel::modelReset, this, &LumpMaps::reset);
+    connect(&model, &StructureModel::targetsHidden, this, &LumpMaps::forget);
 }
 
 LumpMaps::~LumpMaps()
@@ -226,11 +227,18 @@ void LumpMaps::setWanted(bool isWanted)
     follow();
 }
 
+/// False while targets of an exercise are hidden: then the maps are for the haptic scene only.
+bool LumpMaps::mayShow() const
+{
+    return m_model.scene().hiddenTargets() == 0;
+}
+
 std::vector<LumpMaps::Cause> LumpMaps::causes() const
 {
     std::vector<Cause> causes;
-    for (const study::OpenStructure& row : m_model.rows()) {
-        const meshio::SceneStructure& one = row.loaded.description;
+    for (std::size_t i = 0; i < m_model.rows().size(); ++i) {
+        const study::OpenStructure& row = m_model.rows()[i];
+        const meshio::SceneStructure& one = m_model.scene().described(i);
         causes.push_back({one.name, one.inside, one.young_ratio, one.young_kPa, one.felt_contact_radius_mm,
                           one.tissue.stiffness_N_per_mm, one.tissue.law.kind, one.palpable,
                           row.isRemoved ? nullptr : row.loaded.surface.get()});
@@ -257,9 +265,20 @@ void LumpMaps::reset()
         m_isHandUpToDate = m_isHandUpToDate && m_forHand[i] == m_model.rows()[i].loaded.isTransmitted;
     }
     Q_EMIT outdated(true);
-    if (m_isWanted || !isHandUpToDate()) {
+    if ((m_isWanted && mayShow()) || !isHandUpToDate()) {
         m_wait.start();
     }
+}
+
+/// Discards what is displayed, which names targets of an exercise. The maps for the haptic scene stay.
+void LumpMaps::forget()
+{
+    m_organs.clear();
+    m_notes.clear();
+    m_isUpToDate = false;
+    Q_EMIT outdated(false);
+    Q_EMIT changed();
+    follow();
 }
 
 /// Reacts to changes: starts a computation if requested results are missing.
@@ -278,7 +297,7 @@ void LumpMaps::follow()
             Q_EMIT outdated(false);
         }
     }
-    const bool isMissing = (m_isWanted && !m_isUpToDate) || (!isHandUpToDate() && !m_isGivenUp);
+    const bool isMissing = (m_isWanted && mayShow() && !m_isUpToDate) || (!isHandUpToDate() && !m_isGivenUp);
     if (!isMissing) {
         m_wait.stop();
         stop();
@@ -308,8 +327,9 @@ void LumpMaps::begin()
     for (int row = 0; row < m_model.rowCount(); ++row) {
         pictures.push_back(m_model.picture(row));
     }
-    auto making = std::make_shared<Making>(m_model.scene().loadedScene(), std::move(pictures), m_forHand, m_isWanted,
-                                           m_isUpToDate ? m_organs : DisplayedOrgans(), progress);
+    auto making =
+        std::make_shared<Making>(m_model.scene().loadedScene(), std::move(pictures), m_forHand, m_isWanted && mayShow(),
+                                 m_isUpToDate ? m_organs : DisplayedOrgans(), progress);
     m_thread.start([this, job = m_job, making] {
         auto found = std::make_shared<Found>(making->run());
         QMetaObject::invokeMethod(this, [this, job, found] {
@@ -351,11 +371,11 @@ void LumpMaps::take(Found& found)
     m_job = nullptr;
     const bool hadHand = isHandUpToDate();
     m_isHandUpToDate = true;
-    if (found.isShown) {
+    if (found.isShown && mayShow()) {
         m_organs = std::move(found.shown);
         m_isUpToDate = true;
     }
-    m_notes = std::move(found.notes);
+    m_notes = mayShow() ? std::move(found.notes) : QStringList();
     Q_EMIT ended();
     if (!hadHand) {
         std::vector<StructureModel::TransmittedMap> maps;

@@ -53,7 +53,7 @@ void LumpLabel::show()
     m_label->setText(text);
     if (m_label->sizeHint().width() > m_viewport.width()) {
         m_label->setText(overLumpText(m_touch.reading()) + QLatin1Char('\n') +
-                         verdictPhrase(buried::verdictOf(m_touch.reading().lumpRatio)));
+                         verdictPhrase(m_touch.reading().lumpRatio));
     }
     m_label->adjustSize();
     const Eigen::Vector2d half(0.5 * m_viewport.width(), 0.5 * m_viewport.height());

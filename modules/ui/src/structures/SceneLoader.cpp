@@ -442,7 +442,7 @@ void SceneLoader::findGaps(const std::vector<study::OpenStructure>& rows)
     };
     auto kept = std::make_shared<Kept>();
     for (const study::OpenStructure& row : rows) {
-        const bool counts = !row.isRemoved && study::canBeFelt(row.loaded.description) && !row.loaded.isTransmitted;
+        const bool counts = row.isListed() && study::canBeFelt(row.loaded.description) && !row.loaded.isTransmitted;
         kept->surfaces.push_back(row.loaded.surface);
         kept->indices.push_back(counts ? row.touch : nullptr);
         kept->neighbours.push_back({readableName(row.loaded.description.name).toStdString(),

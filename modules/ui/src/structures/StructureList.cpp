@@ -102,6 +102,16 @@ StructureList::StructureList(StructureModel& model, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(makeHead());
     layout->addWidget(m_view, 1);
+    m_hidden = new QLabel(this);
+    m_hidden->setObjectName(QStringLiteral("hiddenTargets"));
+    m_hidden->setContentsMargins(8, 3, 8, 3);
+    m_hidden->setForegroundRole(QPalette::PlaceholderText);
+    m_hidden->setToolTip(tr("Targets of the exercise can be felt, but are neither drawn nor named until the exercise "
+                            "ends"));
+    layout->addWidget(m_hidden);
+    connect(&model, &StructureModel::targetsHidden, this, &StructureList::showHidden);
+    connect(&model, &QAbstractItemModel::modelReset, this, &StructureList::showHidden);
+    showHidden();
     connect(&m_tree, &QAbstractItemModel::modelAboutToBeReset, this, &StructureList::keepSelection);
     connect(&m_tree, &QAbstractItemModel::modelReset, this, &StructureList::bringSelectionBack);
     connect(&model, &QAbstractItemModel::modelAboutToBeReset, this, [this] { // another scene
@@ -238,7 +248,14 @@ QWidget* StructureList::makeHead()
 void StructureList::showCount()
 {
     m_count->setVisible(!m_filter->text().isEmpty());
-    m_count->setText(tr("%1 of %2").arg(m_tree.listedCount()).arg(m_model.presentCount()));
+    m_count->setText(tr("%1 of %2").arg(m_tree.listedCount()).arg(m_model.listedCount()));
+}
+
+void StructureList::showHidden()
+{
+    const auto count = static_cast<int>(m_model.scene().hiddenTargets());
+    m_hidden->setVisible(count > 0);
+    m_hidden->setText(tr("%n hidden target(s)", nullptr, count));
 }
 
 int StructureList::currentRow() const

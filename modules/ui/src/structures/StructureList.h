@@ -61,13 +61,15 @@ class StructureList : public QWidget
     void keepSelection();
     void bringSelectionBack();
     void showCount();
+    void showHidden();
 
     StructureModel& m_model;
     StructureTree m_tree;
     StructureListView* m_view = nullptr;
     QLineEdit* m_filter = nullptr;
-    QLabel* m_count = nullptr; ///< number of matching structures
-    std::vector<int> m_kept;   ///< selected rows during rearrangement
+    QLabel* m_count = nullptr;  ///< number of matching structures
+    QLabel* m_hidden = nullptr; ///< number of hidden targets of an exercise
+    std::vector<int> m_kept;    ///< selected rows during rearrangement
     int m_keptCurrent = -1;
     QSet<QString> m_closed; ///< titles of collapsed groups
     bool m_isRearranging = false;

@@ -126,7 +126,27 @@ void StructureModel::setRows(std::vector<StructureRow> rows, meshio::BuriedTouch
 
 void StructureModel::setTargetsHidden(bool areHidden)
 {
-    announce(m_scene.setTargetsHidden(areHidden));
+    const study::SceneEvents events = m_scene.setTargetsHidden(areHidden);
+    if (events.empty()) {
+        return;
+    }
+    const bool wasClean = m_undo.isClean();
+    m_undo.clear(); // labels of undo steps name structures
+    if (!wasClean) {
+        m_undo.resetClean();
+    }
+    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    announce(events);
+    Q_EMIT targetsHidden(areHidden);
+}
+
+QString StructureModel::shownName(int row) const
+{
+    std::optional<std::size_t> shown = static_cast<std::size_t>(row);
+    while (shown && rows()[*shown].loaded.description.isHiddenTarget) {
+        shown = rows()[*shown].in;
+    }
+    return shown ? readableName(rows()[*shown].loaded.description.name) : tr("unnamed structure");
 }
 
 const meshio::SceneStructure& StructureModel::structure(int row) const
@@ -252,6 +272,12 @@ int StructureModel::presentCount() const
         std::count_if(rows().begin(), rows().end(), [](const study::OpenStructure& one) { return !one.isRemoved; }));
 }
 
+int StructureModel::listedCount() const
+{
+    return static_cast<int>(
+        std::count_if(rows().begin(), rows().end(), [](const study::OpenStructure& one) { return one.isListed(); }));
+}
+
 QString StructureModel::touchOrderText(int row, std::uint32_t layer) const
 {
     if (layer == 0) {
@@ -259,7 +285,7 @@ QString StructureModel::touchOrderText(int row, std::uint32_t layer) const
     }
     std::optional<std::size_t> in = rows()[static_cast<std::size_t>(row)].in;
     std::uint32_t most = 1; // number of layers below the container; skips structures that are not palpable
-    for (; in && (rows()[*in].isRemoved || !rows()[*in].loaded.description.palpable); ++most) {
+    for (; in && (!rows()[*in].isListed() || !rows()[*in].loaded.description.palpable); ++most) {
         in = rows()[*in].in;
     }
     if (in) {
@@ -350,7 +376,7 @@ std::vector<int> StructureModel::insideOutRows() const
     std::vector<int> rows;
     for (int row = 0; row < rowCount(); ++row) {
         const study::OpenStructure& one = this->rows()[static_cast<std::size_t>(row)];
-        if (!one.isRemoved && isReshapable(row) && one.loaded.surface->report.insideOutComponents > 0) {
+        if (one.isListed() && isReshapable(row) && one.loaded.surface->report.insideOutComponents > 0) {
             rows.push_back(row);
         }
     }
@@ -362,7 +388,7 @@ std::vector<int> StructureModel::steppedRows() const
     std::vector<int> rows;
     for (int row = 0; row < rowCount(); ++row) {
         const study::OpenStructure& one = this->rows()[static_cast<std::size_t>(row)];
-        if (!one.isRemoved && isReshapable(row) && one.loaded.staircase &&
+        if (one.isListed() && isReshapable(row) && one.loaded.staircase &&
             !meshio::isSmoothed(structure(row).surface)) {
             rows.push_back(row);
         }

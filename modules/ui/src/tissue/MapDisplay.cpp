@@ -130,6 +130,11 @@ MapDisplay::MapDisplay(VtkViewport& viewport, StructureModel& model, QObject* pa
             refresh();
         }
     });
+    connect(&model, &StructureModel::targetsHidden, this, [this](bool areHidden) {
+        if (areHidden) {
+            show(m_row, {}); // a map can show where a target is
+        }
+    });
     connect(&model, &QAbstractItemModel::modelReset, this, [this] {
         m_row = -1; // the view has new pictures
         m_what.clear();
@@ -143,7 +148,7 @@ void MapDisplay::show(int row, const QString& what)
         restore();
     }
     m_row = row;
-    m_what = what;
+    m_what = m_model.scene().hiddenTargets() > 0 ? QString() : what;
     refresh();
 }
 

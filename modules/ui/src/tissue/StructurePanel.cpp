@@ -659,7 +659,9 @@ void StructurePanel::showSelection()
         m_opacity->setValue(static_cast<int>(one.opacity * 100.0 + 0.5));
         m_opacityText->setText(tr("%1 %").arg(m_opacity->value()));
         showTissue(one.tissue);
-        m_map->setEnabled(rows.size() == 1); // arrays belong to a single surface
+        const bool isSecret = m_model.scene().hiddenTargets() > 0; // maps can show where a hidden target is
+        m_map->setEnabled(rows.size() == 1 && !isSecret);          // arrays belong to a single surface
+        m_map->setToolTip(isSecret ? tr("Maps are off until the exercise ends") : QString());
         m_map->show(m_model.rows()[static_cast<std::size_t>(row)], row == m_colouredRow ? m_coloured : QString());
         showMapWarning();
         showLayer(row);
@@ -755,6 +757,9 @@ QString StructurePanel::otherLayersText(const std::vector<haptics::HapticStructu
 {
     QStringList takers;
     for (const std::size_t by : study::usedByOtherLayers(felt, static_cast<std::size_t>(row)).by) {
+        if (!m_model.isListed(static_cast<int>(by))) {
+            continue;
+        }
         takers << tr("%1 uses %2")
                       .arg(readableName(felt[by].name), QLocale().toString(study::maxStiffness(felt[by]), 'g', 3));
     }
@@ -876,7 +881,7 @@ void StructurePanel::openMenu(const QPoint& place)
         std::vector<StructureModel::Edited> edits;
         for (int row = 0; row < m_model.rowCount(); ++row) {
             const bool isOn = only.empty() || std::binary_search(only.begin(), only.end(), row);
-            if (m_model.structure(row).*what != isOn && !m_model.rows()[static_cast<std::size_t>(row)].isRemoved) {
+            if (m_model.structure(row).*what != isOn && m_model.isListed(row)) {
                 edits.push_back({row, m_model.structure(row)});
                 edits.back().description.*what = isOn;
             }

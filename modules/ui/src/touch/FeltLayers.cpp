@@ -60,13 +60,32 @@ std::vector<LayerShare> layerShares(const servo::TickRecord& tick, double shown_
     const double scale = model_N > 0.0 ? shown_N / model_N : 0.0;
     const core::Vec3 direction = model_N > 0.0 ? core::Vec3(tick.felt.f_W / model_N) : core::Vec3::Zero();
     std::vector<LayerShare> layers;
+    bool isAlone = false; // the only entry is a hidden target
     for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
         const haptics::Contact& contact = tick.felt.contacts[i];
         LayerStyle look = looks(contact.structure);
         const core::Vec3 sideways = contact.f_W - contact.f_W.dot(contact.n_W) * contact.n_W;
-        layers.push_back({std::move(look.name), look.colour, scale * contact.f_W.norm(),
-                          scale * contact.f_W.dot(direction), contact.depth_mm, contact.friction,
-                          scale * sideways.norm(), contact.stiffnessScale});
+        LayerShare share{std::move(look.name),
+                         look.colour,
+                         scale * contact.f_W.norm(),
+                         scale * contact.f_W.dot(direction),
+                         contact.depth_mm,
+                         contact.friction,
+                         scale * sideways.norm(),
+                         contact.stiffnessScale,
+                         i};
+        if (layers.empty() || !(look.isHidden || isAlone)) {
+            isAlone = layers.empty() && look.isHidden;
+            layers.push_back(std::move(share));
+        } else if (look.isHidden) {
+            layers.back().force_N += share.force_N;
+            layers.back().along_N += share.along_N;
+        } else {
+            share.force_N += layers.back().force_N;
+            share.along_N += layers.back().along_N;
+            layers.back() = std::move(share);
+            isAlone = false;
+        }
     }
     return layers;
 }
@@ -137,14 +156,13 @@ void showFriction(const servo::TickRecord& tick, const core::Tissue& tissue, vie
 void showInner(const servo::TickRecord& tick, const std::vector<LayerShare>& layers, view::TouchState& state)
 {
     state.innerCount = 0;
-    for (std::size_t i = 1; i < std::min<std::size_t>(layers.size(), tick.felt.contactCount); ++i) {
-        if (sharesGodObject(tick, i)) {
+    for (const LayerShare& layer : layers) {
+        if (layer.contact == 0 || layer.contact >= tick.felt.contactCount || sharesGodObject(tick, layer.contact)) {
             continue;
         }
-        const QColor& colour = layers[i].colour;
-        state.inner[state.innerCount++] = {tick.felt.contacts[i].p_WG,
-                                           {colour.redF(), colour.greenF(), colour.blueF()},
-                                           tick.felt.contacts[i].depth_mm};
+        const haptics::Contact& contact = tick.felt.contacts[layer.contact];
+        state.inner[state.innerCount++] = {
+            contact.p_WG, {layer.colour.redF(), layer.colour.greenF(), layer.colour.blueF()}, contact.depth_mm};
     }
 }
 

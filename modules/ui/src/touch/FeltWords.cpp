@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/FeltWords.h"
 
+#include "palpate/ui/OwnThreshold.h"
 #include "palpate/ui/StructureModel.h"
 #include "palpate/ui/Translated.h"
 
@@ -95,6 +96,12 @@ QString verdictPhrase(buried::Verdict verdict)
     }
 }
 
+QString verdictPhrase(double ratio)
+{
+    const QString general = verdictPhrase(buried::verdictOf(ratio)), own = ownVerdictText(ratio);
+    return own.isEmpty() ? general : QCoreApplication::translate("palpate::ui::FeltWords", "%1 (%2)").arg(general, own);
+}
+
 QString verdictRangeText(const buried::FeltSurface::LumpPress& press, const std::optional<buried::RatioRange>& ratio)
 {
     if (!ratio || (press.verdictAtLow == press.verdict && press.verdictAtHigh == press.verdict)) {
@@ -163,8 +170,7 @@ QString palpabilityText(const buried::FeltSurface& felt, std::size_t vertex, std
                              : readableName(lump.name);
     return QCoreApplication::translate("palpate::ui::FeltWords", "%1: %2 mm below, %3 (%4 … %5 %): %6")
                .arg(name, QLocale().toString(felt.cover_mm[vertex], 'f', 0), responseChangeText(here.ratio[vertex]),
-                    percent(here.low[vertex]), percent(here.high[vertex]),
-                    verdictPhrase(buried::verdictOf(here.ratio[vertex]))) +
+                    percent(here.low[vertex]), percent(here.high[vertex]), verdictPhrase(here.ratio[vertex])) +
            whenPressed(felt, vertex, press);
 }
 

@@ -217,8 +217,25 @@ void LiveTouch::carryMotions()
     }
 }
 
+core::Status LiveTouch::lend(std::shared_ptr<const haptics::HapticScene> scene)
+{
+    if (recording().isRecording) {
+        return {core::StatusCode::Mismatch, PALPATE_TEXT("stop the recording first")};
+    }
+    m_isLent = scene != nullptr;
+    if (m_isLent) {
+        (void)m_session.setScene(std::move(scene), {});
+    } else {
+        handOverScene();
+    }
+    return {};
+}
+
 void LiveTouch::handOverScene()
 {
+    if (m_isLent) {
+        return; // handed over at the end
+    }
     m_scene = m_model.hapticScene(maxTissue(), m_fingertip_mm);
     (void)m_session.setScene(m_scene, m_model.scene().sources()); // sources contain each palpable surface
     reportSoftenedStructure();
@@ -238,7 +255,7 @@ void LiveTouch::reportSoftenedStructure()
         const double asked =
             felt[at].maps.stiffness.isEmpty() ? haptics::maxStiffness(one.tissue) : study::maxStiffness(wanted()[at]);
         const double is = study::maxStiffness(felt[at]);
-        if (one.palpable && asked > is * (1.0 + kRounding)) {
+        if (one.palpable && m_model.isListed(row) && asked > is * (1.0 + kRounding)) {
             // Short for the line below the view; the stiffness field explains the reason.
             line =
                 tr("%1 is set to %2 N/mm but feels like %3 N/mm, the maximum that %4 can render here%5.")
@@ -296,8 +313,8 @@ core::Status LiveTouch::startRecording(const std::filesystem::path& path, const 
         handOverScene();
     }
     std::vector<study::RecordedLook> looks;
-    for (const study::OpenStructure& row : m_model.rows()) {
-        looks.push_back(study::lookOf(row.loaded.description));
+    for (std::size_t i = 0; i < m_model.rows().size(); ++i) {
+        looks.push_back(study::lookOf(m_model.scene().described(i)));
     }
     session::RecordingInfo info;
     info.looks = study::looksText(looks);

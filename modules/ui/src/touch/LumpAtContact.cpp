@@ -55,7 +55,7 @@ std::optional<LumpAtContact> lumpAtContact(const StructureModel& model, int orga
         }
     }
     const std::vector<core::Vec3>& vertices = organ.surface->mesh.vertices;
-    if (!under || organ.feltBelow.front().size() != vertices.size()) {
+    if (!under || !model.isListed(under->row) || organ.feltBelow.front().size() != vertices.size()) {
         return std::nullopt;
     }
     const auto nearest = std::min_element(vertices.begin(), vertices.end(), [&](const auto& a, const auto& b) {

@@ -62,10 +62,10 @@ QString overLumpText(const TouchReading& reading)
 
 QString lumpText(const TouchReading& reading)
 {
-    return reading.lump.isEmpty() ? QString()
-                                  : TouchPanel::tr("over %1: %2, %3")
-                                        .arg(reading.lump, responseChangeText(reading.lumpRatio),
-                                             verdictPhrase(buried::verdictOf(reading.lumpRatio)));
+    return reading.lump.isEmpty()
+               ? QString()
+               : TouchPanel::tr("over %1: %2, %3")
+                     .arg(reading.lump, responseChangeText(reading.lumpRatio), verdictPhrase(reading.lumpRatio));
 }
 
 std::vector<LayerForce> chartForces(const TouchReading& reading)
@@ -220,7 +220,7 @@ void TouchPanel::setLayers(std::vector<LayerShare> layers)
 void TouchPanel::showLump(const TouchReading& reading)
 {
     const QString change = responseChangeText(reading.lumpRatio);
-    const QString verdict = verdictPhrase(buried::verdictOf(reading.lumpRatio));
+    const QString verdict = verdictPhrase(reading.lumpRatio);
     m_layers->setAccessibleName(lumpText(reading));
     const QString name = m_layers->fontMetrics().elidedText(reading.lump, Qt::ElideMiddle, std::max(80, width() - 160));
     m_layers->setText(QStringLiteral("<p style='white-space:pre'>%1<br>%2</p>")

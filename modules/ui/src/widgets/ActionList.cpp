@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <utility>
 
 namespace palpate::ui {
 
@@ -68,6 +69,10 @@ void ActionList::takeKeys(const Entry& entry)
         keys.removeIf(isLetterKey);
     }
     entry.action->setShortcuts(keys);
+    if (std::find(m_withheld.begin(), m_withheld.end(), entry.action) != m_withheld.end()) {
+        entry.action->setToolTip(m_reason);
+        return;
+    }
     entry.action->setToolTip(keys.isEmpty()
                                  ? entry.does
                                  : tr("%1 (%2)").arg(entry.does, keys.constFirst().toString(QKeySequence::NativeText)));
@@ -107,6 +112,44 @@ void ActionList::setEnabled(std::initializer_list<const char*> ids, bool areEnab
     for (const char* id : ids) {
         at(id).setEnabled(areEnabled);
     }
+}
+
+void ActionList::withhold(std::initializer_list<const char*> ids, const QString& reason)
+{
+    release();
+    m_reason = reason;
+    for (const char* id : ids) {
+        QAction* action = &at(id);
+        m_withheld.push_back(action);
+        action->setToolTip(reason);
+        connect(action, &QAction::enabledChanged, this, [this, action] { keepWithheld(*action); });
+        connect(action, &QAction::toggled, this, [this, action] { keepWithheld(*action); });
+        keepWithheld(*action);
+    }
+}
+
+void ActionList::keepWithheld(QAction& action)
+{
+    action.setChecked(false);
+    action.setEnabled(false);
+}
+
+void ActionList::release()
+{
+    for (QAction* action : std::exchange(m_withheld, {})) {
+        action->disconnect(this);
+        action->setEnabled(true);
+    }
+    for (const Entry& entry : m_entries) {
+        if (entry.action != nullptr && !entry.action->isSeparator()) {
+            takeKeys(entry);
+        }
+    }
+}
+
+bool ActionList::isWithheld(const char* id) const
+{
+    return std::find(m_withheld.begin(), m_withheld.end(), find(QLatin1String(id))) != m_withheld.end();
 }
 
 std::vector<QAction*> ActionList::all() const

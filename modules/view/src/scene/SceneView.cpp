@@ -60,6 +60,7 @@ SceneView::SceneView()
     m_legend.addTo(*m_overlay);
     m_placeRing.addTo(*m_overlay);
     m_secondHand.addTo(*m_overlay);
+    m_targets.addTo(*m_overlay);
 }
 
 SceneView::~SceneView()
@@ -102,6 +103,7 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
     m_legend.hide();
     m_placeRing.hide();
     m_secondHand.hide();
+    m_targets.set({});
     for (const ViewStructure& one : m_structures) {
         m_solid->AddActor(one.picture.actor());
     }
@@ -341,6 +343,7 @@ void SceneView::placeMeasures(const ViewFrame& frame)
         taken.push_back(m_legend.box());
     }
     m_measures.place(frame, taken);
+    m_targets.place(taken, frame);
 }
 
 void SceneView::bendTissue(const ViewFrame& frame)

@@ -13,12 +13,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace palpate::study {
+
+/// Name of a hidden target of an exercise in `OpenStructure`. See OpenScene::described.
+inline constexpr const char* kUnnamed = "unnamed structure";
 
 /// Structure of the open scene: loaded data, current description and derived data.
 struct OpenStructure
@@ -85,6 +89,10 @@ using SceneEvents = std::vector<SceneEvent>; ///< in the order of occurrence
 ///     announce(scene.apply(edit));
 ///
 /// Structures keep their numbers. View, hand, panels and files read from here.
+///
+/// Targets of an exercise can be hidden. What is displayed comes from `structures()`, where a hidden target is neither
+/// drawn nor listed and has the name kUnnamed: code that names a structure cannot give a target away. What is felt,
+/// recorded, computed and saved uses `described`.
 /// @par Thread One thread at a time; the window's.
 class PALPATE_EXPORT OpenScene
 {
@@ -103,8 +111,15 @@ class PALPATE_EXPORT OpenScene
     SceneEvents setTargetsHidden(bool areHidden);
     /// Returns the number of hidden targets.
     [[nodiscard]] std::size_t hiddenTargets() const noexcept;
+    /// Returns the description with the name of a hidden target. For files, recordings and computations, never for
+    /// display. The reference is valid until the next change.
+    [[nodiscard]] const meshio::SceneStructure& described(std::size_t structure) const;
+    /// Returns true if a text for display contains the name, or the name of the mesh file, of a hidden target. For
+    /// texts that were composed before the scene was open. Ignores case, and reads "_" as a space.
+    [[nodiscard]] bool givesTargetAway(const std::string& text) const;
 
-    /// Applies an edit. Targets stay hidden or shown as they are, and the exercise follows new names.
+    /// Applies an edit. Targets stay hidden or shown as they are, hidden targets keep their names, and the exercise
+    /// follows new names.
     SceneEvents apply(const SceneEdit& edit);
     /// Returns the edit that takes back `edit`. Call it before `apply`.
     [[nodiscard]] SceneEdit inverse(const SceneEdit& edit) const;
@@ -157,6 +172,7 @@ class PALPATE_EXPORT OpenScene
     [[nodiscard]] meshio::SceneFile sceneFile(meshio::SceneFile rest) const;
 
   private:
+    void hide(std::size_t structure);
     void note(std::size_t structure, const meshio::SceneStructure& before, bool hasOtherMaps, SceneEvents& events);
     void resolveMaps(std::size_t structure, SceneEvents& events);
     void clearTransmittedMaps(std::vector<std::size_t>& changed);
@@ -164,6 +180,7 @@ class PALPATE_EXPORT OpenScene
     std::vector<OpenStructure> m_structures;
     meshio::BuriedTouch m_buried = meshio::BuriedTouch::Layers;
     std::optional<meshio::Exercise> m_exercise;
+    std::map<std::size_t, meshio::SceneStructure> m_undisclosed; ///< descriptions of the hidden targets, with names
 };
 
 } // namespace palpate::study

@@ -88,6 +88,12 @@ class PALPATE_EXPORT ActionList : public QObject
     [[nodiscard]] QAction& at(const char* id) const;
     /// Enables or disables commands. @param ids  known ids
     void setEnabled(std::initializer_list<const char*> ids, bool areEnabled) const;
+    /// Switches commands off, whatever else enables or checks them, until `release`. Checked ones are unchecked.
+    /// @param ids  known ids; @param reason  for the tool tip
+    void withhold(std::initializer_list<const char*> ids, const QString& reason);
+    /// Returns the withheld commands, enabled; the caller has their state set again.
+    void release();
+    [[nodiscard]] bool isWithheld(const char* id) const;
     /// All commands in the order of registration.
     [[nodiscard]] std::vector<QAction*> all() const;
     /// Adds a group's commands and separators to a menu.
@@ -106,9 +112,12 @@ class PALPATE_EXPORT ActionList : public QObject
         QList<QKeySequence> keysOfAll{}; // including single-letter shortcuts
     };
     void takeKeys(const Entry& entry);
+    void keepWithheld(QAction& action);
 
     QWidget* m_window = nullptr;
     std::vector<Entry> m_entries;
+    std::vector<QAction*> m_withheld;
+    QString m_reason; ///< of the withheld commands
     bool m_hasLetterKeys = true;
 };
 

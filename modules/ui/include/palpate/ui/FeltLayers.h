@@ -11,6 +11,7 @@
 #include <QColor>
 #include <QString>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -28,6 +29,7 @@ struct LayerShare
     haptics::Friction friction = haptics::Friction::None;
     double sideways_N = 0.0;     ///< component along the surface
     double stiffnessScale = 1.0; ///< scale of the force law at the contact, from maps and buried lumps [1]
+    std::size_t contact = 0;     ///< index in the contacts of the tick
 };
 
 /// Stiffness at the contact of a tick.
@@ -45,6 +47,7 @@ struct LayerStyle
 {
     QString name;
     QColor colour;
+    bool isHidden = false; ///< must not be shown: a hidden target of an exercise
 };
 /// Looks up a structure's name and colour. @param structure  number in the scene of the tick
 using LayerStyleLookup = std::function<LayerStyle(std::uint32_t structure)>;
@@ -52,7 +55,8 @@ using LayerStyleLookup = std::function<LayerStyle(std::uint32_t structure)>;
 /// Friction state of a layer: "holds 0.4 N" or "slides 0.4 N"; empty without friction.
 [[nodiscard]] PALPATE_EXPORT QString frictionText(const LayerShare& layer);
 
-/// Lists the structures in contact, outermost layer first, within a layer by decreasing force.
+/// Lists the structures in contact, outermost layer first, within a layer by decreasing force. The force of a hidden
+/// target is added to the structure around it; only a hidden target that nothing else covers has an entry of its own.
 /// @param shown_N  magnitude of the force on the hand [N]; the model's forces are scaled in proportion
 [[nodiscard]] PALPATE_EXPORT std::vector<LayerShare> layerShares(const servo::TickRecord& tick, double shown_N,
                                                                  const LayerStyleLookup& looks);

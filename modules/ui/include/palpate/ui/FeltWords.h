@@ -20,6 +20,9 @@ namespace palpate::ui {
                                                       const std::optional<buried::RatioRange>& ratio);
 /// Translated verdict for the user's hand: "plainly felt", "felt by a trained hand".
 [[nodiscard]] PALPATE_EXPORT QString verdictPhrase(buried::Verdict verdict);
+/// Verdict on a change of response, followed by that for the user's own hand if its threshold is used (OwnThreshold).
+/// @param ratio  k/k0 [1]
+[[nodiscard]] PALPATE_EXPORT QString verdictPhrase(double ratio);
 /// Stiffness ratio with range: "4.4 (1 … 5.2)", or "unknown".
 [[nodiscard]] PALPATE_EXPORT QString ratioRangeText(const std::optional<study::StiffnessRatio>& ratio);
 /// Translated name of a published ratio: "malignant tumour of the liver".

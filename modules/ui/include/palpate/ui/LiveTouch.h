@@ -58,6 +58,11 @@ class PALPATE_EXPORT LiveTouch : public QObject
     [[nodiscard]] const std::shared_ptr<const haptics::HapticScene>& scene() const noexcept { return m_scene; }
     [[nodiscard]] double fingertip_mm() const noexcept { return m_fingertip_mm; }
 
+    /// Lets the hand touch another scene, such as the wall of a threshold series, instead of the open one; null:
+    /// returns to the open scene. Panels and view show no hand meanwhile. Fails while a recording runs.
+    core::Status lend(std::shared_ptr<const haptics::HapticScene> scene);
+    [[nodiscard]] bool isLent() const noexcept { return m_isLent; }
+
     /// Copies the newest tick to `tick`. Returns false when no tick has arrived since the previous call.
     bool fetch(servo::TickRecord& tick);
     /// The tick of the last successful `fetch`, by any caller.
@@ -124,7 +129,8 @@ class PALPATE_EXPORT LiveTouch : public QObject
     session::LiveSession m_session;
     std::shared_ptr<const haptics::HapticScene> m_scene;
     QTimer m_meter;
-    QTimer m_handOver; ///< coalesces the changes of one event into one new scene
+    QTimer m_handOver;     ///< coalesces the changes of one event into one new scene
+    bool m_isLent = false; ///< the hand touches a scene of `lend`
     double m_fingertip_mm = 0.0;
     servo::ServoOptions m_options;
     std::uint64_t m_ticks = 0;

@@ -22,8 +22,8 @@ struct LumpAtContact
 /// @param organRow  structure in contact
 /// @param p_WG  contact on the organ's surface [mm]
 /// @param depth_mm  penetration depth
-/// @return the lump; empty without a transmitted lump in the organ, or when the change is below 7 %, half of the
-/// detection threshold of a trained hand
+/// @return the lump; empty without a transmitted lump in the organ, for a hidden target of an exercise, or when the
+/// change is below 7 %, half of the detection threshold of a trained hand
 /// @par Cost O(vertices of the organ). Thread: GUI
 [[nodiscard]] PALPATE_EXPORT std::optional<LumpAtContact> lumpAtContact(const StructureModel& model, int organRow,
                                                                         const core::Vec3& p_WG, double depth_mm);

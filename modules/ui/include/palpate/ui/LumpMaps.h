@@ -89,6 +89,8 @@ class PALPATE_EXPORT LumpMaps : public QObject
     [[nodiscard]] std::vector<Cause> causes() const;
     [[nodiscard]] bool hasTransmittedLumps() const;
     void reset();
+    void forget();
+    [[nodiscard]] bool mayShow() const;
     void follow();
     void begin();
     void stop();

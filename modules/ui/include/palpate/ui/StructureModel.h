@@ -61,10 +61,13 @@ class PALPATE_EXPORT StructureModel : public QAbstractTableModel
     /// @param exercise  of these structures; the targets are hidden as their descriptions state
     void setRows(std::vector<StructureRow> rows, meshio::BuriedTouch buried = meshio::BuriedTouch::Layers,
                  std::optional<meshio::Exercise> exercise = {});
-    /// Hides the targets of the exercise, which are felt all the same, or shows them. Not undoable.
+    /// Hides the targets of the exercise, which are felt all the same, or shows them. Not undoable; clears the undo
+    /// stack.
     void setTargetsHidden(bool areHidden);
     /// True for a row in the scene that may be shown and named: not a hidden target.
     [[nodiscard]] bool isListed(int row) const { return rows()[static_cast<std::size_t>(row)].isListed(); }
+    /// Readable name for display. For a hidden target this is the structure around it, or "unnamed structure".
+    [[nodiscard]] QString shownName(int row) const;
     [[nodiscard]] const study::OpenScene& scene() const noexcept { return m_scene; }
     [[nodiscard]] const std::vector<study::OpenStructure>& rows() const noexcept { return m_scene.structures(); }
     /// Surface as drawn.
@@ -96,6 +99,8 @@ class PALPATE_EXPORT StructureModel : public QAbstractTableModel
     void setNesting(const std::vector<std::optional<std::size_t>>& in);
     /// Number of structures in the scene, without removed rows.
     [[nodiscard]] int presentCount() const;
+    /// Number of structures that may be named: those in the scene without hidden targets.
+    [[nodiscard]] int listedCount() const;
     /// Assigns the layers as one undo step. Structures with a layer above 0 leave the transmitted mode.
     /// @param text  label of the undo step, "Feel below"
     void setLayers(const std::vector<std::uint32_t>& layers, const QString& text);
@@ -188,6 +193,8 @@ class PALPATE_EXPORT StructureModel : public QAbstractTableModel
     /// Emitted when a surface must be rebuilt from `loaded.asRead` according to the description; `setSurface` delivers
     /// the result. The old surface stays in use until then.
     void surfaceWanted(int row);
+    /// Emitted after `setTargetsHidden` changed any structure.
+    void targetsHidden(bool areHidden);
     /// Emitted when `changeMotions` changed any.
     void motionsChanged();
     /// Emitted after a surface was replaced together with picture, haptic copy and maps.

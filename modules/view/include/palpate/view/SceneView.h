@@ -12,6 +12,7 @@
 #include "palpate/view/SectionPicture.h"
 #include "palpate/view/StructureActor.h"
 #include "palpate/view/SurfacePicker.h"
+#include "palpate/view/TargetMarks.h"
 #include "palpate/view/TouchCursor.h"
 
 #include <palpate/core/Export.h>
@@ -102,6 +103,8 @@ class PALPATE_EXPORT SceneView
     [[nodiscard]] PlaceRing& placeRing() noexcept { return m_placeRing; }
     /// Contact of the second of two hands; hidden when structures are replaced.
     [[nodiscard]] PlaceRing& secondHand() noexcept { return m_secondHand; }
+    /// Targets of an exercise after the search; removed when structures are replaced.
+    [[nodiscard]] TargetMarks& targets() noexcept { return m_targets; }
     [[nodiscard]] OrientationCube& cube() noexcept { return m_cube; }
     [[nodiscard]] vtkRenderer& renderer() noexcept { return *m_solid; }
     [[nodiscard]] const ScaleBar& scaleBar() const noexcept { return m_scaleBar; }
@@ -150,6 +153,7 @@ class PALPATE_EXPORT SceneView
     ColourLegend m_legend;
     PlaceRing m_placeRing;
     PlaceRing m_secondHand{kSecondColour};
+    TargetMarks m_targets;
     SectionPicture m_sectionPicture;
     ImageSlice m_image;
     std::optional<geometry::SectionPlane> m_section;
