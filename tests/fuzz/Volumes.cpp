@@ -1,23 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes.h"
 
-#include "../meshio/LabelFiles.h"
+#include "../meshio/FieldFiles.h"
+#include "read/FieldFile.h"
 #include "read/VolumeFile.h"
 
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <memory>
 #include <new>
+#include <string>
+#include <string_view>
 #include <sys/mman.h>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace palpate::fuzz {
 
 namespace {
 
+using meshio::internal::FieldGrid;
 using meshio::internal::VoxelGrid;
 
-void check(const VoxelGrid& grid)
+/// Checks what a volume and a field have in common.
+template<class Grid>
+void checkGrid(const Grid& grid)
 {
     std::uint64_t voxels = 1;
     for (const std::uint32_t along : grid.size) {
@@ -27,6 +39,20 @@ void check(const VoxelGrid& grid)
     }
     require(grid.values.size() == voxels, "a volume has a number for each voxel");
     require(grid.toVoxel.matrix().allFinite(), "each place has a voxel's number");
+}
+
+void check(const VoxelGrid& grid)
+{
+    checkGrid(grid);
+}
+
+void check(const FieldGrid& grid)
+{
+    checkGrid(grid);
+    for (const std::array<float, 3>& u : grid.values) {
+        require(std::isfinite(u[0]) && std::isfinite(u[1]) && std::isfinite(u[2]), "each displacement is finite");
+    }
+    require(grid.at(grid.toVoxel.inverse() * core::Vec3::Zero()).allFinite(), "a displacement is found at a voxel");
 }
 
 /// A memory file with the lifetime of this object.
@@ -47,10 +73,60 @@ class MemoryFile
     int m_descriptor;
 };
 
-bool isSame(const VoxelGrid& a, const VoxelGrid& b)
+template<class Grid>
+bool isSame(const Grid& a, const Grid& b)
 {
     return a.size == b.size && a.toVoxel.matrix() == b.toVoxel.matrix() && a.values.size() == b.values.size() &&
-           std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)) == 0;
+           std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(a.values[0])) == 0;
+}
+
+/// A file of this name with these bytes.
+const InputFile& inputFile(std::string_view bytes, const char* name)
+{
+    // selected by name: the extension selects the format
+    static std::map<std::string, std::unique_ptr<InputFile>> files;
+    std::unique_ptr<InputFile>& file = files[name];
+    if (file == nullptr) {
+        file = std::make_unique<InputFile>(name);
+    }
+    file->set(bytes);
+    return *file;
+}
+
+/// Reads a volume or a field in this process and passes the result on as the import process does.
+template<class Read, class Write, class Take>
+void tryGrid(const InputFile& file, const char* name, const Read& read, const Write& write, const Take& take)
+{
+    try {
+        const auto grid = read(file.path(), core::FileFrame::Untagged, std::function<bool(double)>());
+        if (grid.isOk()) {
+            check(grid.value());
+        } else {
+            requireOneLine(grid.status(), name);
+        }
+        const MemoryFile handed;
+        require(write(handed.descriptor(), grid), "an outcome can be handed over");
+        const auto taken = take(handed.descriptor(), file.path());
+        require(taken.isOk() == grid.isOk(), "an outcome arrives as it was");
+        require(!taken.isOk() || isSame(taken.value(), grid.value()), "a grid arrives as it was");
+        require(taken.isOk() || taken.status().message() == grid.status().message(), "an error arrives as it was");
+    } catch (const std::bad_alloc&) { // the caller reports the error in one line
+    }
+}
+
+/// Parses a possible reply of an import process.
+template<class Take>
+void tryReply(std::string_view bytes, const Take& take)
+{
+    const MemoryFile handed;
+    require(::write(handed.descriptor(), bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()),
+            "there is memory for a small input");
+    const auto taken = take(handed.descriptor(), "a.mha");
+    if (taken.isOk()) {
+        check(taken.value());
+    } else {
+        require(taken.status().message().find('\n') == std::string::npos, "a refusal is one line");
+    }
 }
 
 } // namespace
@@ -93,43 +169,31 @@ std::vector<std::string> labelSeeds(std::string_view ending)
             test::labelMeta(grid, "MET_UCHAR", "CompressedData = True\n") + test::zlibbed(bytes)};
 }
 
+std::vector<std::string> fieldSeeds(std::string_view ending)
+{
+    test::FieldSample field;
+    field.size = {4, 3, 2};
+    field.u = [](const core::Vec3& p) { return core::Vec3(0.1 * p.x(), 0.02 * p.y(), 1.0); };
+    std::vector<std::string> seeds;
+    for (test::FieldFile& file : test::fieldFiles(field)) {
+        if (file.name.ends_with(ending)) {
+            seeds.push_back(std::move(file.bytes));
+        }
+    }
+    return seeds;
+}
+
 void tryVolume(std::string_view bytes, const char* name)
 {
-    // selected by name: the extension selects the format
-    static std::map<std::string, std::unique_ptr<InputFile>> files;
-    std::unique_ptr<InputFile>& file = files[name];
-    if (file == nullptr) {
-        file = std::make_unique<InputFile>(name);
-    }
-    file->set(bytes);
-    try {
-        const auto grid = meshio::internal::readVolumeHere(file->path(), core::FileFrame::Untagged, {});
-        if (grid.isOk()) {
-            check(grid.value());
-        } else {
-            requireOneLine(grid.status(), name);
-        }
-        const MemoryFile handed;
-        require(meshio::internal::writeVolume(handed.descriptor(), grid), "an outcome can be handed over");
-        const auto taken = meshio::internal::takeVolume(handed.descriptor(), file->path());
-        require(taken.isOk() == grid.isOk(), "an outcome arrives as it was");
-        require(!taken.isOk() || isSame(taken.value(), grid.value()), "a volume arrives as it was");
-        require(taken.isOk() || taken.status().message() == grid.status().message(), "an error arrives as it was");
-    } catch (const std::bad_alloc&) { // the caller reports the error in one line
-    }
+    const InputFile& file = inputFile(bytes, name);
+    tryGrid(file, name, meshio::internal::readVolumeHere, meshio::internal::writeVolume, meshio::internal::takeVolume);
+    tryGrid(file, name, meshio::internal::readFieldHere, meshio::internal::writeField, meshio::internal::takeField);
 }
 
 void tryHandedBack(std::string_view bytes)
 {
-    const MemoryFile handed;
-    require(::write(handed.descriptor(), bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()),
-            "there is memory for a small input");
-    const auto taken = meshio::internal::takeVolume(handed.descriptor(), "a.mha");
-    if (taken.isOk()) {
-        check(taken.value());
-    } else {
-        require(taken.status().message().find('\n') == std::string::npos, "a refusal is one line");
-    }
+    tryReply(bytes, meshio::internal::takeVolume);
+    tryReply(bytes, meshio::internal::takeField);
 }
 
 } // namespace palpate::fuzz

@@ -12,6 +12,9 @@ std::vector<std::string> seeds()
     for (std::string& labels : labelSeeds(".mha")) {
         seeds.push_back(std::move(labels));
     }
+    for (std::string& field : fieldSeeds(".mha")) {
+        seeds.push_back(std::move(field));
+    }
     return seeds;
 }
 

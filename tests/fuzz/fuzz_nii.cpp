@@ -15,6 +15,9 @@ std::vector<std::string> seeds()
     for (std::string& labels : labelSeeds(".nii")) {
         seeds.push_back(std::move(labels));
     }
+    for (std::string& field : fieldSeeds(".nii")) {
+        seeds.push_back(std::move(field));
+    }
     return seeds;
 }
 

@@ -12,6 +12,9 @@ std::vector<std::string> seeds()
     for (std::string& labels : labelSeeds(".nrrd")) {
         seeds.push_back(std::move(labels));
     }
+    for (std::string& field : fieldSeeds(".nrrd")) {
+        seeds.push_back(std::move(field));
+    }
     return seeds;
 }
 
