@@ -107,6 +107,7 @@ class HapticCopy : public QObject
     {
         meshio::LoadedScene loaded = scene();
         loaded.structures[2].description.isHiddenTarget = true;
+        loaded.structures[2].description.visible = false;
         loaded.structures[0].description.visible = false; // hidden by the user: no invisible wall
         const auto direct = study::hapticScene(loaded);
         QVERIFY(direct->structures()[0].surface == nullptr && direct->structures()[2].surface != nullptr);
