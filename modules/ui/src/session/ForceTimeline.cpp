@@ -126,6 +126,7 @@ void ForceTimeline::addLive(double time_s, double force_N)
     if (!m_isLive) {
         clear();
         m_isLive = true;
+        m_drawnTenths = -1;
     }
     const auto bin = static_cast<std::size_t>(std::max(0.0, time_s) / kLiveBin_s);
     if (bin >= m_peaks_N.size()) {
@@ -136,8 +137,13 @@ void ForceTimeline::addLive(double time_s, double force_N)
     m_greatest_N = std::max(m_greatest_N, static_cast<float>(force_N));
     m_duration_s = static_cast<double>(m_peaks_N.size()) * kLiveBin_s;
     m_position_s = m_duration_s;
-    update();
-    announceValue();
+    // Every update composes the whole window again, pictures of the scene included. The clocks beside change with the
+    // same tenth, so that all need one composition.
+    if (const long long tenths = std::llround(time_s * 10.0); tenths != m_drawnTenths) {
+        m_drawnTenths = tenths;
+        update();
+        announceValue();
+    }
 }
 
 void ForceTimeline::clear()

@@ -79,6 +79,7 @@ class PALPATE_EXPORT ForceTimeline : public QWidget, public AccessibleReadout
     double m_leastAxis_s = 0.0, m_leastAxis_N = 0.0;
     bool m_hasTimes = true;
     bool m_isLive = false;
+    long long m_drawnTenths = -1; ///< of the live time, when last drawn
 };
 
 /// Panel of the current recording: transport, timeline, speed. A second recording has its own timeline and playhead
