@@ -53,6 +53,7 @@ void SceneFile::givesBackWhatWasWritten()
     scene.camera = meshio::SceneCamera{{{1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 25.0}, {}};
     scene.shownMap = meshio::ShownMap{"left lobe", "felt:stiffness"};
     scene.image = folder.path("images/ct.nii.gz");
+    scene.section = meshio::SceneSection{meshio::SectionDirection::Coronal, {1, -2.5, 1.0 / 3.0}, {0, -1, 0}, {}};
     scene.findings = {{"lump", {7, 8, 9.25}, "hard", "left lobe", 1.75, 0.0}, {"bare", {1, 0, 0}}};
     scene.tapes = {{"Tape 1", {1, 2, 3.125}, {4, 5, 1.0 / 3.0}, "left lobe", "lump", {}}};
     const auto path = folder.path("a.palpate.json");
@@ -73,6 +74,7 @@ void SceneFile::givesBackWhatWasWritten()
     QVERIFY(back.value().camera->focus_W == core::Vec3(4, 5, 6) && back.value().camera->up_W == core::Vec3(0, 1, 0));
     QVERIFY(back.value().shownMap == scene.shownMap);
     QCOMPARE(back.value().image, scene.image);
+    QVERIFY(back.value().section == scene.section);
     QCOMPARE(back.value().findings.size(), std::size_t{2});
     const core::Finding& found = back.value().findings[0];
     QVERIFY(found.p_W == core::Vec3(7, 8, 9.25) && found.note == "hard" && found.extra.empty());
@@ -122,6 +124,7 @@ void SceneFile::keepsFieldsThatItDoesNotKnow()
     const test::Folder folder;
     const auto path = folder.write("a.json", R"({"version": 1, "author": {"name": "ä"}, "structures":
         [{"mesh": "a.stl", "breathing": [0.5, 1]}], "camera": {"lens": 2},
+        "section": {"direction": "free", "point": [0, 0, 1], "normal": [0, 3, 4], "thick": 2},
         "findings": [{"name": "a", "size": 3}], "tapes": [{"from": [0, 0, 0], "to": [0, 0, 1], "along": true}]})");
     const auto scene = meshio::readScene(path);
     QVERIFY2(scene.isOk(), scene.status().message().c_str());
@@ -133,6 +136,8 @@ void SceneFile::keepsFieldsThatItDoesNotKnow()
     QCOMPARE(again.value().extra, scene.value().extra);
     QCOMPARE(again.value().structures[0].extra, scene.value().structures[0].extra);
     QCOMPARE(again.value().camera->extra, std::string("{\"lens\":2}"));
+    QCOMPARE(again.value().section->extra, std::string("{\"thick\":2}"));
+    QVERIFY((again.value().section->n_W - core::Vec3(0, 0.6, 0.8)).norm() < 1e-15);
     QCOMPARE(again.value().findings[0].extra, std::string("{\"size\":3}"));
     QCOMPARE(again.value().tapes[0].extra, std::string("{\"along\":true}"));
 }
@@ -247,6 +252,11 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     finding(R"("layers": [{"force_N": "much"}])", "layers[0].force_N: found \"much\"");
     whole(R"({"structures": []})", "a.json: version: found nothing");
     whole(R"({"version": 1, "structures": [], "image": ""})", "a.json: image: found ");
+    whole(R"({"version": 1, "section": {"direction": "oblique"}})", "a.json: section.direction: found \"oblique\"");
+    whole(R"({"version": 1, "section": {"normal": [0, 0, 1]}})", "a.json: section.point: found nothing");
+    whole(R"({"version": 1, "section": {"point": [0, 0, 0]}})", "a.json: section.normal: found no direction");
+    whole(R"({"version": 1, "section": {"direction": "axial", "point": [0, 0, 0], "normal": [1, 0, 0]}})",
+          "a.json: section.normal: found no direction, expected three numbers that point to the hidden side");
     field(R"("name": "cut\u0000here")", "name: found \"cut?here\", expected a text without the character U+0000");
     field(R"("opacity": 1, "opacity": 0.5)", "opacity: found twice, expected it once");
     field(R"("friction": {"static": 0.1, "st\u0061tic": 0.2})", "friction.static: found twice, expected it once");

@@ -105,6 +105,7 @@ void SceneDocument::take(const ui::OpenedScene& scene)
         (void)writeCopy();
     }
     m_claim.reset();
+    Q_EMIT sectionChanged();
     Q_EMIT imageChanged();
 }
 
@@ -195,6 +196,41 @@ void SceneDocument::setImage(const std::filesystem::path& file)
     }
 }
 
+/// Undo step that exchanges the section.
+class SceneDocument::SectionStep : public QUndoCommand
+{
+  public:
+    SectionStep(SceneDocument& document, std::optional<meshio::SceneSection> section)
+        : m_document(document)
+        , m_other(std::move(section))
+        , m_isMove(m_other && document.m_rest.section)
+    {
+        setText(m_isMove ? tr("Move the section") : m_other ? tr("Show a section") : tr("End the section"));
+    }
+    void redo() override
+    {
+        std::swap(m_document.m_rest.section, m_other);
+        Q_EMIT m_document.sectionChanged();
+    }
+    void undo() override { redo(); }
+    [[nodiscard]] int id() const override { return m_isMove ? kSectionMove : -1; }
+    /// Keeps the section before the first move.
+    bool mergeWith(const QUndoCommand*) override { return true; }
+
+  private:
+    static constexpr int kSectionMove = 2; // StructureModel has 1
+    SceneDocument& m_document;
+    std::optional<meshio::SceneSection> m_other; ///< before redo the new section, after it the old one
+    bool m_isMove;
+};
+
+void SceneDocument::setSection(const std::optional<meshio::SceneSection>& section)
+{
+    if (section != m_rest.section) {
+        m_model.undoStack().push(new SectionStep(*this, section));
+    }
+}
+
 void SceneDocument::addFinding(const core::Finding& finding)
 {
     m_findings.add({finding}, tr("Mark %1").arg(QString::fromStdString(finding.name)));
@@ -248,6 +284,18 @@ meshio::SceneFile SceneDocument::inFrame(core::FileFrame frame) const
     for (core::Tape& tape : scene.tapes) {
         tape.from_W = turnOf(tape.fromOn, frame) * tape.from_W;
         tape.to_W = turnOf(tape.toOn, frame) * tape.to_W;
+    }
+    if (scene.section) {
+        const core::Transform turn = turnOf({}, frame);
+        scene.section->p_W = turn * scene.section->p_W;
+        scene.section->n_W = turn.linear() * scene.section->n_W;
+        if (scene.section->direction != meshio::SectionDirection::Free) {
+            constexpr double kRounding = 1e-9; // of a turn by right angles
+            Eigen::Index axis = 0;
+            const bool isPatients = scene.section->n_W.cwiseAbs().maxCoeff(&axis) > 1.0 - kRounding;
+            scene.section->direction =
+                isPatients ? static_cast<meshio::SectionDirection>(2 - axis) : meshio::SectionDirection::Free;
+        }
     }
     for (meshio::SceneStructure& structure : scene.structures) {
         structure.frame = frame;

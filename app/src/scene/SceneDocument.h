@@ -53,8 +53,17 @@ class SceneDocument : public QObject
     /// Sets the volume shown in sections (undoable). @param file  empty: none
     void setImage(const std::filesystem::path& file);
 
+    /// Plane that cuts the picture; empty: none.
+    [[nodiscard]] const std::optional<palpate::meshio::SceneSection>& section() const noexcept
+    {
+        return m_rest.section;
+    }
+    /// Sets this plane (undoable; consecutive moves are one step).
+    void setSection(const std::optional<palpate::meshio::SceneSection>& section);
+
     /// Copy of the scene with other mesh axes. Structures and unopened structures get the new axes; findings and tapes
-    /// rotate with their structure. The camera is omitted, because its target rotates away.
+    /// rotate with their structure, a section with the first one. The camera is omitted, because its target rotates
+    /// away.
     [[nodiscard]] palpate::meshio::SceneFile inFrame(palpate::core::FileFrame frame) const;
 
     /// Saves the scene, including unopened structures and unknown fields.
@@ -73,6 +82,7 @@ class SceneDocument : public QObject
     void findingsChanged();
     /// Another volume is to be shown, or the meshes have new axes.
     void imageChanged();
+    void sectionChanged();
     void marked(const palpate::core::Finding& finding);
     void unmarked(const palpate::core::Finding& finding);
     /// The copy of unsaved changes could not be written. Emitted once until writing succeeds again. @param line  the
@@ -81,6 +91,7 @@ class SceneDocument : public QObject
 
   private:
     class ImageStep;
+    class SectionStep;
     [[nodiscard]] palpate::meshio::SceneFile content() const;
     [[nodiscard]] palpate::core::Transform turnOf(const std::string& structure, palpate::core::FileFrame frame) const;
     void followName(int row, const QString& before, const QString& after);

@@ -413,6 +413,29 @@ void readImagePath(JsonFields& fields, const std::filesystem::path& folder, Scen
     scene.image = (folder / std::filesystem::path(image)).lexically_normal();
 }
 
+void readSection(JsonFields& fields, SceneFile& scene)
+{
+    if (auto entry = fields.fieldsOf("section")) {
+        SceneSection& section = scene.section.emplace();
+        readName(*entry, "direction", kSectionNames, section.direction);
+        if (!entry->has("point")) {
+            entry->fail("point", {PALPATE_TEXT("nothing")}, {PALPATE_TEXT("a place as three numbers")});
+        }
+        section.p_W = point(*entry, "point").value_or(section.p_W);
+        const Vec3 normal_W = point(*entry, "normal").value_or(Vec3::Zero());
+        // Of a plane of the patient, only the side is taken from the file.
+        const Vec3 axis_W = section.direction == SectionDirection::Free
+                                ? normal_W
+                                : Vec3(Vec3::Unit(2 - static_cast<Eigen::Index>(section.direction)));
+        if (normal_W.dot(axis_W) == 0.0 || !normal_W.allFinite()) {
+            entry->fail("normal", {PALPATE_TEXT("no direction")},
+                        {PALPATE_TEXT("three numbers that point to the hidden side")});
+        }
+        section.n_W = std::copysign(1.0, normal_W.dot(axis_W)) * axis_W.stableNormalized();
+        section.extra = entry->unknown();
+    }
+}
+
 /// The organ of a lump must be a structure of the scene that is not inside another: the response of a lump is
 /// transmitted to the outermost surface.
 void checkOrgans(const SceneFile& scene, JsonFields& fields)
@@ -559,6 +582,7 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     }
     readShownMap(fields, scene);
     readImagePath(fields, folder, scene);
+    readSection(fields, scene);
     for (JsonFields& entry : fields.listOf("findings")) {
         scene.findings.push_back(readFinding(entry, folder));
     }

@@ -45,6 +45,9 @@ std::vector<std::string> unknownFields(const SceneFile& scene)
     if (scene.camera) {
         addFields(scene.camera->extra, "camera.", out);
     }
+    if (scene.section) {
+        addFields(scene.section->extra, "section.", out);
+    }
     if (scene.exercise) {
         addFields(scene.exercise->extra, "exercise.", out);
     }

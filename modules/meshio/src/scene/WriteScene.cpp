@@ -245,6 +245,13 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
     if (!scene.image.empty()) {
         out["image"] = text(scene.image.lexically_relative(folder).generic_string());
     }
+    if (scene.section) {
+        QJsonObject section = unknownFields(scene.section->extra);
+        section["direction"] = text(std::string(kSectionNames[static_cast<std::size_t>(scene.section->direction)]));
+        section["point"] = triple(scene.section->p_W);
+        section["normal"] = triple(scene.section->n_W);
+        out["section"] = section;
+    }
     if (scene.buried != BuriedTouch::Layers) {
         out["buried"] = text(std::string(kBuriedNames[static_cast<std::size_t>(scene.buried)]));
     }

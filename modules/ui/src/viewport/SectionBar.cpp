@@ -68,7 +68,7 @@ SectionBar::SectionBar(VtkViewport& viewport)
     layout->addWidget(m_line);
     hide();
     connect(m_direction, &QComboBox::activated, this,
-            [this](int i) { Q_EMIT directionChosen(static_cast<SectionDirection>(i)); });
+            [this](int i) { Q_EMIT directionChosen(static_cast<meshio::SectionDirection>(i)); });
     connect(m_position, &QDoubleSpinBox::valueChanged, this, &SectionBar::positionChosen);
     connect(side, &QToolButton::clicked, this, &SectionBar::otherSideWanted);
     connect(close, &QToolButton::clicked, this, &SectionBar::closeWanted);
@@ -76,7 +76,7 @@ SectionBar::SectionBar(VtkViewport& viewport)
     connect(&viewport, &VtkViewport::coveredAboveChanged, this, &SectionBar::place);
 }
 
-void SectionBar::setSection(SectionDirection direction, double position_mm, double step_mm, const QString& line)
+void SectionBar::setSection(meshio::SectionDirection direction, double position_mm, double step_mm, const QString& line)
 {
     const QSignalBlocker quietDirection(m_direction), quietPosition(m_position);
     m_direction->setCurrentIndex(static_cast<int>(direction));

@@ -103,6 +103,26 @@ struct ShownMap
     friend bool operator==(const ShownMap&, const ShownMap&) = default;
 };
 
+/// Direction of a section. The first three are planes of the patient, in the world frame LPS.
+enum class SectionDirection : std::uint8_t
+{
+    Axial,    ///< from head to feet: normal along z
+    Coronal,  ///< from front to back: normal along y
+    Sagittal, ///< from side to side: normal along x
+    Free      ///< any normal
+};
+inline constexpr std::array<std::string_view, 4> kSectionNames{"axial", "coronal", "sagittal", "free"};
+
+/// Plane through which the picture of the scene is cut. The hand feels both sides.
+struct SceneSection
+{
+    SectionDirection direction = SectionDirection::Axial;
+    core::Vec3 p_W = core::Vec3::Zero();  ///< a point of the plane [mm]
+    core::Vec3 n_W = core::Vec3::UnitZ(); ///< unit normal, towards the hidden side
+    std::string extra{};                  ///< unknown fields, as a JSON object
+    friend bool operator==(const SceneSection&, const SceneSection&) = default;
+};
+
 /// Haptic model of structures inside an organ.
 enum class BuriedTouch : std::uint8_t
 {
@@ -122,8 +142,8 @@ struct Exercise
     friend bool operator==(const Exercise&, const Exercise&) = default;
 };
 
-/// A scene file (`*.palpate.json`): structures, camera, findings, tapes. Versioned by the field `version`; unknown
-/// fields are preserved.
+/// A scene file (`*.palpate.json`): structures, camera, section, findings, tapes. Versioned by the field `version`;
+/// unknown fields are preserved.
 struct SceneFile
 {
     static constexpr int kVersion = 1;
@@ -131,6 +151,7 @@ struct SceneFile
     std::optional<SceneCamera> camera;
     std::optional<ShownMap> shownMap; ///< empty: each structure shows a uniform colour
     std::filesystem::path image; ///< volume shown in sections; in memory absolute, in the file relative; empty: none
+    std::optional<SceneSection> section; ///< empty: the picture is not cut
     std::vector<core::Finding> findings;
     std::vector<core::Tape> tapes;
     BuriedTouch buried = BuriedTouch::Layers;

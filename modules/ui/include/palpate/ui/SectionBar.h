@@ -2,6 +2,7 @@
 #pragma once
 
 #include <palpate/core/Export.h>
+#include <palpate/meshio/SceneFile.h>
 
 #include <QFrame>
 
@@ -15,15 +16,6 @@ namespace palpate::ui {
 
 class VtkViewport;
 
-/// Direction of a section. The first three are planes of the patient, in the world frame LPS.
-enum class SectionDirection
-{
-    Axial,    ///< from head to feet: normal along z
-    Coronal,  ///< from front to back: normal along y
-    Sagittal, ///< from side to side: normal along x
-    Free      ///< faced the viewer when chosen
-};
-
 /// Controls of the section in the upper right corner of the view: direction, position, other side, close, and a line
 /// with the place in words.
 ///
@@ -36,14 +28,14 @@ class PALPATE_EXPORT SectionBar : public QFrame
     explicit SectionBar(VtkViewport& viewport);
 
     /// Updates the controls. @param line  place in words; @param step_mm  step of the position
-    void setSection(SectionDirection direction, double position_mm, double step_mm, const QString& line);
+    void setSection(meshio::SectionDirection direction, double position_mm, double step_mm, const QString& line);
     [[nodiscard]] QString line() const;
     /// Shows the controls of an image. @param name  empty: hides them
     void setImage(const QString& name, double width, double level);
     [[nodiscard]] bool isImageShown() const;
 
   Q_SIGNALS:
-    void directionChosen(palpate::ui::SectionDirection direction);
+    void directionChosen(palpate::meshio::SectionDirection direction);
     void positionChosen(double position_mm);
     void otherSideWanted();
     void closeWanted();
