@@ -99,6 +99,22 @@ class VoxelVolumes : public QObject
         QVERIFY(std::abs(areaOf(slice.outline) - 1.0) < 1e-12 && slice.greys.front() == 128);
     }
 
+    void numbersAreThoseOfThePlace()
+    {
+        const VoxelVolume volume = linearVolume();
+        const Eigen::Affine3d toWorld = volume.toVoxel.inverse();
+        const auto isNear = [&](const Vec3& voxel, const Vec3& sameAs) {
+            const auto number = volume.numberAt(toWorld * voxel);
+            // The numbers are stored as float: of at most 400, within 2e-5.
+            return number && std::abs(*number - (toWorld * sameAs).dot(Vec3(3, -1, 0.5))) < 1e-4;
+        };
+        QVERIFY(isNear(Vec3(7.3, 2.6, 4.9), Vec3(7.3, 2.6, 4.9)));
+        QVERIFY(isNear(Vec3(-0.4, 10.4, 2), Vec3(0, 10, 2))); // half a voxel beyond the centres
+        QVERIFY(!volume.numberAt(toWorld * Vec3(-0.6, 5, 2)));
+        QVERIFY(!volume.numberAt(toWorld * Vec3(5, 5, 5.6)));
+        QVERIFY(!volume.numberAt(Vec3::Constant(std::numeric_limits<double>::quiet_NaN())));
+    }
+
     void windowSpansThePercentilesOfThePatient()
     {
         VoxelVolume volume;

@@ -10,6 +10,11 @@ namespace palpate::geometry {
 
 namespace {
 
+Vec3 lastVoxel(const VoxelVolume& volume)
+{
+    return {volume.size[0] - 1.0, volume.size[1] - 1.0, volume.size[2] - 1.0};
+}
+
 /// Part of a convex polygon with `distance` of at least 0.
 template<class Distance>
 std::vector<Eigen::Vector2d> keptPart(const std::vector<Eigen::Vector2d>& polygon, const Distance& distance)
@@ -56,6 +61,13 @@ double VoxelVolume::at(const Vec3& voxel) const
         }
     }
     return sum;
+}
+
+std::optional<double> VoxelVolume::numberAt(const Vec3& p_W) const
+{
+    const Vec3 voxel = toVoxel * p_W, last = lastVoxel(*this);
+    const bool isInside = (voxel.array() >= -0.5).all() && ((last - voxel).array() >= -0.5).all();
+    return isInside ? std::optional(at(voxel.cwiseMax(0.0).cwiseMin(last))) : std::nullopt;
 }
 
 GreyWindow usualWindow(const VoxelVolume& volume)
@@ -125,7 +137,7 @@ VolumeSlice sliceOf(const VoxelVolume& volume, const SectionPlane& plane, const 
     slice.greys.resize(static_cast<std::size_t>(slice.columns) * static_cast<std::size_t>(slice.rows));
     const Vec3 column = u * slice.box.sizes().x() / slice.columns, row = v * slice.box.sizes().y() / slice.rows;
     const Vec3 first = volume.toVoxel * plane.inWorld(slice.box.min()) + 0.5 * (column + row);
-    const Vec3 last(volume.size[0] - 1.0, volume.size[1] - 1.0, volume.size[2] - 1.0);
+    const Vec3 last = lastVoxel(volume);
     const double black = window.level - 0.5 * window.width;
     core::parallelForBlocks(static_cast<std::size_t>(slice.rows), 16, [&](std::size_t y) {
         for (int x = 0; x < slice.columns; ++x) {

@@ -6,6 +6,7 @@
 #include <palpate/view/SurfacePicker.h>
 
 #include <QLabel>
+#include <QLocale>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,6 +42,15 @@ std::optional<view::RayHit> hitOf(const view::ViewStructure& one, const geometry
         hit->p_W += shift;
     }
     return hit;
+}
+
+/// Where a ray meets the cut face of the section; empty if it starts behind the section or does not meet it.
+std::optional<core::Vec3> onSection(const std::optional<geometry::SectionPlane>& section, const view::Ray& ray)
+{
+    const double before_mm = section ? section->distance_mm(ray.p_W) : 0.0;
+    const double along = section ? -section->n_W.dot(ray.d_W) : 0.0;
+    return before_mm > 0.0 && along > 0.0 ? std::optional<core::Vec3>(ray.p_W + before_mm / along * ray.d_W)
+                                          : std::nullopt;
 }
 
 } // namespace
@@ -96,13 +106,13 @@ std::optional<PointedStructure::Place> PointedStructure::at(const QPointF& place
     if (view.structureCount() != m_model.rows().size()) {
         return std::nullopt; // the scene is being replaced
     }
-    const std::optional<geometry::SectionPlane>& section = view.section();
-    const double before_mm = section ? section->distance_mm(ray.p_W) : 0.0;
-    if (const double along = section ? -section->n_W.dot(ray.d_W) : 0.0; before_mm > 0.0 && along > 0.0) {
-        // Everything in front of the section is hidden.
-        ray.p_W += before_mm / along * ray.d_W;
+    if (const auto start = onSection(view.section(), ray)) {
+        ray.p_W = *start; // everything in front of the section is hidden
         if (const auto cut = view.sectionPicture().structureAt(ray.p_W)) {
             return Place{static_cast<int>(*cut), 0, ray.p_W, ray.p_W, true};
+        }
+        if (view.imageNumberAt(ray.p_W)) {
+            return std::nullopt; // the image hides everything behind it
         }
     }
     std::optional<Place> found;
@@ -151,11 +161,15 @@ QString PointedStructure::textOf(const Place& place) const
 void PointedStructure::show()
 {
     const auto place = at(m_place);
-    m_name->setVisible(place.has_value());
-    if (!place) {
+    const view::SceneView& view = m_viewport.view();
+    const auto cut = onSection(view.section(), m_viewport.rayAt(m_place));
+    const auto number = cut ? view.imageNumberAt(*cut) : std::nullopt;
+    m_name->setVisible(place || number);
+    if (!place && !number) {
         return;
     }
-    m_name->setText(textOf(*place));
+    const QString image = number ? tr("image: %1").arg(QLocale().toString(*number, 'g', 5)) : QString();
+    m_name->setText(!number ? textOf(*place) : !place ? image : tr("%1 · %2").arg(textOf(*place), image));
     m_name->adjustSize();
     // Below and to the right of the pointer, or on the other side near the edges.
     const QSize size = m_name->size(), room = m_viewport.size();

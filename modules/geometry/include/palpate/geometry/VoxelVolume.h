@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace palpate::geometry {
@@ -24,6 +25,9 @@ struct VoxelVolume
 
     /// Interpolates trilinearly. @param voxel  indices, each from 0 to size - 1
     [[nodiscard]] PALPATE_EXPORT double at(const Vec3& voxel) const;
+    /// The same at a position in LPS [mm]. Within half a voxel beyond the centres of the outer voxels, their value.
+    /// @return empty outside
+    [[nodiscard]] PALPATE_EXPORT std::optional<double> numberAt(const Vec3& p_W) const;
 };
 
 /// Range of numbers that is shown from black to white.
