@@ -7,7 +7,7 @@ palpate_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # Preset of CMakePresets.json to build and run: `release` is fastest for a full build, `dev` for a changed file.
 palpate_preset=${PALPATE_PRESET:-release}
 
-palpate_build_packages=(g++ cmake ninja-build pkgconf libvtk9-dev qt6-base-dev qt6-l10n-tools qt6-multimedia-dev qt6-websockets-dev libqt6opengl6-dev libgl-dev libeigen3-dev
+palpate_build_packages=(g++ cmake ninja-build pkgconf libvtk9-dev qt6-base-dev qt6-l10n-tools qt6-multimedia-dev qt6-websockets-dev libqt6opengl6-dev libgl-dev libeigen3-dev libfontconfig-dev
     libhidapi-dev libsqlite3-dev libcli11-dev libgl1-mesa-dri xvfb xauth fonts-dejavu-core)
 
 # Without any locale, Qt prints a warning to stderr and uses C.UTF-8.

@@ -8,6 +8,7 @@
 #include <palpate/study/Report.h>
 #include <palpate/ui/ReportFile.h>
 #include <palpate/ui/ReportViews.h>
+#include <palpate/ui/Theme.h>
 
 #include <CLI/CLI.hpp>
 
@@ -88,6 +89,7 @@ int runReport(const ReportCommandOptions& options)
     const QGuiApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // Qt has set the locale of the user; the command line writes English
     QLocale::setDefault(QLocale::c());
+    ui::setViewFont(boldFontFile(QGuiApplication::font()));
 
     study::Report content = study::composeReport(facts.value());
     core::Message unpictured;

@@ -210,6 +210,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options)
     app::identifyProgram();
     const SettingsFolder settingsFolder;
     app::applyChosenLanguage();
+    ui::setViewFont(app::boldFontFile(QApplication::font()));
 
     MainWindow window;
     if (options.darkPalette) {

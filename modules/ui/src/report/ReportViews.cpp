@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/ReportViews.h"
 
+#include "palpate/ui/Theme.h"
 #include "palpate/ui/Translated.h"
 #include "palpate/ui/VtkViewport.h"
 
@@ -78,6 +79,7 @@ void ReportViews::Private::setScene(const meshio::LoadedScene& scene)
     const view::Colour white{1.0, 1.0, 1.0};
     view.setBackground(white, white, {0.1, 0.1, 0.1});
     view::TextStyle text;
+    text.fontFile = viewFont();
     text.decimalPoint = QLocale().decimalPoint().toStdString();
     view.setTextStyle(text);
     view.setSmoothEdges(true);

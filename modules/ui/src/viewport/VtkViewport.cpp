@@ -95,6 +95,7 @@ void VtkViewport::applyStyle()
     view::TextStyle text;
     text.size_px = QFontInfo(font()).pixelSize();
     text.decimalPoint = QLocale().decimalPoint().toStdString();
+    text.fontFile = viewFont();
     text.groundOpacity = isHighContrast() ? 1.0 : text.groundOpacity;
     m_view.setTextStyle(text);
     update();

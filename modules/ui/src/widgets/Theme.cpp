@@ -91,6 +91,7 @@ struct State
     bool isApplying = false;
     std::optional<QFont> font; ///< system font before the first change of the text size
     int textSize_percent = 100;
+    std::string viewFont;
 };
 
 State& state()
@@ -165,6 +166,16 @@ bool noteSystemPalette(bool mustAsk)
     }
     now.isSystemDark = isDark(QApplication::palette());
     return true;
+}
+
+void setViewFont(const std::string& boldFile)
+{
+    state().viewFont = boldFile;
+}
+
+const std::string& viewFont()
+{
+    return state().viewFont;
 }
 
 void applyTextSize(int percent)

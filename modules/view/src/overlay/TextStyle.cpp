@@ -46,8 +46,13 @@ int letterSize_px(const TextStyle& style, TextUse use, double pixelRatio)
 
 void setFont(vtkTextProperty& text, const TextStyle& style, TextUse use, double pixelRatio)
 {
-    text.SetFontFamilyToArial();
-    text.SetBold(true);
+    if (style.fontFile.empty()) {
+        text.SetFontFamilyToArial();
+    } else {
+        text.SetFontFamily(VTK_FONT_FILE);
+        text.SetFontFile(style.fontFile.c_str());
+    }
+    text.SetBold(style.fontFile.empty());
     text.SetFontSize(letterSize_px(style, use, pixelRatio));
 }
 

@@ -6,6 +6,8 @@
 #include <QColor>
 #include <QIcon>
 
+#include <string>
+
 class QWidget;
 
 namespace palpate::ui {
@@ -31,6 +33,11 @@ PALPATE_EXPORT void applyTheme(Theme theme);
 /// @param mustAsk  fetches the system palette after a system change; the theme is lost until the next `applyTheme`
 /// @return true when `applyTheme` must be called again
 [[nodiscard]] PALPATE_EXPORT bool noteSystemPalette(bool mustAsk);
+
+/// Sets the font of the texts in 3D views and in the pictures of a report, so that they match the window. Before the
+/// first view. @param boldFile  TrueType or OpenType font; empty: VTK's own
+PALPATE_EXPORT void setViewFont(const std::string& boldFile);
+[[nodiscard]] PALPATE_EXPORT const std::string& viewFont();
 
 /// Sets the text size of the application; 100: system size. [%]
 PALPATE_EXPORT void applyTextSize(int percent);

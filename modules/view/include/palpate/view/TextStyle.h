@@ -16,6 +16,7 @@ struct TextStyle
 {
     double size_px = 12.0;          ///< font size of the window, logical pixels; the view's texts are slightly larger
     std::string decimalPoint = "."; ///< UTF-8
+    std::string fontFile;           ///< bold font (TrueType or OpenType) of all texts; empty: VTK's own
     double groundOpacity = 0.85;    ///< opacity of the background behind texts on tissue
 
     friend bool operator==(const TextStyle&, const TextStyle&) = default;
