@@ -5,6 +5,7 @@
 
 #include <palpate/geometry/SurfaceSection.h>
 #include <palpate/meshio/SceneFile.h>
+#include <palpate/ui/FingerInset.h>
 #include <palpate/ui/SectionBar.h>
 #include <palpate/ui/StructureModel.h>
 #include <palpate/ui/StructurePanel.h>
@@ -14,6 +15,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -157,6 +160,87 @@ class Inside : public QObject
         view().look(view::ViewFrom::Front);
     }
 
+    void movesAreOneUndoStepAndTheSceneFileKeepsThePlane()
+    {
+        const auto isAt = [this](double y) {
+            return view().section() && std::abs(view().section()->p_W.y() - y) < 1e-9;
+        };
+        m_desk->command("section").setChecked(true);
+        m_desk->pressKeyOf("section-here");
+        const double start = view().section()->p_W.y();
+        field("Position of the section").setValue(3.0);
+        turnWheel(2, Qt::ShiftModifier);
+        QVERIFY(isAt(4.0));
+        m_desk->command("save").trigger();
+        const auto saved = meshio::readScene(m_desk->folder() / "balls.palpate.json");
+        QVERIFY(saved.isOk() && saved.value().section.has_value());
+        QCOMPARE(saved.value().section->direction, meshio::SectionDirection::Coronal);
+        QVERIFY(saved.value().section->n_W == -Vec3::UnitY());
+        m_desk->command("undo").trigger();
+        QVERIFY(isAt(start));
+        m_desk->command("undo").trigger();
+        QVERIFY(!view().section() && !m_desk->command("section").isChecked() && !bar().isVisible());
+        m_desk->command("redo").trigger();
+        m_desk->command("redo").trigger();
+        QVERIFY(isAt(4.0) && bar().line().startsWith("coronal, 4.0 mm posterior"));
+
+        QVERIFY(m_desk->open({m_desk->folder() / "balls.palpate.json"}));
+        QVERIFY(isAt(4.0) && m_desk->command("section").isChecked() && bar().isVisible());
+        QVERIFY(view().section()->n_W == -Vec3::UnitY());
+        m_desk->pressKeyOf("section");
+        QVERIFY(!view().section());
+        m_desk->command("save").trigger();
+        QVERIFY(m_desk->open({m_desk->folder() / "balls.palpate.json"}));
+        QVERIFY(!view().section() && !bar().isVisible());
+        view().look(view::ViewFrom::Front);
+    }
+
+    /// Pressed 5 mm into the front of the organ.
+    void theInsetShowsWhatLiesBelowTheFinger()
+    {
+        auto& inset = *m_desk->window().findChild<ui::FingerInset*>();
+        QVERIFY(!inset.isVisible());
+        view::TouchState touch;
+        touch.isPresent = touch.isInContact = true;
+        touch.p_WG = Vec3(0, -40, 0);
+        touch.p_WH = Vec3(0, -35, 0);
+        touch.n_W = -Vec3::UnitY();
+        touch.fingertip_mm = 4.0;
+        view().cursor().setState(touch);
+        m_desk->pressKeyOf("finger-section");
+        QVERIFY(inset.isVisible() && viewport().rect().contains(inset.geometry()));
+        QVERIFY(inset.plane().p_W == touch.p_WG && (inset.plane().v_W - touch.n_W).norm() < 1e-12);
+        QCOMPARE(inset.cuts().size(), std::size_t{2});
+        // The section through both centres, the organ first.
+        QVERIFY(std::abs(inset.cuts()[0].area_mm2 / (M_PI * 1600.0) - 1.0) < 0.05);
+        QVERIFY(inset.cuts()[1].structure == 1);
+        const QImage picture = inset.grab().toImage();
+        const double scale = 0.5 * picture.width() / 25.0; // pixels per mm
+        const auto colourAtDepth = [&](double x_mm, double depth_mm) {
+            return picture.pixelColor(static_cast<int>(0.5 * picture.width() + scale * x_mm),
+                                      static_cast<int>(0.35 * picture.height() + scale * depth_mm));
+        };
+        const QColor organ = colourAtDepth(10.0, 10.0);
+        QVERIFY(std::abs(organ.red() - 204) < 4 && std::abs(organ.blue() - 51) < 4);
+        QCOMPARE(colourAtDepth(10.0, -5.0), inset.palette().color(QPalette::Base));
+        // It follows a hand that moves, and keeps the section of a hand that lifts off.
+        touch.p_WG = Vec3(40, 0, 0);
+        touch.p_WH = Vec3(35, 0, 0);
+        touch.n_W = Vec3::UnitX();
+        view().cursor().setState(touch);
+        viewport().update();
+        PALPATE_TRY_VERIFY(inset.plane().p_W.x() == 40.0);
+        touch.isInContact = false;
+        touch.p_WH = Vec3(50, 0, 0);
+        view().cursor().setState(touch);
+        viewport().update();
+        QTest::qWait(100);
+        QCOMPARE(inset.cuts().size(), std::size_t{2});
+        m_desk->pressKeyOf("finger-section");
+        QVERIFY(!inset.isVisible());
+        view().cursor().setState({});
+    }
+
     void peekLastsWhileTheKeyIsHeld()
     {
         m_desk->window().findChild<ui::StructurePanel*>()->select(1);
@@ -212,13 +296,28 @@ class Inside : public QObject
         QVERIFY(isGrey(colourAt(Vec3(5, 0, 25)), 191) && isGrey(colourAt(Vec3(5, 0, -25)), 64));
         field("Level").setValue(150.0);
         QVERIFY(isGrey(colourAt(Vec3(5, 0, 0)), 64));
+        // The label at the pointer has the number: on a structure, beside all, and not beyond the image.
+        auto* label = viewport().findChild<QLabel*>(QStringLiteral("pointed"));
+        const auto textAt = [&](const Vec3& p_W) {
+            Q_EMIT viewport().hovered(viewport().placeOf(p_W));
+            QTest::qWait(50);
+            return label->isVisible() ? label->text() : QString();
+        };
+        QVERIFY2(QRegularExpression("^core · image: 1(10|09|11)(\\.\\d+)?$").match(textAt(Vec3(2, 0, 5))).hasMatch(),
+                 qPrintable(label->text()));
+        QVERIFY2(QRegularExpression("^image: 1(80|79|81)(\\.\\d+)?$").match(textAt(Vec3(44, 0, 40))).hasMatch(),
+                 qPrintable(label->text()));
+        QCOMPARE(textAt(Vec3(60, 0, 0)), QString());
         // Without the image the structures are filled.
         bar().findChild<QCheckBox*>()->setChecked(false);
         QVERIFY(colourAt(Vec3(5, 0, 0)).blue() > 190);
         bar().findChild<QCheckBox*>()->setChecked(true);
-        // Undo removes the image, redo shows it again, and the scene file keeps it.
+        // Undo ends the section and removes the image, redo shows both again, and the scene file keeps both.
+        m_desk->command("undo").trigger();
+        QVERIFY(!view().section());
         m_desk->command("undo").trigger();
         QVERIFY(!bar().findChild<QCheckBox*>()->isVisible());
+        m_desk->command("redo").trigger();
         m_desk->command("redo").trigger();
         PALPATE_TRY_VERIFY(bar().findChild<QCheckBox*>()->isVisible());
         m_desk->command("save").trigger();
@@ -226,8 +325,7 @@ class Inside : public QObject
         QVERIFY(saved.isOk());
         QCOMPARE(saved.value().image, std::filesystem::absolute(file));
         QVERIFY(m_desk->open({m_desk->folder() / "balls.palpate.json"}));
-        QVERIFY(!view().section());
-        m_desk->command("section").setChecked(true);
+        QVERIFY(view().section() && m_desk->command("section").isChecked());
         PALPATE_TRY_VERIFY(bar().findChild<QCheckBox*>()->isVisible());
         // A file that cannot be read says so.
         std::ofstream(m_desk->folder() / "broken.mha") << "NDims = 3\n";

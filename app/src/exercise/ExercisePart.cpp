@@ -133,8 +133,9 @@ void ExercisePart::showState(const WindowState& state)
         const auto keep = {"felt",           "distances",      "tape",           "touch-map",
                            "touch-map-next", "touch-map-back", "section",        "section-direction",
                            "section-side",   "section-here",   "section-deeper", "section-nearer",
-                           "image",          "image-remove",   "peek",           "measures",
-                           "compare",        "report",         "play",           "to-start"};
+                           "finger-section", "image",          "image-remove",   "peek",
+                           "measures",       "compare",        "report",         "play",
+                           "to-start"};
         if (!std::exchange(m_isBlocked, true)) {
             actions.withhold(keep, why);
         }

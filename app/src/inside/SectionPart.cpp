@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "inside/SectionPart.h"
 
+#include "scene/SceneDocument.h"
+
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/StructureModel.h>
 #include <palpate/ui/VtkViewport.h>
@@ -9,19 +11,21 @@
 #include <QAction>
 #include <QLocale>
 #include <QMainWindow>
-#include <QSignalBlocker>
 
 #include <vtkCamera.h>
 
 #include <cmath>
+#include <optional>
 
 namespace palpate::app {
 
 using core::Vec3;
+using meshio::SectionDirection;
 using ui::ActionGroup;
-using ui::SectionDirection;
 
 namespace {
+
+constexpr double kSameDirection = 1e-9; // of two unit vectors, by rounding
 
 /// Axis of a plane of the patient in LPS.
 Vec3 patientAxis(SectionDirection direction)
@@ -60,17 +64,18 @@ QString placeText(SectionDirection direction, double position_mm)
 
 } // namespace
 
-SectionPart::SectionPart(const WindowCore& core)
+SectionPart::SectionPart(const WindowCore& core, SceneDocument& document)
     : WindowPart(&core.window)
     , m_core(core)
+    , m_document(document)
     , m_bar(new ui::SectionBar(core.viewport))
+    , m_inset(new ui::FingerInset(core.viewport))
 {
-    const auto end = [this] { m_core.actions.at("section").setChecked(false); };
-    connect(m_bar, &ui::SectionBar::directionChosen, this, &SectionPart::setDirection);
+    connect(m_bar, &ui::SectionBar::directionChosen, this, qOverload<SectionDirection>(&SectionPart::setDirection));
     connect(m_bar, &ui::SectionBar::positionChosen, this, &SectionPart::moveTo);
     connect(m_bar, &ui::SectionBar::otherSideWanted, this, &SectionPart::turnOver);
-    connect(m_bar, &ui::SectionBar::closeWanted, this, end);
-    connect(&core.model, &QAbstractItemModel::modelReset, this, end);
+    connect(m_bar, &ui::SectionBar::closeWanted, this, [this] { setShown(false); });
+    connect(&document, &SceneDocument::sectionChanged, this, &SectionPart::take);
     connect(&core.model, &ui::StructureModel::edited, this, [this] {
         if (m_bar->isVisible()) {
             show(); // another structure may be visible now
@@ -81,6 +86,7 @@ SectionPart::SectionPart(const WindowCore& core)
 
 SectionPart::~SectionPart()
 {
+    delete m_inset;
     delete m_bar;
 }
 
@@ -93,10 +99,15 @@ void SectionPart::addActions()
                                    {QKeySequence(Qt::Key_X)});
     section->setCheckable(true);
     connect(section, &QAction::toggled, this, &SectionPart::setShown);
+    QAction* finger = actions.add("finger-section", ActionGroup::View, tr("Section along the finger"),
+                                  tr("Small picture of the hand and of what lies below, live and in playback"),
+                                  {QKeySequence(Qt::ALT | Qt::Key_X)});
+    finger->setCheckable(true);
+    connect(finger, &QAction::toggled, m_inset, &QWidget::setVisible);
     connect(actions.add("section-direction", ActionGroup::Section, tr("Next direction of the section"),
                         tr("Axial, coronal, sagittal, or facing the viewer"), {QKeySequence(Qt::SHIFT | Qt::Key_X)}),
             &QAction::triggered, this,
-            [this] { setDirection(static_cast<SectionDirection>((static_cast<int>(m_direction) + 1) % 4)); });
+            [this] { setDirection(static_cast<SectionDirection>((static_cast<int>(m_plane.direction) + 1) % 4)); });
     connect(actions.add("section-side", ActionGroup::Section, tr("Other side of the section"),
                         tr("Show the side that is hidden"), {QKeySequence(Qt::CTRL | Qt::Key_X)}),
             &QAction::triggered, this, &SectionPart::turnOver);
@@ -116,7 +127,7 @@ void SectionPart::addActions()
 
 void SectionPart::showState(const WindowState& state)
 {
-    m_core.actions.at("section").setEnabled(state.hasScene);
+    m_core.actions.setEnabled({"section", "finger-section"}, state.hasScene);
     const bool isOn = state.hasScene && m_core.actions.at("section").isChecked();
     m_core.actions.setEnabled({"section-direction", "section-side", "section-here", "section-deeper", "section-nearer"},
                               isOn);
@@ -124,60 +135,90 @@ void SectionPart::showState(const WindowState& state)
 
 void SectionPart::setShown(bool isShown)
 {
-    m_bar->setVisible(isShown);
-    if (isShown) {
-        m_p_W = wantedPlace();
+    if (!isShown) {
+        m_document.setSection(std::nullopt);
+    } else if (m_document.section()) {
+        take();
+    } else {
         // The plane of the patient that faces the viewer most.
         Eigen::Index axis = 0;
         Vec3(m_core.viewport.view().camera().GetDirectionOfProjection()).cwiseAbs().maxCoeff(&axis);
-        setDirection(axis == 2   ? SectionDirection::Axial
-                     : axis == 1 ? SectionDirection::Coronal
-                                 : SectionDirection::Sagittal);
+        setDirection(static_cast<SectionDirection>(2 - axis), wantedPlace());
+    }
+}
+
+/// Shows the section of the document, except while an exercise hides structures.
+void SectionPart::take()
+{
+    const auto section = m_core.model.scene().hiddenTargets() == 0 ? m_document.section() : std::nullopt;
+    if (section) {
+        m_plane = *section;
+        if (m_plane.direction != SectionDirection::Free) {
+            m_axis_W = patientAxis(m_plane.direction);
+            m_start_W.setZero();
+        } else if (std::abs(m_axis_W.dot(m_plane.n_W)) < 1.0 - kSameDirection) { // of a file, or of another scene
+            m_axis_W = -m_plane.n_W;
+            m_start_W = m_plane.p_W;
+        }
+        show();
     } else {
         m_core.viewport.view().setSection(std::nullopt);
         m_core.viewport.update();
     }
+    m_bar->setVisible(section.has_value());
+    m_core.actions.at("section").setChecked(section.has_value());
     Q_EMIT stateChanged();
 }
 
 void SectionPart::setDirection(SectionDirection direction)
 {
-    m_direction = direction;
+    setDirection(direction, m_plane.p_W);
+}
+
+void SectionPart::setDirection(SectionDirection direction, const Vec3& p_W)
+{
     const Vec3 toViewer_W = -Vec3(m_core.viewport.view().camera().GetDirectionOfProjection());
-    m_axis_W = direction == SectionDirection::Free ? Vec3(-toViewer_W) : patientAxis(direction);
-    m_start_W = direction == SectionDirection::Free ? m_p_W : Vec3(Vec3::Zero());
-    m_n_W = m_axis_W.dot(toViewer_W) < 0.0 ? Vec3(-m_axis_W) : m_axis_W;
-    show();
+    meshio::SceneSection section{direction, p_W, toViewer_W, {}};
+    if (direction == SectionDirection::Free) {
+        m_axis_W = -toViewer_W;
+        m_start_W = p_W;
+    } else {
+        const Vec3 axis_W = patientAxis(direction);
+        section.n_W = axis_W.dot(toViewer_W) < 0.0 ? Vec3(-axis_W) : axis_W;
+    }
+    m_document.setSection(section);
 }
 
 void SectionPart::goThrough(const Vec3& p_W)
 {
-    m_p_W = p_W;
-    show();
+    meshio::SceneSection section = m_plane;
+    section.p_W = p_W;
+    m_document.setSection(section);
 }
 
 /// @param deeper_mm  away from the hidden side
 void SectionPart::move(double deeper_mm)
 {
-    goThrough(m_p_W - deeper_mm * m_n_W);
+    goThrough(m_plane.p_W - deeper_mm * m_plane.n_W);
 }
 
 void SectionPart::moveTo(double position)
 {
-    goThrough(m_p_W + (position - position_mm()) * m_axis_W);
+    goThrough(m_plane.p_W + (position - position_mm()) * m_axis_W);
 }
 
 void SectionPart::turnOver()
 {
-    m_n_W = -m_n_W;
-    show();
+    meshio::SceneSection section = m_plane;
+    section.n_W = -section.n_W;
+    m_document.setSection(section);
 }
 
 void SectionPart::show()
 {
     view::SceneView& view = m_core.viewport.view();
-    view.setSection(geometry::SectionPlane::through(m_p_W, m_n_W));
-    m_bar->setSection(m_direction, position_mm(), step_mm(), lineOf(position_mm()));
+    view.setSection(geometry::SectionPlane::through(m_plane.p_W, m_plane.n_W));
+    m_bar->setSection(m_plane.direction, position_mm(), step_mm(), lineOf(position_mm()));
     m_core.viewport.update();
 }
 
@@ -204,12 +245,12 @@ double SectionPart::step_mm() const
 
 double SectionPart::position_mm() const
 {
-    return m_axis_W.dot(m_p_W - m_start_W);
+    return m_axis_W.dot(m_plane.p_W - m_start_W);
 }
 
 QString SectionPart::lineOf(double position) const
 {
-    const QString place = placeText(m_direction, position);
+    const QString place = placeText(m_plane.direction, position);
     return m_core.viewport.view().sectionPicture().isEmpty() ? tr("%1 · cuts no visible structure").arg(place)
                                                              : tr("%1 · the hand still feels everything").arg(place);
 }

@@ -4,16 +4,21 @@
 #include "shell/WindowPart.h"
 
 #include <palpate/core/Types.h>
+#include <palpate/meshio/SceneFile.h>
+#include <palpate/ui/FingerInset.h>
 #include <palpate/ui/SectionBar.h>
+
+class SceneDocument;
 
 namespace palpate::app {
 
-/// Section of the anatomy: commands, the bar in the view and the plane.
+/// Section of the anatomy: commands, the bar in the view and the plane; and the small section along the finger.
 class SectionPart : public WindowPart
 {
     Q_OBJECT
   public:
-    explicit SectionPart(const WindowCore& core);
+    /// @param document  holds the plane; must outlive this part
+    SectionPart(const WindowCore& core, SceneDocument& document);
     ~SectionPart() override;
     void addActions() override;
     void showState(const WindowState& state) override;
@@ -21,7 +26,9 @@ class SectionPart : public WindowPart
 
   private:
     void setShown(bool isShown);
-    void setDirection(ui::SectionDirection direction);
+    void take();
+    void setDirection(meshio::SectionDirection direction);
+    void setDirection(meshio::SectionDirection direction, const core::Vec3& p_W);
     void goThrough(const core::Vec3& p_W);
     void move(double deeper_mm);
     void moveTo(double position_mm);
@@ -34,10 +41,10 @@ class SectionPart : public WindowPart
     [[nodiscard]] QString lineOf(double position_mm) const;
 
     WindowCore m_core;
+    SceneDocument& m_document;
     ui::SectionBar* m_bar = nullptr;
-    ui::SectionDirection m_direction = ui::SectionDirection::Axial;
-    core::Vec3 m_p_W = core::Vec3::Zero();     ///< point of the plane [mm]
-    core::Vec3 m_n_W = core::Vec3::UnitZ();    ///< unit normal, towards the hidden side
+    ui::FingerInset* m_inset = nullptr;
+    meshio::SceneSection m_plane;              ///< shown, or the latest one
     core::Vec3 m_start_W = core::Vec3::Zero(); ///< where a free section was placed: the origin of its position [mm]
     core::Vec3 m_axis_W = core::Vec3::UnitZ(); ///< direction of increasing position
 };

@@ -153,7 +153,7 @@ void MainWindow::makeParts()
         keep(new DistancesPart(core, {*m_document, *m_touch, structures->maps(), structures->pointed(), *progress}));
     auto* engineering = keep(new EngineeringPart(core, m_touch->panel(), m_device->hand()));
     auto* picture = keep(new PicturePart(core));
-    auto* section = keep(new SectionPart(core));
+    auto* section = keep(new SectionPart(core, m_document->document()));
     auto* image = keep(new ImagePart(core, *m_document, *m_files, *section));
     auto* peek = keep(new PeekPart(core, structures->panel(), m_touch->panel()));
     m_view = keep(new ViewPart(core, m_touch->panel()));

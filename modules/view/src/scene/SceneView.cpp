@@ -368,6 +368,55 @@ void SceneView::setImage(std::shared_ptr<const geometry::VoxelVolume> volume, co
     m_isSectionOld = true;
 }
 
+std::optional<double> SceneView::imageNumberAt(const Vec3& p_W) const
+{
+    return m_section && m_image.volume() != nullptr ? m_image.volume()->numberAt(p_W) : std::nullopt;
+}
+
+struct SceneView::CutInput
+{
+    std::vector<CutSurface> surfaces;
+    std::deque<std::vector<Vec3>> movedVertices; ///< to which surfaces refer
+};
+
+/// The visible structures as drawn.
+SceneView::CutInput SceneView::cutInput() const
+{
+    CutInput input;
+    for (const ViewStructure& one : m_structures) {
+        CutSurface surface;
+        const Appearance& look = one.picture.appearance();
+        if (one.surface != nullptr && look.isVisible && look.opacity > 0.0) {
+            surface.vertices = one.surface->mesh.vertices;
+            surface.triangles = one.surface->mesh.triangles;
+            surface.twoSided = one.surface->twoSided;
+            surface.bounds = one.surface->report.bounds;
+            if (const MovedSurface& moved = one.picture.moved(); moved.motion != nullptr) {
+                std::vector<Vec3>& vertices = input.movedVertices.emplace_back(one.surface->mesh.vertices);
+                surface.bounds.setEmpty();
+                for (Vec3& p_W : vertices) {
+                    p_W = moved.motion->toWorld(moved.moment, p_W);
+                    surface.bounds.extend(p_W);
+                }
+                surface.vertices = vertices;
+            }
+            surface.colour = look.colour;
+            surface.isFilled = look.opacity > kLeastFilled;
+        }
+        input.surfaces.push_back(surface);
+    }
+    return input;
+}
+
+std::vector<SectionCut> SceneView::cutsAt(const geometry::SectionPlane& plane) const
+{
+    CutInput input = cutInput();
+    for (CutSurface& surface : input.surfaces) {
+        surface.isFilled = true;
+    }
+    return cutsOf(plane, input.surfaces);
+}
+
 void SceneView::cutTissue()
 {
     if (!m_isSectionOld) {
@@ -382,32 +431,9 @@ void SceneView::cutTissue()
         m_image.hide();
         return;
     }
-    std::vector<CutSurface> surfaces;
-    std::deque<std::vector<Vec3>> movedVertices; // as drawn; the surfaces refer to them
-    for (const ViewStructure& one : m_structures) {
-        CutSurface surface;
-        const Appearance& look = one.picture.appearance();
-        if (one.surface != nullptr && look.isVisible && look.opacity > 0.0) {
-            surface.vertices = one.surface->mesh.vertices;
-            surface.triangles = one.surface->mesh.triangles;
-            surface.twoSided = one.surface->twoSided;
-            surface.bounds = one.surface->report.bounds;
-            if (const MovedSurface& moved = one.picture.moved(); moved.motion != nullptr) {
-                std::vector<Vec3>& vertices = movedVertices.emplace_back(one.surface->mesh.vertices);
-                surface.bounds.setEmpty();
-                for (Vec3& p_W : vertices) {
-                    p_W = moved.motion->toWorld(moved.moment, p_W);
-                    surface.bounds.extend(p_W);
-                }
-                surface.vertices = vertices;
-            }
-            surface.colour = look.colour;
-            surface.isFilled = look.opacity > kLeastFilled;
-        }
-        surfaces.push_back(surface);
-    }
+    const CutInput input = cutInput();
     m_sectionPicture.setFilled(!m_image.show(*m_section));
-    m_sectionPicture.show(*m_section, surfaces);
+    m_sectionPicture.show(*m_section, input.surfaces);
 }
 
 void SceneView::prepareFrame(double pixelRatio)

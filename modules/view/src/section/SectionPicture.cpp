@@ -77,6 +77,37 @@ class FlatShapes
 
 } // namespace
 
+std::vector<SectionCut> cutsOf(const geometry::SectionPlane& plane, const std::vector<CutSurface>& surfaces)
+{
+    std::vector<std::size_t> crossed;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if (!surfaces[i].triangles.empty() && plane.crosses(surfaces[i].bounds)) {
+            crossed.push_back(i);
+        }
+    }
+    std::vector<SectionCut> cuts(crossed.size());
+    core::parallelFor(crossed.size(), [&](std::size_t i, unsigned) {
+        const CutSurface& surface = surfaces[crossed[i]];
+        SectionCut& cut = cuts[i];
+        cut.structure = crossed[i];
+        cut.colour = surface.colour;
+        cut.contours = geometry::sectionOf(surface.vertices, surface.triangles, surface.twoSided, plane);
+        if (surface.isFilled) {
+            cut.strips = geometry::filled(cut.contours);
+        }
+        cut.area_mm2 = geometry::areaOf(cut.strips);
+        for (const geometry::SectionContour& contour : cut.contours) {
+            for (const Eigen::Vector2d& p : contour.points) {
+                cut.box.extend(p);
+            }
+        }
+    });
+    std::erase_if(cuts, [](const SectionCut& cut) { return cut.contours.empty(); });
+    std::stable_sort(cuts.begin(), cuts.end(),
+                     [](const SectionCut& a, const SectionCut& b) { return a.area_mm2 > b.area_mm2; });
+    return cuts;
+}
+
 SectionPicture::SectionPicture()
     : m_clip(vtkSmartPointer<vtkPlane>::New())
     , m_clipping(vtkSmartPointer<vtkPlaneCollection>::New())
@@ -111,32 +142,10 @@ void SectionPicture::show(const geometry::SectionPlane& plane, const std::vector
     m_plane = plane;
     m_isShown = true;
     core::Box all;
-    std::vector<std::size_t> crossed;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        all.extend(surfaces[i].bounds);
-        if (!surfaces[i].triangles.empty() && plane.crosses(surfaces[i].bounds)) {
-            crossed.push_back(i);
-        }
+    for (const CutSurface& surface : surfaces) {
+        all.extend(surface.bounds);
     }
-    m_cuts.assign(crossed.size(), {});
-    core::parallelFor(crossed.size(), [&](std::size_t i, unsigned) {
-        const CutSurface& surface = surfaces[crossed[i]];
-        Cut& cut = m_cuts[i];
-        cut.structure = crossed[i];
-        cut.colour = surface.colour;
-        cut.contours = geometry::sectionOf(surface.vertices, surface.triangles, surface.twoSided, plane);
-        if (surface.isFilled) {
-            cut.strips = geometry::filled(cut.contours);
-        }
-        cut.area_mm2 = geometry::areaOf(cut.strips);
-        for (const geometry::SectionContour& contour : cut.contours) {
-            for (const Eigen::Vector2d& p : contour.points) {
-                cut.box.extend(p);
-            }
-        }
-    });
-    std::erase_if(m_cuts, [](const Cut& cut) { return cut.contours.empty(); });
-    std::stable_sort(m_cuts.begin(), m_cuts.end(), [](const Cut& a, const Cut& b) { return a.area_mm2 > b.area_mm2; });
+    m_cuts = cutsOf(plane, surfaces);
     const double step_mm = all.isEmpty() ? 0.0 : kLift * all.diagonal().norm();
     liftInner(step_mm);
     drawFaces();
@@ -149,10 +158,11 @@ void SectionPicture::show(const geometry::SectionPlane& plane, const std::vector
 /// Lifts each face above all larger ones that it may overlap.
 void SectionPicture::liftInner(double step_mm)
 {
+    m_lifts_mm.assign(m_cuts.size(), 0.0);
     for (std::size_t i = 0; i < m_cuts.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
             if (m_cuts[k].box.intersects(m_cuts[i].box)) {
-                m_cuts[i].lift_mm = std::max(m_cuts[i].lift_mm, m_cuts[k].lift_mm + step_mm);
+                m_lifts_mm[i] = std::max(m_lifts_mm[i], m_lifts_mm[k] + step_mm);
             }
         }
     }
@@ -161,9 +171,10 @@ void SectionPicture::liftInner(double step_mm)
 void SectionPicture::drawFaces()
 {
     FlatShapes shapes;
-    for (const Cut& cut : m_cuts) {
+    for (std::size_t i = 0; i < m_cuts.size(); ++i) {
+        const SectionCut& cut = m_cuts[i];
         const auto colour = faceBytes(cut.colour, 1.0);
-        const core::Vec3 lift_W = cut.lift_mm * m_plane.n_W;
+        const core::Vec3 lift_W = m_lifts_mm[i] * m_plane.n_W;
         const auto point = [&](double x, double y) { return shapes.point(m_plane.inWorld({x, y}) + lift_W); };
         for (const geometry::SectionStrip& strip : cut.strips) {
             const vtkIdType corners[4] = {point(strip.leftLow, strip.low), point(strip.rightLow, strip.low),
@@ -181,8 +192,9 @@ void SectionPicture::drawOutlines(double step_mm)
 {
     FlatShapes shapes;
     std::vector<vtkIdType> line;
-    for (const Cut& cut : m_cuts) {
-        const core::Vec3 lift_W = (cut.lift_mm + 0.5 * step_mm) * m_plane.n_W;
+    for (std::size_t i = 0; i < m_cuts.size(); ++i) {
+        const SectionCut& cut = m_cuts[i];
+        const core::Vec3 lift_W = (m_lifts_mm[i] + 0.5 * step_mm) * m_plane.n_W;
         for (const geometry::SectionContour& contour : cut.contours) {
             line.clear();
             for (const Eigen::Vector2d& p : contour.points) {
@@ -213,7 +225,7 @@ std::optional<std::size_t> SectionPicture::structureAt(const core::Vec3& p_W) co
 double SectionPicture::area_mm2(std::size_t structure) const
 {
     const auto cut =
-        std::find_if(m_cuts.begin(), m_cuts.end(), [structure](const Cut& one) { return one.structure == structure; });
+        std::find_if(m_cuts.begin(), m_cuts.end(), [structure](const SectionCut& one) { return one.structure == structure; });
     return cut == m_cuts.end() ? 0.0 : cut->area_mm2;
 }
 

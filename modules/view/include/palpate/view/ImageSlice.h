@@ -25,6 +25,7 @@ class PALPATE_EXPORT ImageSlice
     /// @param volume  null: no image
     void setVolume(std::shared_ptr<const geometry::VoxelVolume> volume) { m_volume = std::move(volume); }
     void setWindow(const geometry::GreyWindow& window) { m_window = window; }
+    [[nodiscard]] const geometry::VoxelVolume* volume() const noexcept { return m_volume.get(); }
     /// Draws the slice. @return false without an image, or if the plane misses the image
     bool show(const geometry::SectionPlane& plane);
     void hide();

@@ -90,9 +90,13 @@ class PALPATE_EXPORT SceneView
     /// frame on. Hand, pointer and picking are not affected. @param plane  empty: no cut
     void setSection(const std::optional<geometry::SectionPlane>& plane);
     [[nodiscard]] const std::optional<geometry::SectionPlane>& section() const noexcept { return m_section; }
+    /// Cuts the visible structures as drawn with any plane; closed ones are filled. @par Cost as `cutsOf`
+    [[nodiscard]] std::vector<SectionCut> cutsAt(const geometry::SectionPlane& plane) const;
     /// Image shown in the section instead of filled structures, whose outlines are drawn on it.
     /// @param volume  null: no image
     void setImage(std::shared_ptr<const geometry::VoxelVolume> volume, const geometry::GreyWindow& window);
+    /// Number of the image at a position of the section [mm]; empty without section or image, and outside the image.
+    [[nodiscard]] std::optional<double> imageNumberAt(const Vec3& p_W) const;
     /// Cut faces of the section, cut now if the plane or the tissue changed.
     [[nodiscard]] const SectionPicture& sectionPicture()
     {
@@ -140,6 +144,8 @@ class PALPATE_EXPORT SceneView
   private:
     [[nodiscard]] double aspect() const;
     void bendTissue(const ViewFrame& frame);
+    struct CutInput;
+    [[nodiscard]] CutInput cutInput() const;
     void cutTissue();
     void findHiddenFindings(const ViewFrame& frame);
     void placeLegend(const ViewFrame& frame);

@@ -32,6 +32,22 @@ struct CutSurface
     bool isFilled = true; ///< if it is closed; false: an outline only
 };
 
+/// Cut of one structure.
+struct SectionCut
+{
+    std::size_t structure = 0; ///< its number
+    std::vector<geometry::SectionContour> contours;
+    std::vector<geometry::SectionStrip> strips; ///< the filled area; empty for an open structure
+    Eigen::AlignedBox2d box{};                  ///< of the contours, in the plane [mm]
+    double area_mm2 = 0.0;
+    Colour colour{};
+};
+
+/// Cuts surfaces with a plane. @return the structures that are cut, by decreasing area, so that inner ones come last
+/// @par Cost 2 to 9 ms of processor time for 1.2 million triangles, on several cores if several structures are cut
+[[nodiscard]] PALPATE_EXPORT std::vector<SectionCut> cutsOf(const geometry::SectionPlane& plane,
+                                                            const std::vector<CutSurface>& surfaces);
+
 /// Cut faces and outlines of structures in a plane. Closed structures are filled in their own colour, inner ones on top
 /// of outer ones; open structures are outlines only. Everything else that `clipping` is set for is hidden on the side
 /// of the plane's normal.
@@ -43,7 +59,7 @@ class PALPATE_EXPORT SectionPicture
     /// Adds the actors. @param solid  contains the tissue; must outlive this
     void addTo(vtkRenderer& solid);
     /// Cuts and draws. @param surfaces  by structure; without triangles: not cut
-    /// @par Cost 2 to 9 ms of processor time for 1.2 million triangles, on several cores if several structures are cut
+    /// @par Cost as `cutsOf`
     void show(const geometry::SectionPlane& plane, const std::vector<CutSurface>& surfaces);
     void hide();
     [[nodiscard]] bool isShown() const noexcept { return m_isShown; }
@@ -60,22 +76,13 @@ class PALPATE_EXPORT SectionPicture
     [[nodiscard]] vtkPlaneCollection* clipping() const noexcept { return m_clipping; }
 
   private:
-    struct Cut
-    {
-        std::size_t structure = 0;
-        std::vector<geometry::SectionContour> contours;
-        std::vector<geometry::SectionStrip> strips;
-        Eigen::AlignedBox2d box{};
-        double area_mm2 = 0.0;
-        double lift_mm = 0.0; ///< above the plane, so that inner faces hide outer ones
-        Colour colour{};
-    };
     void liftInner(double step_mm);
     void drawFaces();
     void drawOutlines(double step_mm);
 
     geometry::SectionPlane m_plane;
-    std::vector<Cut> m_cuts; ///< by decreasing area
+    std::vector<SectionCut> m_cuts; ///< by decreasing area
+    std::vector<double> m_lifts_mm; ///< of the cuts above the plane, so that inner faces hide outer ones
     vtkSmartPointer<vtkPlane> m_clip;
     vtkSmartPointer<vtkPlaneCollection> m_clipping;
     vtkSmartPointer<vtkActor> m_faces, m_outlines;
