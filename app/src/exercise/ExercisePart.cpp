@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "exercise/ExercisePart.h"
 
-#include "exercise/ExerciseDialog.h"
 #include "scene/DocumentPart.h"
 #include "shell/Notices.h"
 #include "touch/RecordingPart.h"
@@ -55,11 +54,14 @@ int rowOf(const ui::StructureModel& model, const std::string& name)
 /// Place on the surface around a target that is nearest to the target.
 view::TargetMark markOf(const ui::StructureModel& model, int row, const study::TargetBall& ball)
 {
-    const auto around = row < 0 ? std::nullopt : model.rows()[static_cast<std::size_t>(row)].in;
     view::TargetMark mark;
     mark.radius_mm = ball.radius_mm;
     mark.p_W = ball.centre_W;
-    if (!around || !model.rows()[*around].isThere()) {
+    if (row < 0) {
+        return mark;
+    }
+    const auto& around = model.rows()[static_cast<std::size_t>(row)].in;
+    if (!around.has_value() || !model.rows()[*around].isThere()) {
         return mark;
     }
     const std::vector<Vec3>& vertices = model.rows()[*around].loaded.surface->mesh.vertices;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "exercise/ExerciseDialog.h"
 #include "shell/WindowPart.h"
 
 #include <palpate/study/ExerciseScore.h>
@@ -19,7 +20,6 @@ class ExerciseBar;
 namespace palpate::app {
 
 class DocumentPart;
-class ExerciseDialog;
 class RecordingPart;
 class TouchPart;
 
