@@ -40,6 +40,7 @@ struct VirtualTime
     std::multimap<std::int64_t, Sleeper*> sleepers;
     std::set<pthread_t> awaited;  ///< threads that another thread waits for in pthread_join
     std::set<pthread_t> finished; ///< threads that are not joined yet
+    std::set<pthread_t> detached; ///< never joined; their ids are used again
 
     /// Something was sent: wakes the threads that wait for a socket at `time_ns`. Requires `lock`.
     void alert(std::int64_t time_ns)
@@ -165,7 +166,9 @@ void* runCounted(void* raw)
     VirtualTime& time = virtualTime();
     const std::lock_guard guard(time.lock);
     if (time.awaited.erase(pthread_self()) == 0) { // otherwise the waiting thread takes this thread's place
-        time.finished.insert(pthread_self());
+        if (time.detached.erase(pthread_self()) == 0) {
+            time.finished.insert(pthread_self());
+        }
         --time.working;
         time.settle();
     }
@@ -292,6 +295,20 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
         delete started;
     }
     return error;
+}
+
+int pthread_detach(pthread_t thread)
+{
+    using Detach = int (*)(pthread_t);
+    static const auto detach = reinterpret_cast<Detach>(dlsym(RTLD_NEXT, "pthread_detach"));
+    if (standin::t_isCounted) {
+        auto& time = virtualTime();
+        const std::lock_guard guard(time.lock);
+        if (time.finished.erase(thread) == 0) {
+            time.detached.insert(thread);
+        }
+    }
+    return detach(thread);
 }
 
 int pthread_join(pthread_t thread, void** result)
