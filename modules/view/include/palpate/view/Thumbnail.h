@@ -20,8 +20,7 @@ struct ThumbnailSurface
 };
 
 /// Draws surfaces from obliquely in front as a small picture with a transparent background. Computed on the CPU,
-/// without OpenGL and a display, because file managers draw thumbnails in a sandbox without either. A million triangles
-/// take about a tenth of a second.
+/// without OpenGL and a display, because file managers draw thumbnails in a sandbox without either.
 /// @param size_px  width and height, 1 … 2048
 /// @return red, green, blue and alpha (not multiplied) of each pixel, rows from the top; all 0 without triangles
 [[nodiscard]] PALPATE_EXPORT std::vector<std::uint8_t> drawThumbnail(std::span<const ThumbnailSurface> surfaces,
