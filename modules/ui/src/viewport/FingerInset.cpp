@@ -5,6 +5,7 @@
 
 #include <palpate/view/ScaleBar.h>
 
+#include <QColor>
 #include <QEvent>
 #include <QLocale>
 #include <QPainter>
