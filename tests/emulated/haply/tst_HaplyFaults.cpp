@@ -276,6 +276,7 @@ class HaplyFaults : public QObject
     void frozenPoseHoldsAtMostItsForce()
     {
         press();
+        pass(0.4); // until the force is eased in
         const double before_N = m_bench->motors().norm();
         m_bench->with([](standin::HaplyBench& b) { b.faults.isFrozen = true; });
         pass(0.5); // cannot be told from a hand at rest: the force stays, bounded
