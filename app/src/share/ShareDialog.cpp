@@ -104,6 +104,14 @@ igtl::ShareOptions ShareDialog::options() const
 void ShareDialog::showWarning()
 {
     m_warning->setVisible(m_reach->currentIndex() > 0);
+    fitHeight();
+}
+
+/// A window does not grow with its wrapped texts.
+void ShareDialog::fitHeight()
+{
+    layout()->activate();
+    resize(width(), layout()->totalHeightForWidth(width()));
 }
 
 void ShareDialog::showReport(const igtl::ShareReport& report, double perSecond)
@@ -135,12 +143,14 @@ void ShareDialog::showReport(const igtl::ShareReport& report, double perSecond)
         lines << tr("Latest error: %1").arg(QString::fromStdString(report.problem));
     }
     m_state->setText(lines.join(QLatin1Char('\n')));
+    fitHeight();
 }
 
 void ShareDialog::showFailure(const QString& line)
 {
     showReport({}, 0.0);
     m_state->setText(line);
+    fitHeight();
 }
 
 } // namespace palpate::app

@@ -33,6 +33,7 @@ class ShareDialog : public QDialog
 
   private:
     void showWarning();
+    void fitHeight();
 
     QComboBox* m_reach = nullptr;
     QLabel* m_warning = nullptr;
