@@ -368,6 +368,21 @@
     </message>
 </context>
 <context>
+    <name>OwnThreshold</name>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>for your hand: felt</source>
+        <translation>für Ihre Hand: tastbar</translation>
+    </message>
+    <message>
+        <source>for your hand: not felt</source>
+        <translation>für Ihre Hand: nicht tastbar</translation>
+    </message>
+</context>
+<context>
     <name>RecordingControl</name>
     <message>
         <source>Recording</source>
@@ -673,6 +688,18 @@
     <message>
         <source>Show %1</source>
         <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Move the section</source>
+        <translation>Schnitt verschieben</translation>
+    </message>
+    <message>
+        <source>Show a section</source>
+        <translation>Schnitt zeigen</translation>
+    </message>
+    <message>
+        <source>End the section</source>
+        <translation>Schnitt beenden</translation>
     </message>
 </context>
 <context>
@@ -6362,10 +6389,6 @@
         <translation>forcedimension: gefunden wurde die Adresse „%1“, erwartet wird eine Seriennummer</translation>
     </message>
     <message>
-        <source>%1: library: expected the path of libdhd.so.3 in quotes</source>
-        <translation>%1: library: erwartet wird der Pfad von libdhd.so.3 in Anführungszeichen</translation>
-    </message>
-    <message>
         <source>%1: expected an object, as %2</source>
         <translation>%1: erwartet: ein Objekt wie %2</translation>
     </message>
@@ -6525,6 +6548,370 @@
         <source>positions in mm</source>
         <translation>Positionen in mm</translation>
     </message>
+    <message>
+        <source>nothing written: found no recording that can be measured, expected at least one</source>
+        <translation>nichts geschrieben: keine messbare Aufzeichnung gefunden, mindestens eine erwartet</translation>
+    </message>
+    <message>
+        <source>session measure: found several recordings or a folder, expected --csv or --findings for their tables</source>
+        <translation>session measure: mehrere Aufzeichnungen oder einen Ordner gefunden, --csv oder --findings für deren Tabellen erwartet</translation>
+    </message>
+    <message>
+        <source>session measure: found --json with --csv or --findings, expected one form</source>
+        <translation>session measure: --json mit --csv oder --findings gefunden, eine Form erwartet</translation>
+    </message>
+    <message>
+        <source>--columns: found no --csv, expected the file with these columns</source>
+        <translation>--columns: kein --csv gefunden, die Datei mit diesen Spalten erwartet</translation>
+    </message>
+    <message>
+        <source>%1: found no visible surface, expected one to draw</source>
+        <translation>%1: keine sichtbare Oberfläche gefunden, erwartet wird eine zum Zeichnen</translation>
+    </message>
+    <message>
+        <source>%1: found %2 bytes, expected %3</source>
+        <translation>%1: %2 Bytes gefunden, %3 erwartet</translation>
+    </message>
+    <message>
+        <source>POSITION: expected finite numbers within 1,000,000 mm and a unit quaternion</source>
+        <translation>POSITION: Endliche Zahlen bis 1.000.000 mm und ein Einheitsquaternion erwartet</translation>
+    </message>
+    <message>
+        <source>TDATA: found %1 bytes, expected a multiple of %2</source>
+        <translation>TDATA: %1 Bytes gefunden, ein Vielfaches von %2 erwartet</translation>
+    </message>
+    <message>
+        <source>found the host %1, expected localhost or a numeric address such as 192.168.0.10</source>
+        <translation>Host %1 gefunden, localhost oder eine numerische Adresse wie 192.168.0.10 erwartet</translation>
+    </message>
+    <message>
+        <source>nothing answers at %1, port %2: %3</source>
+        <translation>keine Antwort von %1, Port %2: %3</translation>
+    </message>
+    <message>
+        <source>found the address %1, expected a numeric address such as 127.0.0.1</source>
+        <translation>Adresse %1 gefunden, eine numerische Adresse wie 127.0.0.1 erwartet</translation>
+    </message>
+    <message>
+        <source>Port %1 is used by another program, perhaps a second Palpate. Choose another port.</source>
+        <translation>Port %1 wird von einem anderen Programm benutzt, vielleicht einem zweiten Palpate. Wählen Sie einen anderen Port.</translation>
+    </message>
+    <message>
+        <source>%1, port %2: %3</source>
+        <translation>%1, Port %2: %3</translation>
+    </message>
+    <message>
+        <source>POLYDATA: %1: found %2 bytes for %3 cells</source>
+        <translation>POLYDATA: %1: %2 Bytes für %3 Zellen gefunden</translation>
+    </message>
+    <message>
+        <source>POLYDATA: %1: cell %2 has point %3, expected less than %4</source>
+        <translation>POLYDATA: %1: Zelle %2 hat Punkt %3, weniger als %4 erwartet</translation>
+    </message>
+    <message>
+        <source>POLYDATA: point %1: expected numbers within 1,000,000 mm</source>
+        <translation>POLYDATA: Punkt %1: Zahlen bis 1.000.000 mm erwartet</translation>
+    </message>
+    <message>
+        <source>POLYDATA: found no triangle</source>
+        <translation>POLYDATA: Kein Dreieck gefunden</translation>
+    </message>
+    <message>
+        <source>no direction</source>
+        <translation>keine Richtung</translation>
+    </message>
+    <message>
+        <source>three numbers that point to the hidden side</source>
+        <translation>drei Zahlen, die zur verborgenen Seite zeigen</translation>
+    </message>
+    <message>
+        <source>%1; copy the readable parts with `palpate session recover` first, then share the copy</source>
+        <translation>%1; kopieren Sie zuerst die lesbaren Teile mit `palpate session recover` und geben Sie dann diese Kopie weiter</translation>
+    </message>
+    <message>
+        <source>--columns: found &quot;%1&quot;, expected some of %2</source>
+        <translation>--columns: „%1“ gefunden, eine Auswahl aus %2 erwartet</translation>
+    </message>
+    <message>
+        <source>--columns: found &quot;%1&quot; twice, expected each column once</source>
+        <translation>--columns: „%1“ zweimal gefunden, jede Spalte einmal erwartet</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>found before</source>
+        <translation>schon gefunden</translation>
+    </message>
+    <message>
+        <source>false alarm</source>
+        <translation>Fehlalarm</translation>
+    </message>
+    <message>
+        <source>after the time limit, not counted</source>
+        <translation>nach der Zeitgrenze, nicht gezählt</translation>
+    </message>
+    <message>
+        <source>not counted: a landmark or a place to keep away from</source>
+        <translation>nicht gezählt: eine Landmarke oder eine zu meidende Stelle</translation>
+    </message>
+    <message>
+        <source>Examinee</source>
+        <translation>Prüfling</translation>
+    </message>
+    <message>
+        <source>Targets found: %1 of %2. Missed: %3. False alarms: %4.</source>
+        <translation>Gefundene Ziele: %1 von %2. Verfehlt: %3. Fehlalarme: %4.</translation>
+    </message>
+    <message>
+        <source>No coverage of %1: its surface is missing or another one now.</source>
+        <translation>Keine Abdeckung von %1: Die Oberfläche fehlt oder ist jetzt eine andere.</translation>
+    </message>
+    <message>
+        <source>Ticks lost while recording: %1.</source>
+        <translation>Beim Aufzeichnen verlorene Takte: %1.</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Ziele</translation>
+    </message>
+    <message>
+        <source>A target is found by a finding within %1 mm of the ball around it</source>
+        <translation>Ein Ziel ist gefunden, wenn ein Befund höchstens %1 mm von der Kugel darum liegt</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Found after [s]</source>
+        <translation>Gefunden nach [s]</translation>
+    </message>
+    <message>
+        <source>Distance from the ball [mm]</source>
+        <translation>Abstand von der Kugel [mm]</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>verfehlt</translation>
+    </message>
+    <message>
+        <source>Findings as they were at the end of the recording</source>
+        <translation>Befunde, wie sie am Ende der Aufzeichnung waren</translation>
+    </message>
+    <message>
+        <source>Search and force</source>
+        <translation>Suche und Kraft</translation>
+    </message>
+    <message>
+        <source>Time limit [s]</source>
+        <translation>Zeitgrenze [s]</translation>
+    </message>
+    <message>
+        <source>Searched share of the surface [%]</source>
+        <translation>Abgesuchter Anteil der Oberfläche [%]</translation>
+    </message>
+    <message>
+        <source>Surface to be searched [cm²]</source>
+        <translation>Abzusuchende Oberfläche [cm²]</translation>
+    </message>
+    <message>
+        <source>Distance that counts as touched [mm]</source>
+        <translation>Abstand, der als berührt gilt [mm]</translation>
+    </message>
+    <message>
+        <source>Goal of the exercise [%]</source>
+        <translation>Vorgabe der Übung [%]</translation>
+    </message>
+    <message>
+        <source>Force ceiling [N]</source>
+        <translation>Kraftgrenze [N]</translation>
+    </message>
+    <message>
+        <source>Time above the ceiling [s]</source>
+        <translation>Zeit über der Grenze [s]</translation>
+    </message>
+    <message>
+        <source>Impulse above the ceiling [N s]</source>
+        <translation>Impuls über der Grenze [N s]</translation>
+    </message>
+    <message>
+        <source>Search exercise</source>
+        <translation>Suchübung</translation>
+    </message>
+    <message>
+        <source>The targets, as seen at the end of the exercise</source>
+        <translation>Die Ziele, wie am Ende der Übung zu sehen</translation>
+    </message>
+    <message>
+        <source>The scene with a ring above each target and the findings as numbered discs.</source>
+        <translation>Die Szene mit einem Ring über jedem Ziel und den Befunden als nummerierten Scheiben.</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <source>Definitions</source>
+        <translation>Definitionen</translation>
+    </message>
+    <message>
+        <source>The ball around a target has its centre in the centroid of the surface and reaches to the farthest vertex. Landmarks and places to keep away from do not count. Times are counted from the first tick of the recording. The same numbers are printed by: palpate session exercise. No grade is given.</source>
+        <translation>Die Kugel um ein Ziel hat ihren Mittelpunkt im Schwerpunkt der Oberfläche und reicht bis zum fernsten Eckpunkt. Landmarken und zu meidende Stellen zählen nicht. Zeiten zählen ab dem ersten Takt der Aufzeichnung. Dieselben Zahlen gibt aus: palpate session exercise. Es gibt keine Note.</translation>
+    </message>
+    <message>
+        <source>%1: found no recording, expected files named *.palpate</source>
+        <translation>%1: keine Aufzeichnung gefunden, Dateien mit Namen *.palpate erwartet</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be read: %2</source>
+        <translation>%1: Der Ordner kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>stop the recording first</source>
+        <translation>beenden Sie zuerst die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>This device is calibrated by its maker&apos;s service: attach its grip, and calibrate it as Haply Hub shows.</source>
+        <translation>Dieses Gerät wird vom Dienst des Herstellers kalibriert: Stecken Sie den Griff an und kalibrieren Sie es, wie Haply Hub es zeigt.</translation>
+    </message>
+    <message>
+        <source>haply: found version %1.%2 of the Inverse Service, expected 3.1 to 3.x; install version 3.5 with Haply Hub</source>
+        <translation>haply: Version %1.%2 des Inverse Service wurde gefunden, erwartet wurde 3.1 bis 3.x; installieren Sie Version 3.5 mit Haply Hub</translation>
+    </message>
+    <message>
+        <source>haply: the program at port %1 sends no list of devices as the Inverse Service does; set &quot;port&quot; in ~/.config/Palpate/haply.json to the service&apos;s websocket port</source>
+        <translation>haply: Das Programm an Port %1 sendet keine Liste der Geräte wie der Inverse Service; setzen Sie „port“ in ~/.config/Palpate/haply.json auf den WebSocket-Port des Dienstes</translation>
+    </message>
+    <message>
+        <source>haply: the Inverse Service has no device: connect its USB cable and its power supply, and switch it on</source>
+        <translation>haply: Der Inverse Service hat kein Gerät: Schließen Sie USB-Kabel und Netzteil an, und schalten Sie es ein</translation>
+    </message>
+    <message>
+        <source>haply: %1 devices are connected, expected one: choose by &quot;device_id&quot; in ~/.config/Palpate/haply.json; &quot;palpate devices&quot; lists the identifiers</source>
+        <translation>haply: %1 Geräte sind angeschlossen, erwartet wurde eines: Wählen Sie mit „device_id“ in ~/.config/Palpate/haply.json; „palpate devices“ zeigt die Kennungen</translation>
+    </message>
+    <message>
+        <source>haply: found no device %1, but %2; &quot;palpate devices&quot; lists the identifiers</source>
+        <translation>haply: Das Gerät %1 wurde nicht gefunden, aber %2; „palpate devices“ zeigt die Kennungen</translation>
+    </message>
+    <message>
+        <source>haply: the device %1 is already in use by this program</source>
+        <translation>haply: Das Gerät %1 wird von diesem Programm bereits verwendet</translation>
+    </message>
+    <message>
+        <source>%1: %2: expected an identifier in quotes, as &quot;049D&quot;</source>
+        <translation>%1: %2: Erwartet wurde eine Kennung in Anführungszeichen, etwa &quot;049D&quot;</translation>
+    </message>
+    <message>
+        <source>haply: the Inverse Service does not answer at port %1: install it, or start it with Haply Hub or &quot;sudo systemctl start haply-inverse-service&quot;</source>
+        <translation>haply: Der Inverse Service antwortet nicht an Port %1: Installieren Sie ihn, oder starten Sie ihn mit Haply Hub oder „sudo systemctl start haply-inverse-service“</translation>
+    </message>
+    <message>
+        <source>haply: found a program at port %1 that does not answer like the Inverse Service; set &quot;port&quot; in ~/.config/Palpate/haply.json to the service&apos;s websocket port</source>
+        <translation>haply: Das Programm an Port %1 antwortet nicht wie der Inverse Service; setzen Sie „port“ in ~/.config/Palpate/haply.json auf den WebSocket-Port des Dienstes</translation>
+    </message>
+    <message>
+        <source>haply: found &quot;%1&quot; at port %2, expected a WebSocket; set &quot;port&quot; in ~/.config/Palpate/haply.json to the service&apos;s websocket port</source>
+        <translation>haply: An Port %2 wurde „%1“ gefunden, erwartet wurde ein WebSocket; setzen Sie „port“ in ~/.config/Palpate/haply.json auf den WebSocket-Port des Dienstes</translation>
+    </message>
+    <message>
+        <source>The device is not connected.</source>
+        <translation>Das Gerät ist nicht angeschlossen.</translation>
+    </message>
+    <message>
+        <source>This device is calibrated in its inkwell: put the stylus into it, wait two seconds, and take it out.</source>
+        <translation>Dieses Gerät wird in seiner Stifthalterung kalibriert: Stecken Sie den Stift hinein, warten Sie zwei Sekunden und nehmen Sie ihn heraus.</translation>
+    </message>
+    <message>
+        <source>install OpenHaptics and the Touch driver of 3D Systems, or set &quot;library&quot; in ~/.config/Palpate/openhaptics.json to the path of libHD.so.3.4; see the page &quot;devices&quot; of the documentation</source>
+        <translation>installieren Sie OpenHaptics und den Touch-Treiber von 3D Systems, oder setzen Sie „library“ in ~/.config/Palpate/openhaptics.json auf den Pfad von libHD.so.3.4; siehe die Seite „devices“ der Dokumentation</translation>
+    </message>
+    <message>
+        <source>openhaptics: libHD is version %1, expected version 3; %2</source>
+        <translation>openhaptics: libHD ist Version %1, erwartet wurde Version 3; %2</translation>
+    </message>
+    <message>
+        <source>the licence of OpenHaptics is missing or has expired: install the licence with the maker&apos;s tools</source>
+        <translation>die Lizenz von OpenHaptics fehlt oder ist abgelaufen: Installieren Sie die Lizenz mit den Programmen des Herstellers</translation>
+    </message>
+    <message>
+        <source>it does not answer: connect its cable and its power supply, install Palpate&apos;s udev rule (in lib/udev/rules.d), and plug it in again</source>
+        <translation>es antwortet nicht: Schließen Sie Kabel und Netzteil an, installieren Sie Palpates udev-Regel (in lib/udev/rules.d) und stecken Sie es neu ein</translation>
+    </message>
+    <message>
+        <source>its configuration does not fit: run the maker&apos;s Touch_Setup; configurations are read from %1</source>
+        <translation>seine Konfiguration passt nicht: Starten Sie Touch_Setup des Herstellers; Konfigurationen werden aus %1 gelesen</translation>
+    </message>
+    <message>
+        <source>it reports a fault: disconnect its power supply, wait five seconds, and connect it again</source>
+        <translation>es meldet einen Fehler: Trennen Sie das Netzteil, warten Sie fünf Sekunden und schließen Sie es wieder an</translation>
+    </message>
+    <message>
+        <source>error %1 of libHD (%2): run the maker&apos;s Touch_Diagnostic; configurations are read from %3</source>
+        <translation>Fehler %1 von libHD (%2): Starten Sie Touch_Diagnostic des Herstellers; Konfigurationen werden aus %3 gelesen</translation>
+    </message>
+    <message>
+        <source>%1: the device is already in use by this program</source>
+        <translation>%1: Das Gerät wird von diesem Programm bereits benutzt</translation>
+    </message>
+    <message>
+        <source>openhaptics: libHD does not answer: switch the device off and on, and start Palpate again</source>
+        <translation>openhaptics: libHD antwortet nicht: Schalten Sie das Gerät aus und ein und starten Sie Palpate neu</translation>
+    </message>
+    <message>
+        <source>openhaptics: %1 devices are configured, expected one: choose by &quot;device&quot; in ~/.config/Palpate/openhaptics.json; &quot;palpate devices&quot; lists the names and the serial numbers</source>
+        <translation>openhaptics: %1 Geräte sind konfiguriert, erwartet wurde eines: Wählen Sie mit „device“ in ~/.config/Palpate/openhaptics.json; „palpate devices“ zeigt die Namen und Seriennummern</translation>
+    </message>
+    <message>
+        <source>openhaptics: no device has the name or the serial number &quot;%1&quot;: run the maker&apos;s Touch_Setup; configurations are read from %2</source>
+        <translation>openhaptics: Kein Gerät hat den Namen oder die Seriennummer „%1“: Starten Sie Touch_Setup des Herstellers; Konfigurationen werden aus %2 gelesen</translation>
+    </message>
+    <message>
+        <source>openhaptics: the device &quot;%1&quot; could not be opened: %2</source>
+        <translation>openhaptics: Das Gerät „%1“ konnte nicht geöffnet werden: %2</translation>
+    </message>
+    <message>
+        <source>openhaptics: %1 devices are in use, no more are possible</source>
+        <translation>openhaptics: %1 Geräte werden benutzt, mehr sind nicht möglich</translation>
+    </message>
+    <message>
+        <source>openhaptics: the device was opened but gives no position; switch it off and on</source>
+        <translation>openhaptics: Das Gerät wurde geöffnet, liefert aber keine Position; schalten Sie es aus und ein</translation>
+    </message>
+    <message>
+        <source>%1: device: expected the name of a configuration, or a serial number, in quotes</source>
+        <translation>%1: device: Erwartet wurde der Name einer Konfiguration oder eine Seriennummer in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>%1. Start the server there, or set host and port in openigtlink.json.</source>
+        <translation>%1. Starten Sie dort den Server, oder setzen Sie host und port in openigtlink.json.</translation>
+    </message>
+    <message>
+        <source>The positions are those of the scene, so there is no centre to set. With workspace_radius_mm in openigtlink.json, the current position becomes the centre.</source>
+        <translation>Die Positionen sind die der Szene, daher gibt es keinen Mittelpunkt zu setzen. Mit workspace_radius_mm in openigtlink.json wird die aktuelle Position zum Mittelpunkt.</translation>
+    </message>
+    <message>
+        <source>%1: found a matrix that is singular, scaled, mirrored or out of reach, expected a rotation and a position in mm</source>
+        <translation>%1: Singuläre, skalierte, gespiegelte oder zu weit entfernte Matrix gefunden, eine Drehung und eine Position in mm erwartet</translation>
+    </message>
+    <message>
+        <source>%1: %2: expected a text of at most %3 bytes in quotes</source>
+        <translation>%1: %2: Ein Text von höchstens %3 Bytes in Anführungszeichen erwartet</translation>
+    </message>
+    <message>
+        <source>%1: %2: found &quot;%3&quot;, expected &quot;RAS&quot; or &quot;LPS&quot;</source>
+        <translation>%1: %2: „%3“ gefunden, „RAS“ oder „LPS“ erwartet</translation>
+    </message>
+    <message>
+        <source>%1: library: expected the path of %2 in quotes</source>
+        <translation>%1: library: Erwartet wurde der Pfad von %2 in Anführungszeichen</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::ComparisonDialog</name>
@@ -6652,6 +7039,26 @@
     <message>
         <source>Restore the force</source>
         <translation>Kraft wiederherstellen</translation>
+    </message>
+    <message>
+        <source>My threshold…</source>
+        <translation>Meine Schwelle…</translation>
+    </message>
+    <message>
+        <source>Measure the smallest increase of stiffness that your hand detects</source>
+        <translation>Die kleinste Zunahme der Steifigkeit messen, die Ihre Hand bemerkt</translation>
+    </message>
+    <message>
+        <source>Stop the recording before you measure your threshold.</source>
+        <translation>Beenden Sie die Aufzeichnung, bevor Sie Ihre Schwelle messen.</translation>
+    </message>
+    <message>
+        <source>Hold to press harder, wheel for the force limit; P turns the view</source>
+        <translation>Halten, um stärker zu drücken, Rad für die Kraftgrenze; P dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Drag to press, wheel for depth; P turns the view</source>
+        <translation>Ziehen zum Drücken, Rad für die Tiefe; P dreht die Ansicht</translation>
     </message>
 </context>
 <context>
@@ -6824,6 +7231,209 @@
     <message>
         <source>Forces may stutter: %1: %2. %3</source>
         <translation>Kräfte können stocken: %1: %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ExerciseDialog</name>
+    <message>
+        <source>Results of the exercise</source>
+        <translation>Ergebnisse der Übung</translation>
+    </message>
+    <message>
+        <source>Scoring the recording…</source>
+        <translation>Die Aufzeichnung wird ausgewertet…</translation>
+    </message>
+    <message>
+        <source>Result of saving</source>
+        <translation>Ergebnis des Speicherns</translation>
+    </message>
+    <message>
+        <source>Save page…</source>
+        <translation>Seite speichern…</translation>
+    </message>
+    <message>
+        <source>Save this page with a picture as PDF or web page</source>
+        <translation>Diese Seite mit einem Bild als PDF oder Webseite speichern</translation>
+    </message>
+    <message>
+        <source>Save numbers (JSON)…</source>
+        <translation>Zahlen speichern (JSON)…</translation>
+    </message>
+    <message>
+        <source>Save the numbers in machine-readable form, as palpate session exercise writes them</source>
+        <translation>Die Zahlen in maschinenlesbarer Form speichern, wie palpate session exercise sie schreibt</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Hide the targets again for another search</source>
+        <translation>Die Ziele für eine weitere Suche wieder verbergen</translation>
+    </message>
+    <message>
+        <source>Page of the exercise</source>
+        <translation>Seite der Übung</translation>
+    </message>
+    <message>
+        <source>PDF for printing (*.pdf);;Web page, for screen readers too (*.html)</source>
+        <translation>PDF zum Drucken (*.pdf);;Webseite, auch für Bildschirmleser (*.html)</translation>
+    </message>
+    <message>
+        <source>Numbers of the exercise</source>
+        <translation>Zahlen der Übung</translation>
+    </message>
+    <message>
+        <source>Numbers (*.json)</source>
+        <translation>Zahlen (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 must end in .pdf, .html or .json.</source>
+        <translation>Nichts wurde geschrieben: %1 muss auf .pdf, .html oder .json enden.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Nach %1 geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ExercisePart</name>
+    <message>
+        <source>Search for the hidden targets: records the hand until the end</source>
+        <translation>Nach den verborgenen Zielen suchen: zeichnet die Hand bis zum Ende auf</translation>
+    </message>
+    <message>
+        <source>Start the exercise</source>
+        <translation>Übung beginnen</translation>
+    </message>
+    <message>
+        <source>Show the targets…</source>
+        <translation>Ziele zeigen…</translation>
+    </message>
+    <message>
+        <source>Give up the exercise without a search</source>
+        <translation>Die Übung ohne Suche aufgeben</translation>
+    </message>
+    <message>
+        <source>Do the exercise again</source>
+        <translation>Übung wiederholen</translation>
+    </message>
+    <message>
+        <source>Hide the targets again for another search</source>
+        <translation>Die Ziele für eine weitere Suche wieder verbergen</translation>
+    </message>
+    <message>
+        <source>Results of the exercise…</source>
+        <translation>Ergebnisse der Übung…</translation>
+    </message>
+    <message>
+        <source>Found and missed targets, time, coverage and force of the last search</source>
+        <translation>Gefundene und verfehlte Ziele, Zeit, Abdeckung und Kraft der letzten Suche</translation>
+    </message>
+    <message>
+        <source>End the exercise</source>
+        <translation>Übung beenden</translation>
+    </message>
+    <message>
+        <source>Off until the exercise ends, because it could show the hidden targets</source>
+        <translation>Aus bis zum Ende der Übung, weil es die verborgenen Ziele zeigen könnte</translation>
+    </message>
+    <message>
+        <source>The recording starts with the exercise (Session menu)</source>
+        <translation>Die Aufzeichnung beginnt mit der Übung (Menü Sitzung)</translation>
+    </message>
+    <message>
+        <source>This scene is an exercise: find the hidden targets by touch. Start it in the view or in the Session menu.</source>
+        <translation>Diese Szene ist eine Übung: Finden Sie die verborgenen Ziele durch Tasten. Beginnen Sie in der Ansicht oder im Menü Sitzung.</translation>
+    </message>
+    <message>
+        <source>Stop the recording before you start the exercise.</source>
+        <translation>Beenden Sie die Aufzeichnung, bevor Sie die Übung beginnen.</translation>
+    </message>
+    <message>
+        <source>The exercise runs. Mark each place that you find (M).</source>
+        <translation>Die Übung läuft. Markieren Sie jede Stelle, die Sie finden (M).</translation>
+    </message>
+    <message>
+        <source>Show the targets without a search? Whoever has seen them cannot search for them any more.</source>
+        <translation>Die Ziele ohne Suche zeigen? Wer sie gesehen hat, kann sie nicht mehr suchen.</translation>
+    </message>
+    <message>
+        <source>Show the targets</source>
+        <translation>Ziele zeigen</translation>
+    </message>
+    <message>
+        <source>Keep them hidden</source>
+        <translation>Verborgen lassen</translation>
+    </message>
+    <message>
+        <source>Stop the recording before you do the exercise again.</source>
+        <translation>Beenden Sie die Aufzeichnung, bevor Sie die Übung wiederholen.</translation>
+    </message>
+    <message>
+        <source>Time is up.</source>
+        <translation>Die Zeit ist um.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hidden target(s)</source>
+        <translation>
+            <numerusform>%n verborgenes Ziel</numerusform>
+            <numerusform>%n verborgene Ziele</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marked</source>
+        <translation>
+            <numerusform>%n markiert</numerusform>
+            <numerusform>%n markiert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>%1 N: above the ceiling of %2 N</source>
+        <translation>%1 N: über der Grenze von %2 N</translation>
+    </message>
+    <message>
+        <source>%1 N, ceiling %2 N</source>
+        <translation>%1 N, Grenze %2 N</translation>
+    </message>
+    <message>
+        <source>Press M at each place that you find.</source>
+        <translation>Drücken Sie M an jeder Stelle, die Sie finden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exercise: %n hidden target(s)</source>
+        <translation>
+            <numerusform>Übung: %n verborgenes Ziel</numerusform>
+            <numerusform>Übung: %n verborgene Ziele</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Force ceiling %1 N</source>
+        <translation>Kraftgrenze %1 N</translation>
+    </message>
+    <message>
+        <source>Find them by touch. The search is recorded. Sections, peek, maps, distances, results and reports are off until the end.</source>
+        <translation>Finden Sie sie durch Tasten. Die Suche wird aufgezeichnet. Schnitte, Durchblick, Karten, Abstände, Ergebnisse und Berichte sind bis zum Ende aus.</translation>
+    </message>
+    <message>
+        <source>Exercise: the targets are shown</source>
+        <translation>Übung: Die Ziele werden gezeigt</translation>
+    </message>
+    <message>
+        <source>%1: found after %2 s</source>
+        <translation>%1: nach %2 s gefunden</translation>
+    </message>
+    <message>
+        <source>%1: missed</source>
+        <translation>%1: verfehlt</translation>
     </message>
 </context>
 <context>
@@ -7141,6 +7751,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <source>What can be felt</source>
         <translation>Was tastbar ist</translation>
     </message>
+    <message>
+        <source>Preparing for touch</source>
+        <translation>Tasten wird vorbereitet</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::MotionPart</name>
@@ -7224,6 +7838,21 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Picture copied, and saved to %1</source>
         <translation>Bild kopiert und gespeichert unter %1</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ReceivedSurfaces</name>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>A surface was not received: several others are still being stored. Send it again.</source>
+        <translation>Eine Fläche wurde nicht empfangen: Mehrere andere werden noch gespeichert. Senden Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 surfaces were received. Further ones are ignored until Palpate is started again.</source>
+        <translation>%1 Flächen wurden empfangen. Weitere werden bis zum nächsten Start von Palpate nicht beachtet.</translation>
     </message>
 </context>
 <context>
@@ -7319,6 +7948,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Do not offer again</source>
         <translation>Nicht mehr anbieten</translation>
+    </message>
+    <message>
+        <source>%1: a recording names what was touched. Open it after the exercise.</source>
+        <translation>%1: Eine Aufzeichnung benennt, was berührt wurde. Öffnen Sie sie nach der Übung.</translation>
     </message>
 </context>
 <context>
@@ -7456,8 +8089,15 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <translation>%1 Strukturen: %2 (%3 und andere; Einzelheiten am Zeichen in der Liste der Strukturen)</translation>
     </message>
     <message>
-        <source>The scene has an exercise. The window shows its targets.</source>
-        <translation>Die Szene enthält eine Übung. Das Fenster zeigt die Ziele.</translation>
+        <source>The scene has an exercise. Its targets are shown, because a recording is opened.</source>
+        <translation>Die Szene hat eine Übung. Ihre Ziele werden gezeigt, weil eine Aufzeichnung geöffnet wird.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s) on hidden targets are withheld</source>
+        <translation>
+            <numerusform>%n Hinweis zu verborgenen Zielen wird zurückgehalten</numerusform>
+            <numerusform>%n Hinweise zu verborgenen Zielen werden zurückgehalten</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7700,6 +8340,119 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <source>%1 · the hand still feels everything</source>
         <translation>%1 · die Hand fühlt weiterhin alles</translation>
     </message>
+    <message>
+        <source>Section along the finger</source>
+        <translation>Schnitt entlang des Fingers</translation>
+    </message>
+    <message>
+        <source>Small picture of the hand and of what lies below, live and in playback</source>
+        <translation>Kleines Bild der Hand und dessen, was darunter liegt, live und bei der Wiedergabe</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ShareDialog</name>
+    <message>
+        <source>Not encrypted and without a password: everyone in this network can read the touch and the findings.</source>
+        <translation>Unverschlüsselt und ohne Passwort: Jeder in diesem Netz kann die Berührung und die Befunde mitlesen.</translation>
+    </message>
+    <message>
+        <source>&amp;Add surfaces that 3D Slicer sends to the scene</source>
+        <translation>Von 3D Slicer gesendete Flächen der Szene &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Share with 3D Slicer</source>
+        <translation>Mit 3D Slicer teilen</translation>
+    </message>
+    <message>
+        <source>This computer only</source>
+        <translation>Nur dieser Rechner</translation>
+    </message>
+    <message>
+        <source>All computers in the network</source>
+        <translation>Alle Rechner im Netz</translation>
+    </message>
+    <message>
+        <source>Stored in %1, for this user only</source>
+        <translation>Gespeichert in %1, nur für diesen Benutzer</translation>
+    </message>
+    <message>
+        <source>Start sharing</source>
+        <translation>Teilen beginnen</translation>
+    </message>
+    <message>
+        <source>Sends the hand, the touched point, the force and the findings by OpenIGTLink. In 3D Slicer, open the module OpenIGTLinkIF, add a connector of type Client with this port and the host name localhost (on another computer: the address of this one), and activate it.</source>
+        <translation>Sendet Hand, berührten Punkt, Kraft und Befunde mit OpenIGTLink. Öffnen Sie in 3D Slicer das Modul OpenIGTLinkIF, fügen Sie einen Connector vom Typ Client mit diesem Port und dem Hostnamen localhost (auf einem anderen Rechner: der Adresse von diesem) hinzu und aktivieren Sie ihn.</translation>
+    </message>
+    <message>
+        <source>&amp;Reachable from</source>
+        <translation>&amp;Erreichbar von</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Port</translation>
+    </message>
+    <message>
+        <source>Stop sharing</source>
+        <translation>Teilen beenden</translation>
+    </message>
+    <message>
+        <source>Not shared.</source>
+        <translation>Nicht geteilt.</translation>
+    </message>
+    <message>
+        <source>Waiting for 3D Slicer at port %1.</source>
+        <translation>Warten auf 3D Slicer an Port %1.</translation>
+    </message>
+    <message>
+        <source>Connected: %1</source>
+        <translation>Verbunden: %1</translation>
+    </message>
+    <message>
+        <source>%1 messages a second</source>
+        <translation>%1 Nachrichten pro Sekunde</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s) not sent, because the receiver is too slow</source>
+        <translation>
+            <numerusform>%n Nachricht nicht gesendet, weil der Empfänger zu langsam ist</numerusform>
+            <numerusform>%n Nachrichten nicht gesendet, weil der Empfänger zu langsam ist</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Latest error: %1</source>
+        <translation>Letzter Fehler: %1</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::SharePart</name>
+    <message>
+        <source>Sharing</source>
+        <translation>Teilen</translation>
+    </message>
+    <message>
+        <source>Share with 3D Slicer…</source>
+        <translation>Mit 3D Slicer teilen…</translation>
+    </message>
+    <message>
+        <source>Send the touch and the findings to 3D Slicer and receive surfaces, by OpenIGTLink</source>
+        <translation>Berührung und Befunde an 3D Slicer senden und Flächen empfangen, mit OpenIGTLink</translation>
+    </message>
+    <message>
+        <source>sharing</source>
+        <translation>wird geteilt</translation>
+    </message>
+    <message>
+        <source>shared with 3D Slicer</source>
+        <translation>mit 3D Slicer geteilt</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink server at port %1. To stop it: Device › Share with 3D Slicer…</source>
+        <translation>OpenIGTLink-Server an Port %1. Zum Beenden: Gerät › Mit 3D Slicer teilen…</translation>
+    </message>
+    <message>
+        <source>%1 was received from 3D Slicer.</source>
+        <translation>%1 wurde von 3D Slicer empfangen.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::ShowAround</name>
@@ -7859,6 +8612,85 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Colour structures</source>
         <translation>Strukturen einfärben</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ThresholdDialog</name>
+    <message>
+        <source>The &amp;first was stiffer</source>
+        <translation>Das &amp;erste war steifer</translation>
+    </message>
+    <message>
+        <source>The &amp;second was stiffer</source>
+        <translation>Das &amp;zweite war steifer</translation>
+    </message>
+    <message>
+        <source>Delete the stored threshold</source>
+        <translation>Gespeicherte Schwelle löschen</translation>
+    </message>
+    <message>
+        <source>Also give verdicts on lumps for my hand</source>
+        <translation>Urteile über Knoten auch für meine Hand angeben</translation>
+    </message>
+    <message>
+        <source>My threshold</source>
+        <translation>Meine Schwelle</translation>
+    </message>
+    <message>
+        <source>%v of %m trials</source>
+        <translation>%v von %m Durchgängen</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>After “plainly felt”, “felt by a trained hand” and “too little for a trained hand”: whether the change of stiffness is above the stored threshold</source>
+        <translation>Nach „deutlich tastbar“, „für eine geübte Hand tastbar“ und „zu wenig für eine geübte Hand“: ob die Änderung der Steifigkeit über der gespeicherten Schwelle liegt</translation>
+    </message>
+    <message>
+        <source>Interrupted after %1 trials. An estimate needs at least %2; nothing was changed.</source>
+        <translation>Nach %1 Durchgängen abgebrochen. Eine Schätzung braucht mindestens %2; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Done. Your threshold is below.</source>
+        <translation>Fertig. Ihre Schwelle steht unten.</translation>
+    </message>
+    <message>
+        <source>Interrupt</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Which of two presses is stiffer? In each of 60 trials you press an invisible wall twice and tell which press was stiffer. The difference becomes smaller until you can only guess. It takes about 8 minutes.</source>
+        <translation>Welches von zwei Malen ist steifer? In jedem von 60 Durchgängen drücken Sie zweimal auf eine unsichtbare Wand und geben an, welches Mal steifer war. Der Unterschied wird kleiner, bis Sie nur noch raten können. Das dauert etwa 8 Minuten.</translation>
+    </message>
+    <message>
+        <source>This needs a device that renders force, with an open scene: with the mouse nothing is felt. Choose one in the menu Device.</source>
+        <translation>Dies braucht ein Gerät, das Kraft ausgibt, und eine offene Szene: Mit der Maus ist nichts zu spüren. Wählen Sie eines im Menü Gerät.</translation>
+    </message>
+    <message>
+        <source>First press: push away from you onto the wall, then move back.</source>
+        <translation>Erstes Mal: Drücken Sie von sich weg auf die Wand, dann zurück.</translation>
+    </message>
+    <message>
+        <source>Second press: push onto the wall again, then move back.</source>
+        <translation>Zweites Mal: Drücken Sie wieder auf die Wand, dann zurück.</translation>
+    </message>
+    <message>
+        <source>Which press was stiffer? Guess if you are not sure.</source>
+        <translation>Welches Mal war steifer? Raten Sie, wenn Sie nicht sicher sind.</translation>
+    </message>
+    <message>
+        <source>Your threshold: Weber fraction %1 (95 % interval %2 to %3 %), from %4 trials with %5. This increase of stiffness is told apart in 71 % of the trials.</source>
+        <translation>Ihre Schwelle: Weber-Bruch %1 (95-%-Intervall %2 bis %3 %), aus %4 Durchgängen mit %5. Diese Zunahme der Steifigkeit wird in 71 % der Durchgänge erkannt.</translation>
+    </message>
+    <message>
+        <source>No threshold of your own is stored.</source>
+        <translation>Keine eigene Schwelle ist gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -8189,8 +9021,8 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <translation>Unterstützt: %1.</translation>
     </message>
     <message>
-        <source>Not supported yet: 3D Systems Touch, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
-        <translation>Noch nicht unterstützt: 3D Systems Touch, Haply Inverse3, Novint Falcon. Ein Geräte-Plugin bindet einen solchen Arm an; die Seite „device-plugin“ der Dokumentation beschreibt, wie man eines schreibt.</translation>
+        <source>Not supported yet: 3D Systems Touch, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
+        <translation>Noch nicht unterstützt: 3D Systems Touch, Novint Falcon. Ein Geräte-Plugin bindet einen solchen Arm an; die Seite „device-plugin“ der Dokumentation beschreibt, wie man eines schreibt.</translation>
     </message>
 </context>
 <context>
@@ -8495,6 +9327,17 @@ sonst „Beliebig“ wählen.</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::ExerciseBar</name>
+    <message>
+        <source>Time of the exercise</source>
+        <translation>Zeit der Übung</translation>
+    </message>
+    <message>
+        <source>Force and force ceiling of the exercise</source>
+        <translation>Kraft und Kraftgrenze der Übung</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::FeltOverlay</name>
     <message>
         <source>pressed %1 mm</source>
@@ -8754,6 +9597,10 @@ sonst „Beliebig“ wählen.</translation>
         <source>%1 (stiffness ratio %2)</source>
         <translation>%1 (Steifigkeitsverhältnis %2)</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::FindingsModel</name>
@@ -8899,6 +9746,25 @@ sonst „Beliebig“ wählen.</translation>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::FingerInset</name>
+    <message>
+        <source>Section along the finger</source>
+        <translation>Schnitt entlang des Fingers</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Along the finger: touch a structure</source>
+        <translation>Entlang des Fingers: eine Struktur berühren</translation>
+    </message>
+    <message>
+        <source>Along the finger</source>
+        <translation>Entlang des Fingers</translation>
     </message>
 </context>
 <context>
@@ -9844,6 +10710,17 @@ Anteil der Fläche</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::PointedStructure</name>
+    <message>
+        <source>image: %1</source>
+        <translation>Bild: %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::RecordedTouch</name>
     <message>
         <source>%1 ends at %2 s because the disk was full. Later palpation was not recorded.</source>
@@ -10087,6 +10964,17 @@ Anteil der Fläche</translation>
         <source>By anatomy</source>
         <translation>Nach Anatomie</translation>
     </message>
+    <message>
+        <source>Targets of the exercise can be felt, but are neither drawn nor named until the exercise ends</source>
+        <translation>Ziele der Übung sind tastbar, werden aber bis zum Ende der Übung weder gezeichnet noch benannt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hidden target(s)</source>
+        <translation>
+            <numerusform>%n verborgenes Ziel</numerusform>
+            <numerusform>%n verborgene Ziele</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureModel</name>
@@ -10253,6 +11141,10 @@ Details: %3</source>
         <translation>Netz von %1:
 • %2
 Einzelheiten: %3</translation>
+    </message>
+    <message>
+        <source>unnamed structure</source>
+        <translation>unbenannte Struktur</translation>
     </message>
 </context>
 <context>
@@ -10640,6 +11532,10 @@ Einzelheiten: %3</translation>
     <message>
         <source>Advanced</source>
         <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>Maps are off until the exercise ends</source>
+        <translation>Karten sind bis zum Ende der Übung aus</translation>
     </message>
 </context>
 <context>

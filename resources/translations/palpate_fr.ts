@@ -368,6 +368,21 @@
     </message>
 </context>
 <context>
+    <name>OwnThreshold</name>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>for your hand: felt</source>
+        <translation>pour votre main : palpable</translation>
+    </message>
+    <message>
+        <source>for your hand: not felt</source>
+        <translation>pour votre main : non palpable</translation>
+    </message>
+</context>
+<context>
     <name>RecordingControl</name>
     <message>
         <source>Recording</source>
@@ -673,6 +688,18 @@
     <message>
         <source>Show %1</source>
         <translation>Afficher %1</translation>
+    </message>
+    <message>
+        <source>Move the section</source>
+        <translation>Déplacer la coupe</translation>
+    </message>
+    <message>
+        <source>Show a section</source>
+        <translation>Afficher une coupe</translation>
+    </message>
+    <message>
+        <source>End the section</source>
+        <translation>Terminer la coupe</translation>
     </message>
 </context>
 <context>
@@ -6362,10 +6389,6 @@
         <translation>forcedimension&#x202f;: adresse «&#x202f;%1&#x202f;» trouvée, un numéro de série est attendu</translation>
     </message>
     <message>
-        <source>%1: library: expected the path of libdhd.so.3 in quotes</source>
-        <translation>%1&#x202f;: library&#x202f;: le chemin de libdhd.so.3 entre guillemets est attendu</translation>
-    </message>
-    <message>
         <source>%1: expected an object, as %2</source>
         <translation>%1&#x202f;: attendu un objet, comme %2</translation>
     </message>
@@ -6525,6 +6548,370 @@
         <source>positions in mm</source>
         <translation>des positions en mm</translation>
     </message>
+    <message>
+        <source>nothing written: found no recording that can be measured, expected at least one</source>
+        <translation>rien n’a été écrit : aucun enregistrement mesurable trouvé, au moins un était attendu</translation>
+    </message>
+    <message>
+        <source>session measure: found several recordings or a folder, expected --csv or --findings for their tables</source>
+        <translation>session measure : plusieurs enregistrements ou un dossier trouvés, --csv ou --findings attendu pour leurs tableaux</translation>
+    </message>
+    <message>
+        <source>session measure: found --json with --csv or --findings, expected one form</source>
+        <translation>session measure : --json trouvé avec --csv ou --findings, une seule forme attendue</translation>
+    </message>
+    <message>
+        <source>--columns: found no --csv, expected the file with these columns</source>
+        <translation>--columns : aucun --csv trouvé, le fichier de ces colonnes était attendu</translation>
+    </message>
+    <message>
+        <source>%1: found no visible surface, expected one to draw</source>
+        <translation>%1 : aucune surface visible trouvée, il en faut une à dessiner</translation>
+    </message>
+    <message>
+        <source>%1: found %2 bytes, expected %3</source>
+        <translation>%1 : %2 octets trouvés, %3 attendus</translation>
+    </message>
+    <message>
+        <source>POSITION: expected finite numbers within 1,000,000 mm and a unit quaternion</source>
+        <translation>POSITION : nombres finis jusqu’à 1 000 000 mm et quaternion unitaire attendus</translation>
+    </message>
+    <message>
+        <source>TDATA: found %1 bytes, expected a multiple of %2</source>
+        <translation>TDATA : %1 octets trouvés, multiple de %2 attendu</translation>
+    </message>
+    <message>
+        <source>found the host %1, expected localhost or a numeric address such as 192.168.0.10</source>
+        <translation>hôte %1 trouvé, localhost ou une adresse numérique telle que 192.168.0.10 attendu</translation>
+    </message>
+    <message>
+        <source>nothing answers at %1, port %2: %3</source>
+        <translation>aucune réponse de %1, port %2 : %3</translation>
+    </message>
+    <message>
+        <source>found the address %1, expected a numeric address such as 127.0.0.1</source>
+        <translation>adresse %1 trouvée, adresse numérique telle que 127.0.0.1 attendue</translation>
+    </message>
+    <message>
+        <source>Port %1 is used by another program, perhaps a second Palpate. Choose another port.</source>
+        <translation>Le port %1 est utilisé par un autre programme, peut-être un second Palpate. Choisissez un autre port.</translation>
+    </message>
+    <message>
+        <source>%1, port %2: %3</source>
+        <translation>%1, port %2 : %3</translation>
+    </message>
+    <message>
+        <source>POLYDATA: %1: found %2 bytes for %3 cells</source>
+        <translation>POLYDATA : %1 : %2 octets trouvés pour %3 cellules</translation>
+    </message>
+    <message>
+        <source>POLYDATA: %1: cell %2 has point %3, expected less than %4</source>
+        <translation>POLYDATA : %1 : la cellule %2 a le point %3, moins de %4 attendu</translation>
+    </message>
+    <message>
+        <source>POLYDATA: point %1: expected numbers within 1,000,000 mm</source>
+        <translation>POLYDATA : point %1 : nombres jusqu’à 1 000 000 mm attendus</translation>
+    </message>
+    <message>
+        <source>POLYDATA: found no triangle</source>
+        <translation>POLYDATA : aucun triangle trouvé</translation>
+    </message>
+    <message>
+        <source>no direction</source>
+        <translation>aucune direction</translation>
+    </message>
+    <message>
+        <source>three numbers that point to the hidden side</source>
+        <translation>trois nombres dirigés vers le côté caché</translation>
+    </message>
+    <message>
+        <source>%1; copy the readable parts with `palpate session recover` first, then share the copy</source>
+        <translation>%1 ; copiez d’abord les parties lisibles avec `palpate session recover`, puis partagez cette copie</translation>
+    </message>
+    <message>
+        <source>--columns: found &quot;%1&quot;, expected some of %2</source>
+        <translation>--columns : « %1 » trouvé, un choix parmi %2 attendu</translation>
+    </message>
+    <message>
+        <source>--columns: found &quot;%1&quot; twice, expected each column once</source>
+        <translation>--columns : « %1 » trouvé deux fois, chaque colonne attendue une fois</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>trouvée</translation>
+    </message>
+    <message>
+        <source>found before</source>
+        <translation>déjà trouvée</translation>
+    </message>
+    <message>
+        <source>false alarm</source>
+        <translation>fausse alerte</translation>
+    </message>
+    <message>
+        <source>after the time limit, not counted</source>
+        <translation>après la limite de temps, non compté</translation>
+    </message>
+    <message>
+        <source>not counted: a landmark or a place to keep away from</source>
+        <translation>non compté : un repère ou un endroit à éviter</translation>
+    </message>
+    <message>
+        <source>Examinee</source>
+        <translation>Candidat</translation>
+    </message>
+    <message>
+        <source>Targets found: %1 of %2. Missed: %3. False alarms: %4.</source>
+        <translation>Cibles trouvées : %1 sur %2. Manquées : %3. Fausses alertes : %4.</translation>
+    </message>
+    <message>
+        <source>No coverage of %1: its surface is missing or another one now.</source>
+        <translation>Pas de couverture de %1 : sa surface manque ou a changé.</translation>
+    </message>
+    <message>
+        <source>Ticks lost while recording: %1.</source>
+        <translation>Pas perdus pendant l’enregistrement : %1.</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Cibles</translation>
+    </message>
+    <message>
+        <source>A target is found by a finding within %1 mm of the ball around it</source>
+        <translation>Une cible est trouvée par une observation à moins de %1 mm de la sphère qui l’entoure</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Found after [s]</source>
+        <translation>Trouvée après [s]</translation>
+    </message>
+    <message>
+        <source>Distance from the ball [mm]</source>
+        <translation>Distance à la sphère [mm]</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>manquée</translation>
+    </message>
+    <message>
+        <source>Findings as they were at the end of the recording</source>
+        <translation>Observations telles qu’elles étaient à la fin de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Search and force</source>
+        <translation>Recherche et force</translation>
+    </message>
+    <message>
+        <source>Time limit [s]</source>
+        <translation>Limite de temps [s]</translation>
+    </message>
+    <message>
+        <source>Searched share of the surface [%]</source>
+        <translation>Part explorée de la surface [%]</translation>
+    </message>
+    <message>
+        <source>Surface to be searched [cm²]</source>
+        <translation>Surface à explorer [cm²]</translation>
+    </message>
+    <message>
+        <source>Distance that counts as touched [mm]</source>
+        <translation>Distance comptée comme touchée [mm]</translation>
+    </message>
+    <message>
+        <source>Goal of the exercise [%]</source>
+        <translation>But de l’exercice [%]</translation>
+    </message>
+    <message>
+        <source>Force ceiling [N]</source>
+        <translation>Plafond de force [N]</translation>
+    </message>
+    <message>
+        <source>Time above the ceiling [s]</source>
+        <translation>Temps au-dessus du plafond [s]</translation>
+    </message>
+    <message>
+        <source>Impulse above the ceiling [N s]</source>
+        <translation>Impulsion au-dessus du plafond [N s]</translation>
+    </message>
+    <message>
+        <source>Search exercise</source>
+        <translation>Exercice de recherche</translation>
+    </message>
+    <message>
+        <source>The targets, as seen at the end of the exercise</source>
+        <translation>Les cibles, telles que vues à la fin de l’exercice</translation>
+    </message>
+    <message>
+        <source>The scene with a ring above each target and the findings as numbered discs.</source>
+        <translation>La scène avec un anneau au-dessus de chaque cible et les observations en disques numérotés.</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Endroits</translation>
+    </message>
+    <message>
+        <source>Definitions</source>
+        <translation>Définitions</translation>
+    </message>
+    <message>
+        <source>The ball around a target has its centre in the centroid of the surface and reaches to the farthest vertex. Landmarks and places to keep away from do not count. Times are counted from the first tick of the recording. The same numbers are printed by: palpate session exercise. No grade is given.</source>
+        <translation>La sphère autour d’une cible a son centre au centroïde de la surface et va jusqu’au sommet le plus éloigné. Les repères et les endroits à éviter ne comptent pas. Les temps sont comptés depuis le premier pas de l’enregistrement. Les mêmes nombres sont affichés par : palpate session exercise. Aucune note n’est donnée.</translation>
+    </message>
+    <message>
+        <source>%1: found no recording, expected files named *.palpate</source>
+        <translation>%1 : aucun enregistrement trouvé, des fichiers nommés *.palpate étaient attendus</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be read: %2</source>
+        <translation>%1 : le dossier ne peut pas être lu : %2</translation>
+    </message>
+    <message>
+        <source>stop the recording first</source>
+        <translation>arrêtez d’abord l’enregistrement</translation>
+    </message>
+    <message>
+        <source>This device is calibrated by its maker&apos;s service: attach its grip, and calibrate it as Haply Hub shows.</source>
+        <translation>Cet appareil est étalonné par le service de son fabricant : fixez sa poignée et étalonnez-le comme l’indique Haply Hub.</translation>
+    </message>
+    <message>
+        <source>haply: found version %1.%2 of the Inverse Service, expected 3.1 to 3.x; install version 3.5 with Haply Hub</source>
+        <translation>haply : la version %1.%2 de l’Inverse Service a été trouvée, 3.1 à 3.x était attendue ; installez la version 3.5 avec Haply Hub</translation>
+    </message>
+    <message>
+        <source>haply: the program at port %1 sends no list of devices as the Inverse Service does; set &quot;port&quot; in ~/.config/Palpate/haply.json to the service&apos;s websocket port</source>
+        <translation>haply : le programme au port %1 n’envoie pas de liste d’appareils comme l’Inverse Service ; donnez à « port » dans ~/.config/Palpate/haply.json le port WebSocket du service</translation>
+    </message>
+    <message>
+        <source>haply: the Inverse Service has no device: connect its USB cable and its power supply, and switch it on</source>
+        <translation>haply : l’Inverse Service n’a pas d’appareil : branchez son câble USB et son alimentation, et allumez-le</translation>
+    </message>
+    <message>
+        <source>haply: %1 devices are connected, expected one: choose by &quot;device_id&quot; in ~/.config/Palpate/haply.json; &quot;palpate devices&quot; lists the identifiers</source>
+        <translation>haply : %1 appareils sont branchés, un seul était attendu : choisissez par « device_id » dans ~/.config/Palpate/haply.json ; « palpate devices » donne les identifiants</translation>
+    </message>
+    <message>
+        <source>haply: found no device %1, but %2; &quot;palpate devices&quot; lists the identifiers</source>
+        <translation>haply : l’appareil %1 n’a pas été trouvé, mais %2 ; « palpate devices » donne les identifiants</translation>
+    </message>
+    <message>
+        <source>haply: the device %1 is already in use by this program</source>
+        <translation>haply : l’appareil %1 est déjà utilisé par ce programme</translation>
+    </message>
+    <message>
+        <source>%1: %2: expected an identifier in quotes, as &quot;049D&quot;</source>
+        <translation>%1 : %2 : un identifiant entre guillemets était attendu, comme &quot;049D&quot;</translation>
+    </message>
+    <message>
+        <source>haply: the Inverse Service does not answer at port %1: install it, or start it with Haply Hub or &quot;sudo systemctl start haply-inverse-service&quot;</source>
+        <translation>haply : l’Inverse Service ne répond pas au port %1 : installez-le, ou démarrez-le avec Haply Hub ou « sudo systemctl start haply-inverse-service »</translation>
+    </message>
+    <message>
+        <source>haply: found a program at port %1 that does not answer like the Inverse Service; set &quot;port&quot; in ~/.config/Palpate/haply.json to the service&apos;s websocket port</source>
+        <translation>haply : le programme au port %1 ne répond pas comme l’Inverse Service ; donnez à « port » dans ~/.config/Palpate/haply.json le port WebSocket du service</translation>
+    </message>
+    <message>
+        <source>haply: found &quot;%1&quot; at port %2, expected a WebSocket; set &quot;port&quot; in ~/.config/Palpate/haply.json to the service&apos;s websocket port</source>
+        <translation>haply : « %1 » a été trouvé au port %2, un WebSocket était attendu ; donnez à « port » dans ~/.config/Palpate/haply.json le port WebSocket du service</translation>
+    </message>
+    <message>
+        <source>The device is not connected.</source>
+        <translation>L’appareil n’est pas connecté.</translation>
+    </message>
+    <message>
+        <source>This device is calibrated in its inkwell: put the stylus into it, wait two seconds, and take it out.</source>
+        <translation>Cet appareil s’étalonne dans son encrier : placez-y le stylet, attendez deux secondes et retirez-le.</translation>
+    </message>
+    <message>
+        <source>install OpenHaptics and the Touch driver of 3D Systems, or set &quot;library&quot; in ~/.config/Palpate/openhaptics.json to the path of libHD.so.3.4; see the page &quot;devices&quot; of the documentation</source>
+        <translation>installez OpenHaptics et le pilote Touch de 3D Systems, ou donnez à « library » dans ~/.config/Palpate/openhaptics.json le chemin de libHD.so.3.4 ; voir la page « devices » de la documentation</translation>
+    </message>
+    <message>
+        <source>openhaptics: libHD is version %1, expected version 3; %2</source>
+        <translation>openhaptics : libHD est en version %1, la version 3 était attendue ; %2</translation>
+    </message>
+    <message>
+        <source>the licence of OpenHaptics is missing or has expired: install the licence with the maker&apos;s tools</source>
+        <translation>la licence d’OpenHaptics manque ou a expiré : installez-la avec les outils du fabricant</translation>
+    </message>
+    <message>
+        <source>it does not answer: connect its cable and its power supply, install Palpate&apos;s udev rule (in lib/udev/rules.d), and plug it in again</source>
+        <translation>il ne répond pas : branchez son câble et son alimentation, installez la règle udev de Palpate (dans lib/udev/rules.d) et rebranchez-le</translation>
+    </message>
+    <message>
+        <source>its configuration does not fit: run the maker&apos;s Touch_Setup; configurations are read from %1</source>
+        <translation>sa configuration ne convient pas : lancez Touch_Setup du fabricant ; les configurations sont lues dans %1</translation>
+    </message>
+    <message>
+        <source>it reports a fault: disconnect its power supply, wait five seconds, and connect it again</source>
+        <translation>il signale une panne : débranchez son alimentation, attendez cinq secondes et rebranchez-la</translation>
+    </message>
+    <message>
+        <source>error %1 of libHD (%2): run the maker&apos;s Touch_Diagnostic; configurations are read from %3</source>
+        <translation>erreur %1 de libHD (%2) : lancez Touch_Diagnostic du fabricant ; les configurations sont lues dans %3</translation>
+    </message>
+    <message>
+        <source>%1: the device is already in use by this program</source>
+        <translation>%1 : l’appareil est déjà utilisé par ce programme</translation>
+    </message>
+    <message>
+        <source>openhaptics: libHD does not answer: switch the device off and on, and start Palpate again</source>
+        <translation>openhaptics : libHD ne répond pas : éteignez et rallumez l’appareil, puis relancez Palpate</translation>
+    </message>
+    <message>
+        <source>openhaptics: %1 devices are configured, expected one: choose by &quot;device&quot; in ~/.config/Palpate/openhaptics.json; &quot;palpate devices&quot; lists the names and the serial numbers</source>
+        <translation>openhaptics : %1 appareils sont configurés, un seul était attendu : choisissez par « device » dans ~/.config/Palpate/openhaptics.json ; « palpate devices » liste les noms et les numéros de série</translation>
+    </message>
+    <message>
+        <source>openhaptics: no device has the name or the serial number &quot;%1&quot;: run the maker&apos;s Touch_Setup; configurations are read from %2</source>
+        <translation>openhaptics : aucun appareil n’a le nom ou le numéro de série « %1 » : lancez Touch_Setup du fabricant ; les configurations sont lues dans %2</translation>
+    </message>
+    <message>
+        <source>openhaptics: the device &quot;%1&quot; could not be opened: %2</source>
+        <translation>openhaptics : impossible d’ouvrir l’appareil « %1 » : %2</translation>
+    </message>
+    <message>
+        <source>openhaptics: %1 devices are in use, no more are possible</source>
+        <translation>openhaptics : %1 appareils sont utilisés, le maximum possible</translation>
+    </message>
+    <message>
+        <source>openhaptics: the device was opened but gives no position; switch it off and on</source>
+        <translation>openhaptics : l’appareil a été ouvert mais ne donne aucune position ; éteignez-le et rallumez-le</translation>
+    </message>
+    <message>
+        <source>%1: device: expected the name of a configuration, or a serial number, in quotes</source>
+        <translation>%1 : device : le nom d’une configuration ou un numéro de série, entre guillemets, était attendu</translation>
+    </message>
+    <message>
+        <source>%1. Start the server there, or set host and port in openigtlink.json.</source>
+        <translation>%1. Démarrez-y le serveur, ou indiquez host et port dans openigtlink.json.</translation>
+    </message>
+    <message>
+        <source>The positions are those of the scene, so there is no centre to set. With workspace_radius_mm in openigtlink.json, the current position becomes the centre.</source>
+        <translation>Les positions sont celles de la scène, il n’y a donc pas de centre à définir. Avec workspace_radius_mm dans openigtlink.json, la position actuelle devient le centre.</translation>
+    </message>
+    <message>
+        <source>%1: found a matrix that is singular, scaled, mirrored or out of reach, expected a rotation and a position in mm</source>
+        <translation>%1 : matrice singulière, mise à l’échelle, inversée ou trop éloignée trouvée, rotation et position en mm attendues</translation>
+    </message>
+    <message>
+        <source>%1: %2: expected a text of at most %3 bytes in quotes</source>
+        <translation>%1 : %2 : texte d’au plus %3 octets entre guillemets attendu</translation>
+    </message>
+    <message>
+        <source>%1: %2: found &quot;%3&quot;, expected &quot;RAS&quot; or &quot;LPS&quot;</source>
+        <translation>%1 : %2 : « %3 » trouvé, « RAS » ou « LPS » attendu</translation>
+    </message>
+    <message>
+        <source>%1: library: expected the path of %2 in quotes</source>
+        <translation>%1 : library : le chemin de %2 entre guillemets était attendu</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::ComparisonDialog</name>
@@ -6652,6 +7039,26 @@
     <message>
         <source>Restore the force</source>
         <translation>Rétablir la force</translation>
+    </message>
+    <message>
+        <source>My threshold…</source>
+        <translation>Mon seuil…</translation>
+    </message>
+    <message>
+        <source>Measure the smallest increase of stiffness that your hand detects</source>
+        <translation>Mesurer la plus petite augmentation de rigidité que votre main détecte</translation>
+    </message>
+    <message>
+        <source>Stop the recording before you measure your threshold.</source>
+        <translation>Arrêtez l’enregistrement avant de mesurer votre seuil.</translation>
+    </message>
+    <message>
+        <source>Hold to press harder, wheel for the force limit; P turns the view</source>
+        <translation>Maintenir pour appuyer plus fort, molette pour la limite de force ; P tourne la vue</translation>
+    </message>
+    <message>
+        <source>Drag to press, wheel for depth; P turns the view</source>
+        <translation>Glisser pour appuyer, molette pour la profondeur ; P tourne la vue</translation>
     </message>
 </context>
 <context>
@@ -6824,6 +7231,209 @@
     <message>
         <source>Forces may stutter: %1: %2. %3</source>
         <translation>La force peut saccader&#x202f;: %1&#x202f;: %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ExerciseDialog</name>
+    <message>
+        <source>Results of the exercise</source>
+        <translation>Résultats de l’exercice</translation>
+    </message>
+    <message>
+        <source>Scoring the recording…</source>
+        <translation>Évaluation de l’enregistrement…</translation>
+    </message>
+    <message>
+        <source>Result of saving</source>
+        <translation>Résultat de l’enregistrement du fichier</translation>
+    </message>
+    <message>
+        <source>Save page…</source>
+        <translation>Enregistrer la page…</translation>
+    </message>
+    <message>
+        <source>Save this page with a picture as PDF or web page</source>
+        <translation>Enregistrer cette page avec une image en PDF ou page web</translation>
+    </message>
+    <message>
+        <source>Save numbers (JSON)…</source>
+        <translation>Enregistrer les nombres (JSON)…</translation>
+    </message>
+    <message>
+        <source>Save the numbers in machine-readable form, as palpate session exercise writes them</source>
+        <translation>Enregistrer les nombres sous forme lisible par machine, comme les écrit palpate session exercise</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>Refaire</translation>
+    </message>
+    <message>
+        <source>Hide the targets again for another search</source>
+        <translation>Cacher de nouveau les cibles pour une autre recherche</translation>
+    </message>
+    <message>
+        <source>Page of the exercise</source>
+        <translation>Page de l’exercice</translation>
+    </message>
+    <message>
+        <source>PDF for printing (*.pdf);;Web page, for screen readers too (*.html)</source>
+        <translation>PDF à imprimer (*.pdf);;Page web, aussi pour lecteurs d’écran (*.html)</translation>
+    </message>
+    <message>
+        <source>Numbers of the exercise</source>
+        <translation>Nombres de l’exercice</translation>
+    </message>
+    <message>
+        <source>Numbers (*.json)</source>
+        <translation>Nombres (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing was written: %1 must end in .pdf, .html or .json.</source>
+        <translation>Rien n’a été écrit : %1 doit se terminer par .pdf, .html ou .json.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ExercisePart</name>
+    <message>
+        <source>Search for the hidden targets: records the hand until the end</source>
+        <translation>Chercher les cibles cachées : enregistre la main jusqu’à la fin</translation>
+    </message>
+    <message>
+        <source>Start the exercise</source>
+        <translation>Commencer l’exercice</translation>
+    </message>
+    <message>
+        <source>Show the targets…</source>
+        <translation>Montrer les cibles…</translation>
+    </message>
+    <message>
+        <source>Give up the exercise without a search</source>
+        <translation>Abandonner l’exercice sans recherche</translation>
+    </message>
+    <message>
+        <source>Do the exercise again</source>
+        <translation>Refaire l’exercice</translation>
+    </message>
+    <message>
+        <source>Hide the targets again for another search</source>
+        <translation>Cacher de nouveau les cibles pour une autre recherche</translation>
+    </message>
+    <message>
+        <source>Results of the exercise…</source>
+        <translation>Résultats de l’exercice…</translation>
+    </message>
+    <message>
+        <source>Found and missed targets, time, coverage and force of the last search</source>
+        <translation>Cibles trouvées et manquées, temps, couverture et force de la dernière recherche</translation>
+    </message>
+    <message>
+        <source>End the exercise</source>
+        <translation>Terminer l’exercice</translation>
+    </message>
+    <message>
+        <source>Off until the exercise ends, because it could show the hidden targets</source>
+        <translation>Désactivé jusqu’à la fin de l’exercice, car cela pourrait montrer les cibles cachées</translation>
+    </message>
+    <message>
+        <source>The recording starts with the exercise (Session menu)</source>
+        <translation>L’enregistrement commence avec l’exercice (menu Session)</translation>
+    </message>
+    <message>
+        <source>This scene is an exercise: find the hidden targets by touch. Start it in the view or in the Session menu.</source>
+        <translation>Cette scène est un exercice : trouvez les cibles cachées par le toucher. Commencez-le dans la vue ou dans le menu Session.</translation>
+    </message>
+    <message>
+        <source>Stop the recording before you start the exercise.</source>
+        <translation>Arrêtez l’enregistrement avant de commencer l’exercice.</translation>
+    </message>
+    <message>
+        <source>The exercise runs. Mark each place that you find (M).</source>
+        <translation>L’exercice est en cours. Marquez chaque endroit que vous trouvez (M).</translation>
+    </message>
+    <message>
+        <source>Show the targets without a search? Whoever has seen them cannot search for them any more.</source>
+        <translation>Montrer les cibles sans recherche ? Qui les a vues ne peut plus les chercher.</translation>
+    </message>
+    <message>
+        <source>Show the targets</source>
+        <translation>Montrer les cibles</translation>
+    </message>
+    <message>
+        <source>Keep them hidden</source>
+        <translation>Les laisser cachées</translation>
+    </message>
+    <message>
+        <source>Stop the recording before you do the exercise again.</source>
+        <translation>Arrêtez l’enregistrement avant de refaire l’exercice.</translation>
+    </message>
+    <message>
+        <source>Time is up.</source>
+        <translation>Le temps est écoulé.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hidden target(s)</source>
+        <translation>
+            <numerusform>%n cible cachée</numerusform>
+            <numerusform>%n cibles cachées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marked</source>
+        <translation>
+            <numerusform>%n marqué</numerusform>
+            <numerusform>%n marqués</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>reste %1</translation>
+    </message>
+    <message>
+        <source>%1 N: above the ceiling of %2 N</source>
+        <translation>%1 N : au-dessus du plafond de %2 N</translation>
+    </message>
+    <message>
+        <source>%1 N, ceiling %2 N</source>
+        <translation>%1 N, plafond %2 N</translation>
+    </message>
+    <message>
+        <source>Press M at each place that you find.</source>
+        <translation>Appuyez sur M à chaque endroit que vous trouvez.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exercise: %n hidden target(s)</source>
+        <translation>
+            <numerusform>Exercice : %n cible cachée</numerusform>
+            <numerusform>Exercice : %n cibles cachées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Force ceiling %1 N</source>
+        <translation>Plafond de force %1 N</translation>
+    </message>
+    <message>
+        <source>Find them by touch. The search is recorded. Sections, peek, maps, distances, results and reports are off until the end.</source>
+        <translation>Trouvez-les par le toucher. La recherche est enregistrée. Coupes, aperçu, cartes, distances, résultats et rapports sont désactivés jusqu’à la fin.</translation>
+    </message>
+    <message>
+        <source>Exercise: the targets are shown</source>
+        <translation>Exercice : les cibles sont montrées</translation>
+    </message>
+    <message>
+        <source>%1: found after %2 s</source>
+        <translation>%1 : trouvée après %2 s</translation>
+    </message>
+    <message>
+        <source>%1: missed</source>
+        <translation>%1 : manquée</translation>
     </message>
 </context>
 <context>
@@ -7141,6 +7751,10 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <source>What can be felt</source>
         <translation>Ce qui est palpable</translation>
     </message>
+    <message>
+        <source>Preparing for touch</source>
+        <translation>Préparation du toucher</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::MotionPart</name>
@@ -7224,6 +7838,21 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Picture copied, and saved to %1</source>
         <translation>Image copiée et enregistrée dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ReceivedSurfaces</name>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>A surface was not received: several others are still being stored. Send it again.</source>
+        <translation>Une surface n’a pas été reçue : plusieurs autres sont encore en cours d’enregistrement. Envoyez-la de nouveau.</translation>
+    </message>
+    <message>
+        <source>%1 surfaces were received. Further ones are ignored until Palpate is started again.</source>
+        <translation>%1 surfaces ont été reçues. Les suivantes sont ignorées jusqu’au prochain démarrage de Palpate.</translation>
     </message>
 </context>
 <context>
@@ -7319,6 +7948,10 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Do not offer again</source>
         <translation>Ne plus proposer</translation>
+    </message>
+    <message>
+        <source>%1: a recording names what was touched. Open it after the exercise.</source>
+        <translation>%1 : un enregistrement nomme ce qui a été touché. Ouvrez-le après l’exercice.</translation>
     </message>
 </context>
 <context>
@@ -7456,8 +8089,15 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <translation>%1 structures&#x202f;: %2 (%3 et d’autres&#x202f;; détails sur le signe dans la liste des structures)</translation>
     </message>
     <message>
-        <source>The scene has an exercise. The window shows its targets.</source>
-        <translation>La scène contient un exercice. La fenêtre montre les cibles.</translation>
+        <source>The scene has an exercise. Its targets are shown, because a recording is opened.</source>
+        <translation>La scène contient un exercice. Ses cibles sont montrées, car un enregistrement est ouvert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s) on hidden targets are withheld</source>
+        <translation>
+            <numerusform>%n remarque sur les cibles cachées est retenue</numerusform>
+            <numerusform>%n remarques sur les cibles cachées sont retenues</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7700,6 +8340,119 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <source>%1 · the hand still feels everything</source>
         <translation>%1 · la main sent toujours tout</translation>
     </message>
+    <message>
+        <source>Section along the finger</source>
+        <translation>Coupe le long du doigt</translation>
+    </message>
+    <message>
+        <source>Small picture of the hand and of what lies below, live and in playback</source>
+        <translation>Petite image de la main et de ce qui se trouve dessous, en direct et à la lecture</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ShareDialog</name>
+    <message>
+        <source>Not encrypted and without a password: everyone in this network can read the touch and the findings.</source>
+        <translation>Ni chiffrement ni mot de passe : tout le monde sur ce réseau peut lire le toucher et les observations.</translation>
+    </message>
+    <message>
+        <source>&amp;Add surfaces that 3D Slicer sends to the scene</source>
+        <translation>&amp;Ajouter à la scène les surfaces envoyées par 3D Slicer</translation>
+    </message>
+    <message>
+        <source>Share with 3D Slicer</source>
+        <translation>Partager avec 3D Slicer</translation>
+    </message>
+    <message>
+        <source>This computer only</source>
+        <translation>Cet ordinateur seulement</translation>
+    </message>
+    <message>
+        <source>All computers in the network</source>
+        <translation>Tous les ordinateurs du réseau</translation>
+    </message>
+    <message>
+        <source>Stored in %1, for this user only</source>
+        <translation>Enregistrées dans %1, pour cet utilisateur seulement</translation>
+    </message>
+    <message>
+        <source>Start sharing</source>
+        <translation>Commencer le partage</translation>
+    </message>
+    <message>
+        <source>Sends the hand, the touched point, the force and the findings by OpenIGTLink. In 3D Slicer, open the module OpenIGTLinkIF, add a connector of type Client with this port and the host name localhost (on another computer: the address of this one), and activate it.</source>
+        <translation>Envoie la main, le point touché, la force et les observations par OpenIGTLink. Dans 3D Slicer, ouvrez le module OpenIGTLinkIF, ajoutez un connecteur de type Client avec ce port et le nom d’hôte localhost (sur un autre ordinateur : l’adresse de celui-ci), puis activez-le.</translation>
+    </message>
+    <message>
+        <source>&amp;Reachable from</source>
+        <translation>Accessible &amp;depuis</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Port</translation>
+    </message>
+    <message>
+        <source>Stop sharing</source>
+        <translation>Arrêter le partage</translation>
+    </message>
+    <message>
+        <source>Not shared.</source>
+        <translation>Non partagé.</translation>
+    </message>
+    <message>
+        <source>Waiting for 3D Slicer at port %1.</source>
+        <translation>En attente de 3D Slicer sur le port %1.</translation>
+    </message>
+    <message>
+        <source>Connected: %1</source>
+        <translation>Connecté : %1</translation>
+    </message>
+    <message>
+        <source>%1 messages a second</source>
+        <translation>%1 messages par seconde</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n message(s) not sent, because the receiver is too slow</source>
+        <translation>
+            <numerusform>%n message non envoyé, car le destinataire est trop lent</numerusform>
+            <numerusform>%n messages non envoyés, car le destinataire est trop lent</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Latest error: %1</source>
+        <translation>Dernière erreur : %1</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::SharePart</name>
+    <message>
+        <source>Sharing</source>
+        <translation>Partage</translation>
+    </message>
+    <message>
+        <source>Share with 3D Slicer…</source>
+        <translation>Partager avec 3D Slicer…</translation>
+    </message>
+    <message>
+        <source>Send the touch and the findings to 3D Slicer and receive surfaces, by OpenIGTLink</source>
+        <translation>Envoyer le toucher et les observations à 3D Slicer et recevoir des surfaces, par OpenIGTLink</translation>
+    </message>
+    <message>
+        <source>sharing</source>
+        <translation>partage actif</translation>
+    </message>
+    <message>
+        <source>shared with 3D Slicer</source>
+        <translation>partagé avec 3D Slicer</translation>
+    </message>
+    <message>
+        <source>OpenIGTLink server at port %1. To stop it: Device › Share with 3D Slicer…</source>
+        <translation>Serveur OpenIGTLink sur le port %1. Pour l’arrêter : Périphérique › Partager avec 3D Slicer…</translation>
+    </message>
+    <message>
+        <source>%1 was received from 3D Slicer.</source>
+        <translation>%1 a été reçu de 3D Slicer.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::ShowAround</name>
@@ -7859,6 +8612,85 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Colour structures</source>
         <translation>Colorer les structures</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::ThresholdDialog</name>
+    <message>
+        <source>The &amp;first was stiffer</source>
+        <translation>Le &amp;premier était plus rigide</translation>
+    </message>
+    <message>
+        <source>The &amp;second was stiffer</source>
+        <translation>Le &amp;second était plus rigide</translation>
+    </message>
+    <message>
+        <source>Delete the stored threshold</source>
+        <translation>Supprimer le seuil enregistré</translation>
+    </message>
+    <message>
+        <source>Also give verdicts on lumps for my hand</source>
+        <translation>Donner aussi les verdicts sur les nodules pour ma main</translation>
+    </message>
+    <message>
+        <source>My threshold</source>
+        <translation>Mon seuil</translation>
+    </message>
+    <message>
+        <source>%v of %m trials</source>
+        <translation>%v sur %m essais</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>After “plainly felt”, “felt by a trained hand” and “too little for a trained hand”: whether the change of stiffness is above the stored threshold</source>
+        <translation>Après « nettement palpable », « palpable par une main exercée » et « trop peu pour une main exercée » : si le changement de rigidité dépasse le seuil enregistré</translation>
+    </message>
+    <message>
+        <source>Interrupted after %1 trials. An estimate needs at least %2; nothing was changed.</source>
+        <translation>Interrompu après %1 essais. Une estimation en demande au moins %2 ; rien n’a été changé.</translation>
+    </message>
+    <message>
+        <source>Done. Your threshold is below.</source>
+        <translation>Terminé. Votre seuil est ci-dessous.</translation>
+    </message>
+    <message>
+        <source>Interrupt</source>
+        <translation>Interrompre</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Commencer</translation>
+    </message>
+    <message>
+        <source>Which of two presses is stiffer? In each of 60 trials you press an invisible wall twice and tell which press was stiffer. The difference becomes smaller until you can only guess. It takes about 8 minutes.</source>
+        <translation>Laquelle de deux pressions est plus rigide ? À chacun des 60 essais, vous appuyez deux fois sur un mur invisible et indiquez quelle pression était plus rigide. La différence diminue jusqu’à ce que vous ne puissiez que deviner. Cela dure environ 8 minutes.</translation>
+    </message>
+    <message>
+        <source>This needs a device that renders force, with an open scene: with the mouse nothing is felt. Choose one in the menu Device.</source>
+        <translation>Il faut un appareil qui rend la force et une scène ouverte : avec la souris, on ne sent rien. Choisissez-en un dans le menu Appareil.</translation>
+    </message>
+    <message>
+        <source>First press: push away from you onto the wall, then move back.</source>
+        <translation>Première pression : poussez le mur loin de vous, puis revenez.</translation>
+    </message>
+    <message>
+        <source>Second press: push onto the wall again, then move back.</source>
+        <translation>Seconde pression : poussez de nouveau le mur, puis revenez.</translation>
+    </message>
+    <message>
+        <source>Which press was stiffer? Guess if you are not sure.</source>
+        <translation>Quelle pression était plus rigide ? Devinez si vous n’êtes pas sûr.</translation>
+    </message>
+    <message>
+        <source>Your threshold: Weber fraction %1 (95 % interval %2 to %3 %), from %4 trials with %5. This increase of stiffness is told apart in 71 % of the trials.</source>
+        <translation>Votre seuil : fraction de Weber %1 (intervalle à 95 % : %2 à %3 %), d’après %4 essais avec %5. Cette augmentation de rigidité est reconnue dans 71 % des essais.</translation>
+    </message>
+    <message>
+        <source>No threshold of your own is stored.</source>
+        <translation>Aucun seuil personnel n’est enregistré.</translation>
     </message>
 </context>
 <context>
@@ -8189,8 +9021,8 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <translation>Pris en charge&#x202f;: %1.</translation>
     </message>
     <message>
-        <source>Not supported yet: 3D Systems Touch, Haply Inverse3, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
-        <translation>Pas encore pris en charge&#x202f;: 3D Systems Touch, Haply Inverse3, Novint Falcon. Un greffon de périphérique relie un tel bras&#x202f;; la page «&#x202f;device-plugin&#x202f;» de la documentation décrit comment en écrire un.</translation>
+        <source>Not supported yet: 3D Systems Touch, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
+        <translation>Pas encore pris en charge : 3D Systems Touch, Novint Falcon. Un greffon de périphérique relie un tel bras ; la page « device-plugin » de la documentation décrit comment en écrire un.</translation>
     </message>
 </context>
 <context>
@@ -8495,6 +9327,17 @@ sinon choisir «&#x202f;Libre&#x202f;».</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::ExerciseBar</name>
+    <message>
+        <source>Time of the exercise</source>
+        <translation>Temps de l’exercice</translation>
+    </message>
+    <message>
+        <source>Force and force ceiling of the exercise</source>
+        <translation>Force et plafond de force de l’exercice</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::FeltOverlay</name>
     <message>
         <source>pressed %1 mm</source>
@@ -8754,6 +9597,10 @@ sinon choisir «&#x202f;Libre&#x202f;».</translation>
         <source>%1 (stiffness ratio %2)</source>
         <translation>%1 (rapport de raideur %2)</translation>
     </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::FindingsModel</name>
@@ -8899,6 +9746,25 @@ sinon choisir «&#x202f;Libre&#x202f;».</translation>
     <message>
         <source>Delete</source>
         <translation>Supprimer</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::FingerInset</name>
+    <message>
+        <source>Section along the finger</source>
+        <translation>Coupe le long du doigt</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>Along the finger: touch a structure</source>
+        <translation>Le long du doigt : toucher une structure</translation>
+    </message>
+    <message>
+        <source>Along the finger</source>
+        <translation>Le long du doigt</translation>
     </message>
 </context>
 <context>
@@ -9844,6 +10710,17 @@ part de sa surface</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::PointedStructure</name>
+    <message>
+        <source>image: %1</source>
+        <translation>image : %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::RecordedTouch</name>
     <message>
         <source>%1 ends at %2 s because the disk was full. Later palpation was not recorded.</source>
@@ -10087,6 +10964,17 @@ part de sa surface</translation>
         <source>By anatomy</source>
         <translation>Par anatomie</translation>
     </message>
+    <message>
+        <source>Targets of the exercise can be felt, but are neither drawn nor named until the exercise ends</source>
+        <translation>Les cibles de l’exercice peuvent être palpées, mais ne sont ni dessinées ni nommées avant la fin de l’exercice</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hidden target(s)</source>
+        <translation>
+            <numerusform>%n cible cachée</numerusform>
+            <numerusform>%n cibles cachées</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::StructureModel</name>
@@ -10253,6 +11141,10 @@ Details: %3</source>
         <translation>Maillage de %1&#x202f;:
 • %2
 Détails&#x202f;: %3</translation>
+    </message>
+    <message>
+        <source>unnamed structure</source>
+        <translation>structure sans nom</translation>
     </message>
 </context>
 <context>
@@ -10640,6 +11532,10 @@ Détails&#x202f;: %3</translation>
     <message>
         <source>Advanced</source>
         <translation>Avancé</translation>
+    </message>
+    <message>
+        <source>Maps are off until the exercise ends</source>
+        <translation>Les cartes sont désactivées jusqu’à la fin de l’exercice</translation>
     </message>
 </context>
 <context>

@@ -31,7 +31,7 @@ using ui::ActionGroup;
 namespace {
 
 constexpr int kTick_ms = 100;
-constexpr double kFaded = 0.35; // opacity of what is around the shown targets
+constexpr double kFaded = 0.35; // opacity of the structures around the shown targets
 
 /// Whole seconds as "04:12".
 QString secondsText(double seconds)
@@ -119,7 +119,7 @@ void ExercisePart::addActions()
 void ExercisePart::showState(const WindowState& state)
 {
     if (m_stage == Stage::Running && !state.isRecording) {
-        takeEnd(); // the recording failed, and what was recorded is scored
+        takeEnd(); // the recording failed; the recorded part is scored
         return;
     }
     ui::ActionList& actions = m_core.actions;
@@ -366,7 +366,7 @@ void ExercisePart::showBar()
     m_bar->setTexts(texts);
 }
 
-/// Marks the targets on the surface with their results, and draws what is around them translucent.
+/// Marks the targets on the surface with their results, and draws the structures around them translucent.
 void ExercisePart::showTargets(const study::ExerciseScore& score)
 {
     dropTargets();
