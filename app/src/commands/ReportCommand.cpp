@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <QFont>
 #include <QGuiApplication>
 #include <QImage>
 #include <QLocale>

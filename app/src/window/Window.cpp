@@ -19,6 +19,7 @@
 #include <QFile>
 #include <QFileDevice>
 #include <QFileInfo>
+#include <QFont>
 #include <QOpenGLContext>
 #include <QPainter>
 #include <QSettings>
