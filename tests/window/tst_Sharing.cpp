@@ -30,7 +30,7 @@ class Sharing : public QObject
 {
     Q_OBJECT
 
-    std::unique_ptr<Desk> m_desk;
+    std::unique_ptr<test::Desk> m_desk;
     WirePeer m_peer;
     std::uint16_t m_port = 0;
 
@@ -83,10 +83,10 @@ class Sharing : public QObject
   private Q_SLOTS:
     void initTestCase()
     {
-        if (!Desk::hasDisplay()) {
-            QSKIP(Desk::kNoDisplay);
+        if (!test::Desk::hasDisplay()) {
+            QSKIP(test::Desk::kNoDisplay);
         }
-        m_desk = std::make_unique<Desk>();
+        m_desk = std::make_unique<test::Desk>();
     }
     void init()
     {
