@@ -34,8 +34,8 @@ void identifyProgram();
 /// Icon of the program in 48 and 256 pixels.
 [[nodiscard]] QIcon programIcon();
 
-/// Finds the file of the bold font of a family, for texts in 3D views. @return empty if the family has none that FreeType
-/// opens by its file name alone
+/// Finds the file of the bold font of a family, for texts in 3D views. @return empty if the family has none that
+/// FreeType opens by its file name alone
 [[nodiscard]] std::string boldFontFile(const QFont& font);
 
 } // namespace palpate::app

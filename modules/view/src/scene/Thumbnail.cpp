@@ -174,7 +174,7 @@ std::vector<std::uint8_t> pixelsOf(const std::vector<Rgba>& samples, int size_px
             for (int i = 0; i < kSamples * kSamples; ++i) {
                 const int y = kSamples * row + i / kSamples, x = kSamples * column + i % kSamples;
                 const Rgba& one = samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(kSamples * size_px) +
-                                            static_cast<std::size_t>(x)];
+                                          static_cast<std::size_t>(x)];
                 for (std::size_t k = 0; k < 4; ++k) {
                     sum[k] += one[k] / (kSamples * kSamples);
                 }

@@ -224,8 +224,8 @@ std::optional<std::size_t> SectionPicture::structureAt(const core::Vec3& p_W) co
 
 double SectionPicture::area_mm2(std::size_t structure) const
 {
-    const auto cut =
-        std::find_if(m_cuts.begin(), m_cuts.end(), [structure](const SectionCut& one) { return one.structure == structure; });
+    const auto cut = std::find_if(m_cuts.begin(), m_cuts.end(),
+                                  [structure](const SectionCut& one) { return one.structure == structure; });
     return cut == m_cuts.end() ? 0.0 : cut->area_mm2;
 }
 
