@@ -82,7 +82,9 @@ void ExerciseDialog::present(const core::Result<ScoredExercise>& scored)
     m_scored->facts.isPictured = !m_drawn.isNull();
     ScoredExercise shown = *m_scored;
     shown.facts.isPictured = false; // the view beside the dialog has the picture
-    m_text->setHtml(QString::fromUtf8(ui::reportHtml(study::composeExercise(shown.score, shown.facts), {})));
+    QString html = QString::fromUtf8(ui::reportHtml(study::composeExercise(shown.score, shown.facts), {}));
+    html.replace(QLatin1String("<table"), QLatin1String("<table cellpadding=\"3\"")); // Qt ignores the style's padding
+    m_text->setHtml(html);
     m_savePage->setEnabled(true);
     m_saveNumbers->setEnabled(true);
 }

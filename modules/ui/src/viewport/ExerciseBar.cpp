@@ -70,6 +70,7 @@ void ExerciseBar::setTexts(const Texts& texts)
     showText(*m_clock, texts.clock);
     showText(*m_force, texts.force);
     showText(*m_detail, texts.detail);
+    m_detail->setFixedHeight(m_detail->heightForWidth(m_detail->maximumWidth()));
     m_force->setForegroundRole(texts.isAbove ? QPalette::BrightText : QPalette::WindowText); // see Theme.h
     m_force->setMinimumWidth(qMax(m_force->minimumWidth(), m_force->sizeHint().width()));    // the bar must not jump
     place();
@@ -114,6 +115,7 @@ void ExerciseBar::showEvent(QShowEvent* event)
 
 void ExerciseBar::place()
 {
+    layout()->activate(); // otherwise the size is that of the texts before
     adjustSize();
     move(kExerciseMargin_px, static_cast<const VtkViewport*>(parentWidget())->coveredAbove_px() + kExerciseMargin_px);
     raise();
