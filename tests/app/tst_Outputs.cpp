@@ -63,6 +63,7 @@ class Outputs : public QObject
     Q_OBJECT
 
     std::unique_ptr<QTemporaryDir> m_folder;
+    std::map<QString, qsizetype> m_tableRows; ///< lines of tables written without a limit
 
     QString file(const QString& name) const { return m_folder->filePath(name); }
     bool write(const QString& name, const QByteArray& content) const
@@ -93,6 +94,9 @@ class Outputs : public QObject
         if (name.endsWith(".palpate")) {
             const auto reader = session::RecordingReader::open(file(name).toStdString());
             return reader.isOk() && reader.value()->extent().isComplete && reader.value()->extent().ticks == kTicks;
+        }
+        if (name.startsWith("table")) {
+            return content.count('\n') == m_tableRows.at(name);
         }
         return name.endsWith(".csv")   ? content.count('\n') == (name.startsWith("f") ? 2 : kTicks + 1)
                : name.endsWith(".vtp") ? content.startsWith("<") && content.trimmed().endsWith("</VTKFile>")
@@ -145,8 +149,8 @@ class Outputs : public QObject
         QTest::newRow("session measure --json")
             << QStringList{"session", "measure", "r.palpate", "--json", "o.json"} << QStringList{"o.json"};
         QTest::newRow("session measure --csv")
-            << QStringList{"session", "measure", "r.palpate", "--csv", "o.csv", "--findings", "f.csv"}
-            << QStringList{"o.csv", "f.csv"};
+            << QStringList{"session", "measure", "r.palpate", "--csv", "table.csv", "--findings", "table-findings.csv"}
+            << QStringList{"table.csv", "table-findings.csv"};
         QTest::newRow("session share") << QStringList{"session", "share", "r.palpate", "--out", "o.palpate"}
                                        << QStringList{"o.palpate"};
         QTest::newRow("session recover") << QStringList{"session", "recover", "r.palpate", "--out", "o.palpate"}
@@ -175,6 +179,8 @@ class Outputs : public QObject
         QVERIFY2(free.exitCode == 0, free.error.constData());
         rlim_t largest = 0;
         for (const QString& name : outputs) {
+            m_tableRows[name] = read(name).count('\n');
+            QVERIFY(m_tableRows[name] > 0 || !name.startsWith("table"));
             QVERIFY2(isWhole(name), qPrintable(name));
             largest = std::max<rlim_t>(largest, static_cast<rlim_t>(QFile(file(name)).size()));
         }

@@ -299,8 +299,10 @@ class Inside : public QObject
         // The label at the pointer has the number: on a structure, beside all, and not beyond the image.
         auto* label = viewport().findChild<QLabel*>(QStringLiteral("pointed"));
         const auto textAt = [&](const Vec3& p_W) {
+            label->setText(QStringLiteral("?"));
+            label->show();
             Q_EMIT viewport().hovered(viewport().placeOf(p_W));
-            QTest::qWait(50);
+            (void)QTest::qWaitFor([&] { return !label->isVisible() || label->text() != "?"; }, 30000);
             return label->isVisible() ? label->text() : QString();
         };
         QVERIFY2(QRegularExpression("^core · image: 1(10|09|11)(\\.\\d+)?$").match(textAt(Vec3(2, 0, 5))).hasMatch(),

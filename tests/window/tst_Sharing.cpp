@@ -126,9 +126,15 @@ class Sharing : public QObject
         const auto shown = [&]() -> const view::TouchState& { return viewport.view().cursor().state(); };
         PALPATE_TRY_VERIFY(shown().isInContact);
         const auto isSent = [&](const char* name, const Vec3& at_W) {
-            const WireText message = m_peer.read("TRANSFORM", 20);
-            return message.name == name && std::abs(message.f32(36) + at_W.x()) < 0.01 &&
-                   std::abs(message.f32(40) + at_W.y()) < 0.01 && std::abs(message.f32(44) - at_W.z()) < 0.01;
+            // All that have come: more arrive between two looks than one.
+            for (WireText message = m_peer.read("TRANSFORM", 20); !message.name.empty();
+                 message = m_peer.read("TRANSFORM", 20)) {
+                if (message.name == name && std::abs(message.f32(36) + at_W.x()) < 0.01 &&
+                    std::abs(message.f32(40) + at_W.y()) < 0.01 && std::abs(message.f32(44) - at_W.z()) < 0.01) {
+                    return true;
+                }
+            }
+            return false;
         };
         PALPATE_TRY_VERIFY(isSent("PalpateGodObject", shown().p_WG));
         PALPATE_TRY_VERIFY(isSent("PalpateHand", shown().p_WH));
