@@ -19,6 +19,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
 
 using namespace palpate;
 using namespace palpate::test;
@@ -129,21 +134,25 @@ class Sharing : public QObject
         std::vector<view::TouchState> states{shown()};
         const auto watching = connect(&m_desk->window().palpation(), &ui::PalpationController::touched, this,
                                       [&] { states.push_back(shown()); });
-        const auto isSent = [&](const char* name, Vec3 view::TouchState::*vector_W) {
+        const std::map<std::string, Vec3 view::TouchState::*> vectors{{"PalpateGodObject", &view::TouchState::p_WG},
+                                                                      {"PalpateHand", &view::TouchState::p_WH},
+                                                                      {"PalpateForce", &view::TouchState::f_W}};
+        std::set<std::string> right;
+        // Each message is looked at once: a hand at rest is not sent again.
+        const auto areSent = [&] {
             for (WireText message = m_peer.read("TRANSFORM", 20); !message.name.empty();
                  message = m_peer.read("TRANSFORM", 20)) {
                 const Vec3 sent_W(-message.f32(36), -message.f32(40), message.f32(44));
-                if (message.name == name && std::any_of(states.begin(), states.end(), [&](const view::TouchState& one) {
+                const auto vector_W = vectors.at(message.name);
+                if (std::any_of(states.begin(), states.end(), [&](const view::TouchState& one) {
                         return one.isInContact && (sent_W - one.*vector_W).cwiseAbs().maxCoeff() < 0.01;
                     })) {
-                    return true;
+                    right.insert(message.name);
                 }
             }
-            return false;
+            return right.size() == vectors.size();
         };
-        PALPATE_TRY_VERIFY(isSent("PalpateGodObject", &view::TouchState::p_WG));
-        PALPATE_TRY_VERIFY(isSent("PalpateHand", &view::TouchState::p_WH));
-        PALPATE_TRY_VERIFY(isSent("PalpateForce", &view::TouchState::f_W));
+        PALPATE_TRY_VERIFY(areSent());
         disconnect(watching);
         PALPATE_TRY_VERIFY(shown().isInContact);
         m_desk->command("mark").trigger();
