@@ -14,4 +14,5 @@ if ! "$python" -c 'import numpy' 2>/dev/null; then
 fi
 export PYTHONPATH=$package PALPATE_SOURCES=$sources PALPATE_PROGRAM=$palpate PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg
 export OPENBLAS_NUM_THREADS=1 # its threads would only wait
-exec "$python" -m unittest -v "$sources/tests/python/test_palpate.py"
+cd "$sources/tests/python" # unittest takes a path below the current folder only
+exec "$python" -m unittest -v test_palpate
