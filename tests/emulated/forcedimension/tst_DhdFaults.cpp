@@ -241,7 +241,7 @@ class DhdFaults : public QObject
         std::mt19937 random{11};
         const auto chance = [&random](double p) { return std::uniform_real_distribution<double>(0, 1)(random) < p; };
         int faults = 0, forces = 0;
-        for (int second = 0; second < 120; ++second) {
+        for (int second = 0; second < 40; ++second) {
             m_bench->with([&](standin::DhdBench& b) {
                 standin::DhdFaults& f = first(b).faults;
                 f = {};

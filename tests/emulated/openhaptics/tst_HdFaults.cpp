@@ -368,7 +368,7 @@ class HdFaults : public QObject
         std::mt19937 random{11};
         const auto chance = [&random](double p) { return std::uniform_real_distribution<double>(0, 1)(random) < p; };
         int faults = 0, forces = 0;
-        for (int second = 0; second < 40; ++second) {
+        for (int second = 0; second < 20; ++second) {
             m_bench->with([&](standin::HdBench& b) {
                 standin::HdFaults& f = first(b).faults;
                 f = {};
