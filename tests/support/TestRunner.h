@@ -32,6 +32,10 @@ std::optional<std::filesystem::path> sharedFolder(const std::string& sub);
     }                                                                                                                  \
     const std::filesystem::path variable = *variable##Found
 
+// Qt's own do not compile in a test:
+#undef QTRY_VERIFY
+#undef QTRY_COMPARE
+
 /// In a test slot: handles events until a condition holds or two values are equal; fails after `kPatience_ms`. Instead
 /// of Qt's QTRY_VERIFY and QTRY_COMPARE, whose five seconds a busy machine exceeds, and which GCC 14 warns about in
 /// Qt 6.8.

@@ -253,7 +253,7 @@ class Inside : public QObject
         QTest::keyPress(&viewport(), Qt::Key_G);
         QCOMPARE(opacity(0), 0.2);
         m_desk->window().findChild<ui::StructurePanel*>()->setFocus();
-        QTRY_VERIFY(opacity(0) == 1.0);
+        PALPATE_TRY_VERIFY(opacity(0) == 1.0);
         QTest::keyRelease(&viewport(), Qt::Key_G);
         // Nothing is above the outer ball.
         m_desk->window().findChild<ui::StructurePanel*>()->select(0);

@@ -14,7 +14,7 @@ namespace palpate::geometry {
 
 namespace {
 
-constexpr std::uint32_t kNone = SurfaceIndex::kNoNeighbour << 2;
+constexpr std::uint32_t kNoSide = SurfaceIndex::kNoNeighbour << 2;
 
 /// Edge of a triangle, stored at its smaller vertex.
 struct Side
@@ -27,11 +27,11 @@ struct Side
 struct Found
 {
     std::uint32_t count = 0;
-    std::uint32_t where = kNone; ///< one of the matches
+    std::uint32_t where = kNoSide; ///< one of the matches
 };
 
 /// Vertices with more sides than this use a sorted search.
-constexpr std::size_t kFew = 64;
+constexpr std::size_t kFewAway = 64;
 
 bool isSmaller(const Side& a, const Side& b)
 {
@@ -44,7 +44,7 @@ Found find(std::span<const Side> sides, std::uint32_t larger, bool isSorted)
     if (isSorted) {
         const auto [first, last] = std::equal_range(sides.begin(), sides.end(), Side{larger, 0}, isSmaller);
         found.count = static_cast<std::uint32_t>(last - first);
-        found.where = first != last ? first->where : kNone;
+        found.where = first != last ? first->where : kNoSide;
         return found;
     }
     for (const Side& side : sides) {
@@ -77,13 +77,13 @@ void join(std::span<const Triangle> triangles, std::uint32_t first, std::uint32_
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
     core::LargeArray<Side> sides(ends.back());
     forEachSide([&](std::size_t which, const Side& side) {
-        joined[side.where >> 2][side.where & 3u] = kNone;
+        joined[side.where >> 2][side.where & 3u] = kNoSide;
         sides[ends[which + 1]++] = side;
     });
     for (std::size_t v = 0; v < last - first; ++v) {
         const std::span<Side> away(sides.data() + ends[2 * v], sides.data() + ends[2 * v + 1]);
         const std::span<Side> back(away.data() + away.size(), sides.data() + ends[2 * v + 2]);
-        const bool isSorted = away.size() + back.size() > kFew;
+        const bool isSorted = away.size() + back.size() > kFewAway;
         if (isSorted) {
             std::sort(away.begin(), away.end(), isSmaller);
             std::sort(back.begin(), back.end(), isSmaller);

@@ -15,7 +15,7 @@ namespace palpate::geometry {
 
 namespace {
 
-constexpr std::size_t kBlock = 16'384; // minimum number of triangles for a thread
+constexpr std::size_t kMeshBlock = 16'384; // minimum number of triangles for a thread
 
 /// Error bound of a plane distance, for points at distances up to about the triangle size: the error of the point's
 /// coordinates plus the error of the normal, where the cross product is accurate to 2 eps times the squared longest
@@ -34,10 +34,10 @@ SurfaceBuilder::Scale SurfaceBuilder::measure(const Box& bounds, core::LargeArra
     const Vec3 origin = bounds.center();
     items.resize(count);
     core::LargeArray<double> doubledArea_mm2(count);
-    std::vector<double> slenderest_mm2(count / kBlock + 1,
+    std::vector<double> slenderest_mm2(count / kMeshBlock + 1,
                                        0.0); // (longest edge^3 / (2 * area))^2
     core::parallelForBlocks(
-        count, kBlock,
+        count, kMeshBlock,
         [&](std::size_t i) {
             const Triangle& t = mesh.triangles[i];
             const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
@@ -46,7 +46,7 @@ SurfaceBuilder::Scale SurfaceBuilder::measure(const Box& bounds, core::LargeArra
             const Vec3 ab = b - a, ac = c - a;
             const double longest2 = std::max({ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()});
             const double area2 = ab.cross(ac).squaredNorm();
-            double& slenderest = slenderest_mm2[i / kBlock];
+            double& slenderest = slenderest_mm2[i / kMeshBlock];
             slenderest = std::max(slenderest, longest2 * longest2 * longest2 / area2);
             doubledArea_mm2[i] = std::sqrt(area2);
         },
@@ -112,7 +112,7 @@ void SurfaceBuilder::flag(const std::vector<std::uint8_t>& isClear, SurfaceIndex
 {
     constexpr std::uint32_t kFlagBit = SurfaceIndex::kFlagBit;
     core::parallelForBlocks(
-        index.m_triangles.size(), kBlock,
+        index.m_triangles.size(), kMeshBlock,
         [&](std::size_t i) {
             index.m_triangles[i][0] |= m_repaired.twoSided[index.m_sources[i]] != 0 ? kFlagBit : 0;
             if (isClear.empty()) {

@@ -7,20 +7,20 @@ namespace palpate::geometry {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
-constexpr std::uint8_t kKeep = 0, kTurn = 1, kUnknown = 2;
+constexpr std::uint32_t kNoTriangle = 0xffffffffu;
+constexpr std::uint8_t kKeep = 0, kTurn = 1, kNotReached = 2;
 
 /// Neighbour across an edge of two triangles.
 struct Link
 {
-    std::uint32_t neighbour = kNone;
+    std::uint32_t neighbour = kNoTriangle;
     bool isSameWay = false; ///< both traverse the edge in the same direction, i.e. inconsistently
 };
 
 void add(std::array<Link, 3>& links, const Link& link)
 {
     for (Link& slot : links) {
-        if (slot.neighbour == kNone) {
+        if (slot.neighbour == kNoTriangle) {
             slot = link;
             return;
         }
@@ -41,11 +41,11 @@ std::vector<std::uint32_t> trianglesToReverse(std::size_t triangleCount, const E
             add(links[uses[1].triangle], {uses[0].triangle, isSameWay});
         }
     });
-    std::vector<std::uint8_t> facing(triangleCount, kUnknown);
+    std::vector<std::uint8_t> facing(triangleCount, kNotReached);
     std::vector<std::uint32_t> turned, patch;
     for (std::uint32_t seed = 0; seed < triangleCount; ++seed) {
         Component& component = components[componentOf[seed]];
-        if (component.isConsistent || facing[seed] != kUnknown) {
+        if (component.isConsistent || facing[seed] != kNotReached) {
             continue;
         }
         patch.assign(1, seed);
@@ -55,11 +55,11 @@ std::vector<std::uint32_t> trianglesToReverse(std::size_t triangleCount, const E
             const std::uint8_t own = facing[patch[i]];
             turn += own == kTurn ? 1 : 0;
             for (const Link& link : links[patch[i]]) {
-                if (link.neighbour == kNone) {
+                if (link.neighbour == kNoTriangle) {
                     continue;
                 }
                 const auto wanted = static_cast<std::uint8_t>(link.isSameWay ? own ^ 1 : own);
-                if (facing[link.neighbour] == kUnknown) {
+                if (facing[link.neighbour] == kNotReached) {
                     facing[link.neighbour] = wanted;
                     patch.push_back(link.neighbour);
                 } else if (facing[link.neighbour] != wanted) {

@@ -13,7 +13,7 @@ namespace palpate::geometry {
 
 namespace {
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoSegment = std::numeric_limits<std::size_t>::max();
 
 /// Key of an edge, the same for both directions.
 std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) noexcept
@@ -68,7 +68,7 @@ std::vector<SectionSegment> segmentsOf(std::span<const Vec3> vertices, std::span
     return segments;
 }
 
-/// For each segment the one that starts where it ends, each at most once; kNone at the end of an open contour.
+/// For each segment the one that starts where it ends, each at most once; kNoSegment at the end of an open contour.
 std::vector<std::size_t> successors(const std::vector<SectionSegment>& segments)
 {
     std::vector<std::pair<std::uint64_t, std::size_t>> starts, ends;
@@ -78,7 +78,7 @@ std::vector<std::size_t> successors(const std::vector<SectionSegment>& segments)
     }
     std::sort(starts.begin(), starts.end());
     std::sort(ends.begin(), ends.end());
-    std::vector<std::size_t> next(segments.size(), kNone);
+    std::vector<std::size_t> next(segments.size(), kNoSegment);
     auto start = starts.begin();
     for (const auto& [edge, segment] : ends) {
         while (start != starts.end() && start->first < edge) {
@@ -120,7 +120,7 @@ std::vector<SectionContour> sectionOf(std::span<const Vec3> vertices, std::span<
     const std::vector<std::size_t> next = successors(segments);
     std::vector<bool> isFirst(segments.size(), true), isDone(segments.size(), false);
     for (const std::size_t one : next) {
-        if (one != kNone) {
+        if (one != kNoSegment) {
             isFirst[one] = false;
         }
     }
@@ -129,17 +129,17 @@ std::vector<SectionContour> sectionOf(std::span<const Vec3> vertices, std::span<
         SectionContour contour;
         bool isTwoSided = false;
         std::size_t at = first, last = first;
-        for (; at != kNone && !isDone[at]; at = next[at]) {
+        for (; at != kNoSegment && !isDone[at]; at = next[at]) {
             isDone[at] = true;
             isTwoSided = isTwoSided || segments[at].isTwoSided;
             contour.points.push_back(crossingOf(segments[at].from, vertices, plane));
             last = at;
         }
-        if (at == kNone) {
+        if (at == kNoSegment) {
             contour.points.push_back(crossingOf(segments[last].to, vertices, plane));
         }
-        contour.isClosed = at != kNone && !isTwoSided;
-        if (at != kNone && isTwoSided) {
+        contour.isClosed = at != kNoSegment && !isTwoSided;
+        if (at != kNoSegment && isTwoSided) {
             contour.points.push_back(contour.points.front()); // an outline that is not filled
         }
         contours.push_back(std::move(contour));

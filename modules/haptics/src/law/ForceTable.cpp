@@ -14,7 +14,7 @@ namespace {
 using core::Status;
 using core::StatusCode;
 using Knot = ForceTable::Knot;
-using Numbers = std::array<double, 4>; // of one serialized knot
+using KnotNumbers = std::array<double, 4>; // of one serialized knot
 
 static_assert(std::endian::native == std::endian::little, "bytes() writes numbers as they lie in memory");
 
@@ -92,14 +92,14 @@ std::shared_ptr<const ForceTable> ForceTable::build(const Tissue& tissue)
 
 core::Result<std::shared_ptr<const ForceTable>> ForceTable::fromBytes(std::span<const std::byte> bytes)
 {
-    if (bytes.size() % sizeof(Numbers) != 0 || bytes.size() > kMostKnots * sizeof(Numbers)) {
+    if (bytes.size() % sizeof(KnotNumbers) != 0 || bytes.size() > kMostKnots * sizeof(KnotNumbers)) {
         return Status(StatusCode::BadFormat, PALPATE_TEXT("force table: found %1 bytes, expected %2 for each knot"),
-                      bytes.size(), sizeof(Numbers));
+                      bytes.size(), sizeof(KnotNumbers));
     }
     std::vector<Knot> knots;
-    for (std::size_t at = 0; at < bytes.size(); at += sizeof(Numbers)) {
-        Numbers numbers;
-        std::memcpy(numbers.data(), bytes.data() + at, sizeof(Numbers));
+    for (std::size_t at = 0; at < bytes.size(); at += sizeof(KnotNumbers)) {
+        KnotNumbers numbers;
+        std::memcpy(numbers.data(), bytes.data() + at, sizeof(KnotNumbers));
         knots.push_back({numbers[0], numbers[1], numbers[2], numbers[3]});
     }
     return fromKnots(std::move(knots));
@@ -107,11 +107,11 @@ core::Result<std::shared_ptr<const ForceTable>> ForceTable::fromBytes(std::span<
 
 std::vector<std::byte> ForceTable::bytes() const
 {
-    std::vector<std::byte> bytes(m_knots.size() * sizeof(Numbers));
+    std::vector<std::byte> bytes(m_knots.size() * sizeof(KnotNumbers));
     for (std::size_t i = 0; i < m_knots.size(); ++i) {
         const Knot& knot = m_knots[i];
-        const Numbers numbers{knot.depth_mm, knot.force_N, knot.slopeBefore, knot.slopeAfter};
-        std::memcpy(bytes.data() + i * sizeof(Numbers), numbers.data(), sizeof(Numbers));
+        const KnotNumbers numbers{knot.depth_mm, knot.force_N, knot.slopeBefore, knot.slopeAfter};
+        std::memcpy(bytes.data() + i * sizeof(KnotNumbers), numbers.data(), sizeof(KnotNumbers));
     }
     return bytes;
 }

@@ -27,7 +27,7 @@ constexpr std::uint32_t kGroup = 2;  // distances of eight facets, or the test w
 constexpr std::uint32_t kExact = 4;  // exact test of one facet
 constexpr std::uint32_t kTimed = 9;  // surcharge if the fraction is computed
 constexpr std::uint32_t kMeets = 12; // surcharge if the facet blocks
-constexpr std::uint32_t kNode = 10;
+constexpr std::uint32_t kNodeTest = 10;
 constexpr std::uint32_t kFarNode = 26; // in a large layer: includes memory latency
 constexpr std::uint32_t kBatch = 18;   // eight facets of the hierarchy
 
@@ -183,7 +183,7 @@ class NearBall::Traversal
     template<class Leaf>
     void visit(const geometry::BoxHierarchy& hierarchy, double reach, Leaf&& leaf) noexcept
     {
-        const std::uint32_t price = m_layer.isLarge ? kFarNode : kNode;
+        const std::uint32_t price = m_layer.isLarge ? kFarNode : kNodeTest;
         std::uint32_t nodes = m_work.left() / price, before = nodes;
         const double free =
             hierarchy.visitSwept(m_from, m_first.y, reach, interest(), nodes, [&](std::uint32_t i, std::uint32_t n) {

@@ -16,8 +16,8 @@ namespace {
 constexpr double kFarMove = 8.0; // facet sizes; gathering along longer moves does not pay
 
 // In units of TickWork.
-constexpr std::uint32_t kExact = 5;                  // price of an exact test, in addition to 1 per visited facet
-constexpr std::uint32_t kSpared = 128 + 64 * kExact; // work of a traversal included in the price of a sweep
+constexpr std::uint32_t kExactTest = 5;                  // price of an exact test, in addition to 1 per visited facet
+constexpr std::uint32_t kSpared = 128 + 64 * kExactTest; // work of a traversal included in the price of a sweep
 
 GatheringPlan planFor(const HapticLayer& layer) noexcept
 {
@@ -91,7 +91,7 @@ struct NearPoint::First
         if (isAmong(walked, structure, triangle)) {
             return;
         }
-        cost += kExact;
+        cost += kExactTest;
         const Facet facet = Facet::of(surface, structure, triangle);
         Crossing crossing;
         if (blocks(facet, x, y, limit, crossing) && (!found || isBefore(crossing, best))) {

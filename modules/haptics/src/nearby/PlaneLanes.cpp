@@ -22,7 +22,7 @@ constexpr float kRounding = 2e-6f;
 constexpr float kPassing = 8e-15f;
 
 // Outside this range, a product of two squared edges loses precision.
-constexpr float kSmallest = 1e-15f;
+constexpr float kLeast = 1e-15f;
 constexpr float kLargest = 1e15f;
 
 PALPATE_ALWAYS_INLINE std::uint64_t bitsOf(int count) noexcept
@@ -94,14 +94,14 @@ PALPATE_WIDE_LANES float derive(const Corners& corners, FacetGroup& group) noexc
         const Float8 low = a[axis] + least(least(ab[axis], ac[axis]), zero);
         const Float8 high = a[axis] + greatest(greatest(ab[axis], ac[axis]), zero);
         // Twice the rounding of the conversions and of the sum.
-        const Float8 outwards = (absolute(low) + absolute(high) + absolute(a[axis])) * 4e-7f + kSmallest;
+        const Float8 outwards = (absolute(low) + absolute(high) + absolute(a[axis])) * 4e-7f + kLeast;
         store8(group.low[axis], low - outwards);
         store8(group.high[axis], high + outwards);
         reach = greatest(reach, greatest(absolute(low), absolute(high)));
     }
     const Float8 longest2 = greatest(greatest(ab2, ac2), bc2);
-    store8(group.perShortest2, 1.0f / greatest(least(least(ab2, ac2), bc2), zero + kSmallest));
-    const Mask8 isSound = (longest2 > kSmallest) & (longest2 < kLargest);
+    store8(group.perShortest2, 1.0f / greatest(least(least(ab2, ac2), bc2), zero + kLeast));
+    const Mask8 isSound = (longest2 > kLeast) & (longest2 < kLargest);
     Float8 offset = zero;
     for (int axis = 0; axis < 3; ++axis) {
         const Float8 sound = isSound ? n[axis] : zero;

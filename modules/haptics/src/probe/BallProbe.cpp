@@ -10,7 +10,7 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNotReached = std::numeric_limits<double>::infinity();
 
 /// Sine of the angle to an edge below which a move counts as parallel to the edge and enters at the ends, not at the
 /// side.
@@ -25,19 +25,19 @@ inline double firstRoot(const Vec3& w, const Vec3& u, double r) noexcept
     const double u2 = u.squaredNorm();
     const double nearest = -w.dot(u); // parameter of the closest approach, times u2
     if (nearest <= 0.0 || u2 <= kAlong * kAlong) {
-        return kNever;
+        return kNotReached;
     }
     const double beside2 = w.cross(u).squaredNorm(); // squared distance of the line, times u2
-    return beside2 <= r * r * u2 ? std::max(0.0, (nearest - std::sqrt(r * r * u2 - beside2)) / u2) : kNever;
+    return beside2 <= r * r * u2 ? std::max(0.0, (nearest - std::sqrt(r * r * u2 - beside2)) / u2) : kNotReached;
 }
 
-/// Returns the distance along the move x + s u at which the distance from the triangle falls to `r` [mm]; kNever if it
+/// Returns the distance along the move x + s u at which the distance from the triangle falls to `r` [mm]; kNotReached if it
 /// stays larger, or if that happens beyond `limit`.
 /// @param u  unit direction
 /// @pre the distance at x exceeds r, and r > 0
 double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, double r, double limit) noexcept
 {
-    double first = kNever;
+    double first = kNotReached;
     const double sinking = -side * facet.n.dot(u);
     if (sinking > 0.0) {
         const double height = side * facet.n.dot(x - facet.a);
@@ -75,7 +75,7 @@ double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, doub
             }
         }
     }
-    return first <= limit ? first : kNever;
+    return first <= limit ? first : kNotReached;
 }
 
 /// Inlined, so that unused members of the result cost nothing.
@@ -169,7 +169,7 @@ bool blocksBall(const Facet& facet, const Vec3& x, const Vec3& y, double radius_
     crossing.isTimed = true;
     const Vec3 u = d / length;
     const double s = entry(facet, side, x, u, std::min(radius_mm, distance - onPlane), isTouching ? length : most);
-    if (s == kNever || (!isTouching && s / length > limit)) {
+    if (s == kNotReached || (!isTouching && s / length > limit)) {
         return false;
     }
     crossing.key = isTouching ? 0.0 : s / length;

@@ -18,9 +18,9 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr double kFarthest_mm = 1.0; // maximum distance that a god-object is moved off a surface
-constexpr std::uint32_t kMaxTested = 4096;
+constexpr std::uint32_t kMaxTriangles = 4096;
 constexpr std::uint32_t kSearched = 512; // search range in the index, before and after the previous position
-constexpr int kRounds = 4;               // over all surfaces
+constexpr int kMaxRounds = 4;               // over all surfaces
 constexpr std::size_t kPlanes = 4;       // that constrainedPoint takes
 constexpr double kAbove = 2.0;           // skins: just out of contact
 constexpr double kTurned = 0.5;          // cosine of the maximum turn
@@ -59,12 +59,12 @@ std::optional<Against> nearestWithin(const geometry::SurfaceIndex& surface, std:
                 use(facet, nearest.q, nearest.away.norm());
             }
             asked += count;
-            return asked <= kMaxTested;
+            return asked <= kMaxTriangles;
         });
     };
     double least = reach_mm;
     eachNear([&](const Facet&, const Vec3&, double distance) { least = std::min(least, distance); });
-    if (asked > kMaxTested || least >= reach_mm) {
+    if (asked > kMaxTriangles || least >= reach_mm) {
         return {};
     }
     asked = 0;
@@ -340,7 +340,7 @@ Vec3 carryOverPosition(const HapticScene& before, const HapticScene& after, cons
     Lift lift(unlifted);
     Vec3 best = unlifted; // a position that violates the surfaces less than those before it
     double least_mm = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kMaxRounds; ++round) {
         const Vec3 start = lift.p();
         if ((start - unlifted).norm() > kFarthest_mm) {
             break; // planes at a small angle meet farther away

@@ -44,7 +44,7 @@ namespace palpate::haptics::internal {
 /// @param god  state of the god-object
 /// @param p_WH  last HIP [mm]
 /// @return the new position [mm]
-/// @par Real-time Wait-free; tests at most kMaxTested triangles of each surface, and beyond this limit leaves the
+/// @par Real-time Wait-free; tests at most kMaxTriangles triangles of each surface, and beyond this limit leaves the
 /// god-object in place.
 [[nodiscard]] Vec3 carryOverPosition(const HapticScene& before, const HapticScene& after, const HapticLayer& layer,
                                      const GodObjectState& god, const Vec3& p_WH) noexcept PALPATE_NONBLOCKING;

@@ -9,7 +9,7 @@ namespace palpate::haptics::internal {
 
 namespace {
 
-constexpr std::uint32_t kMostFacets = 64;
+constexpr std::uint32_t kMostSteps = 64;
 constexpr std::uint32_t kMovePrice = 64; // price of a sweep, in units of TickWork
 constexpr double kFarTarget = 16.0;      // facet sizes
 constexpr double kSharpest = 0.5;        // cosine of the largest angle between the normals of two facets
@@ -61,7 +61,7 @@ Walk::Ended Walk::run(Start start, std::uint32_t most) noexcept
     // The budget is charged at the end, by moves made: how far the walk looks ahead before testing depends on the
     // facets held, which must not influence the price.
     const std::uint32_t affordable = m_near.work().left() / kMovePrice + 1;
-    for (std::uint32_t i = 0; i < std::min({most, kMostFacets, affordable}) && next == Next::Step; ++i) {
+    for (std::uint32_t i = 0; i < std::min({most, kMostSteps, affordable}) && next == Next::Step; ++i) {
         next = step();
     }
     if (next != Next::Over) {
