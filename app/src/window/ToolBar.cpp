@@ -31,7 +31,7 @@ QToolBar* makeToolBar(ui::ActionList& actions, ui::ChipRow& chips, QWidget* wind
     };
     add("open", true);
     bar->addSeparator();
-    for (const char* id : {"palpate", "record", "play"}) {
+    for (const char* id : {"palpate", "record", "mark", "play"}) {
         add(id, true);
     }
     bar->addSeparator();
