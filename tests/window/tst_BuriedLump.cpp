@@ -161,9 +161,8 @@ class BuriedLump : public QObject
     {
         open({folder() / "two"});
         QVERIFY2(message().isVisible(), "nothing was said");
-        QCOMPARE(test::newest(message().text()),
-                 QStringLiteral(
-                     "tumour: inside liver, 4.4 (1 … 5.2) × as stiff (published for such lumps), felt through liver."));
+        QCOMPARE(test::newest(message().text()), QStringLiteral("tumour lies in liver and is felt through it, 4.4 (1 … "
+                                                                "5.2) times as stiff (published for such lumps)."));
         QCOMPARE(wayBack().text(), QStringLiteral("Feel it as a layer"));
         QVERIFY(!m_window->isWindowModified());
         awaitMaps();
