@@ -256,7 +256,7 @@ class BuriedLump : public QObject
         const double open_N = pressed(view::ViewFrom::Front);
         QVERIFY(open_N > 0.5);
         answer(QStringLiteral("Close the holes"));
-        PALPATE_TRY_VERIFY(message().text().contains(QStringLiteral("felt through liver")));
+        PALPATE_TRY_VERIFY(message().text().contains(QStringLiteral("felt through it")));
         awaitMaps();
         const double through_N = pressed(view::ViewFrom::Front);
         QVERIFY2(through_N > 1.1 * open_N, qPrintable(QString::number(through_N / open_N)));

@@ -22,6 +22,8 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialogButtonBox>
+#include <QDockWidget>
+#include <QEvent>
 #include <QFile>
 #include <QFileDialog>
 #include <QImage>
@@ -33,6 +35,7 @@
 #include <QTimer>
 #include <QToolBar>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -50,10 +53,11 @@ class ReportWriting : public QObject
     Q_OBJECT
 
     std::unique_ptr<test::Desk> m_desk;
-    Vec3 m_tumour_W = Vec3::Zero(); ///< middle of the tumour
-    QPoint m_place;                 ///< of the last press, in the view
+    Vec3 m_above_W = Vec3::Zero(); ///< place of the liver nearest to the tumour
+    QPoint m_place;                ///< of the last press, in the view
 
     app::ReportPart& part() const { return *m_desk->window().findChild<app::ReportPart*>(); }
+    ui::VtkViewport& viewport() const { return m_desk->window().viewport(); }
     ui::MessageBar& messages() const { return *m_desk->window().findChild<ui::MessageBar*>(); }
     QByteArray read(const char* name) const
     {
@@ -106,11 +110,15 @@ class ReportWriting : public QObject
         if (isForPictures) {
             test::append(vessels, meshOf(phantom / "hepatic-veins.stl"));
         }
-        m_tumour_W = Vec3::Zero();
+        const geometry::TriangleMesh liver = isForPictures ? meshOf(phantom / "liver.stl") : test::sphere(20, 60.0);
+        Vec3 middle_W = Vec3::Zero();
         for (const Vec3& vertex : tumour.vertices) {
-            m_tumour_W += vertex / static_cast<double>(tumour.vertices.size());
+            middle_W += vertex / static_cast<double>(tumour.vertices.size());
         }
-        m_desk->writeStl("patient/liver.stl", isForPictures ? meshOf(phantom / "liver.stl") : test::sphere(20, 60.0));
+        m_above_W = *std::min_element(liver.vertices.begin(), liver.vertices.end(), [&](const Vec3& a, const Vec3& b) {
+            return (a - middle_W).norm() < (b - middle_W).norm();
+        });
+        m_desk->writeStl("patient/liver.stl", liver);
         m_desk->writeStl("patient/tumour.stl", tumour);
         meshio::VtpFile vtp;
         vtp.points = vessels.vertices;
@@ -160,13 +168,12 @@ class ReportWriting : public QObject
     /// Presses over the tumour with the mouse button, then deeper with the wheel.
     void press(int notches)
     {
-        ui::VtkViewport& viewport = m_desk->window().viewport();
-        m_place = viewport.placeOf(m_tumour_W).toPoint();
-        QTest::mouseMove(&viewport, m_place);
-        QTest::mousePress(&viewport, Qt::LeftButton, {}, m_place);
+        m_place = viewport().placeOf(m_above_W).toPoint();
+        QTest::mouseMove(&viewport(), m_place);
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, m_place);
         PALPATE_TRY_VERIFY(depth_mm() > 0.9 * m_desk->window().palpation().depth_mm());
         for (int notch = 0; notch < notches; ++notch) {
-            Q_EMIT viewport.depthTurned(1.0);
+            Q_EMIT viewport().depthTurned(1.0);
         }
         PALPATE_TRY_VERIFY(depth_mm() > 0.9 * m_desk->window().palpation().depth_mm());
     }
@@ -174,7 +181,7 @@ class ReportWriting : public QObject
     double letGo()
     {
         const double force_N = m_desk->window().palpation().lastPress()->reading.force_N;
-        QTest::mouseRelease(&m_desk->window().viewport(), Qt::LeftButton, {}, m_place);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, m_place);
         return force_N;
     }
 
@@ -300,7 +307,13 @@ class ReportWriting : public QObject
         QCOMPARE(table->model()->rowCount(), 1);
         const auto shown_N = table->model()->index(0, ui::FindingsModel::Force).data().toString().toDouble();
         QVERIFY2(std::abs(shown_N - force_N) < 0.1, qPrintable(QString::number(shown_N)));
-        keepPicture("window-walk-3.png", m_desk->picture());
+        if (!picturesFolder().isEmpty()) {
+            QEvent leaving(QEvent::Leave);
+            QApplication::sendEvent(&viewport(), &leaving);
+            m_desk->window().findChild<QDockWidget*>("findings")->raise();
+            QTest::qWait(500);
+            keepPicture("window-walk-3.png", m_desk->picture());
+        }
 
         chooseReport(); // while recording
         QVERIFY2(messages().text().contains("finished recording"), qPrintable(messages().text()));
