@@ -124,6 +124,16 @@ class LiveSession : public QObject
         QVERIFY(looks[0].name.empty() && looks[1].name.empty() && looks[2].name.empty());
         QVERIFY(looks[3].name == "c" && looks[3].colour[1] == 0.5 && looks[3].opacity == 0.25);
         QVERIFY(study::looksFrom("{").empty() && study::looksFrom("").empty());
+
+        meshio::SceneStructure lump;
+        lump.name = "tumour";
+        lump.inside = "liver";
+        lump.young_ratio = 4.5;
+        const auto kept = study::looksFrom(study::looksText({study::lookOf(lump)}));
+        QVERIFY(kept.at(0).inside == "liver" && kept[0].youngRatio == 4.5 && !kept[0].young_kPa);
+        const auto bad = study::looksFrom(
+            R"([{"name":"a","colour":[0,0,0],"opacity":1,"inside":7,"young_ratio":-1,"felt_contact_radius_mm":"5"}])");
+        QVERIFY(bad.at(0).inside.empty() && !bad[0].youngRatio && !bad[0].feltContactRadius_mm);
     }
 
     void givesTicksToWhoTakesThemOneself()

@@ -145,9 +145,8 @@ class List : public QObject
         QVERIFY(add(m_tumour));
         QCOMPARE(names(), QStringList({"liver", "tumour"}));
         QCOMPARE(window().viewport().view().structureCount(), std::size_t{2});
-        QCOMPARE(test::newest(message().text()),
-                 QStringLiteral(
-                     "tumour: inside liver, 4.4 (1 … 5.2) × as stiff (published for such lumps), felt through liver."));
+        QCOMPARE(test::newest(message().text()), QStringLiteral("tumour lies in liver and is felt through it, 4.4 (1 … "
+                                                                "5.2) times as stiff (published for such lumps)."));
         QVERIFY(window().isWindowModified());
 
         list().setFocus();

@@ -5,35 +5,60 @@
 #include "touch/ReportDialog.h"
 #include "touch/ReportPart.h"
 
+#include <palpate/meshio/VtpFile.h>
 #include <palpate/session/RecordingWriter.h>
 #include <palpate/session/Replay.h>
 #include <palpate/study/HapticCopy.h>
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
-#include <palpate/ui/HintLine.h>
+#include <palpate/ui/FindingsModel.h>
 #include <palpate/ui/MessageBar.h>
+#include <palpate/ui/PalpationController.h>
+#include <palpate/ui/Playback.h>
+#include <palpate/ui/StructureModel.h>
+#include <palpate/ui/VtkViewport.h>
 
+#include <QAbstractItemView>
 #include <QAction>
+#include <QApplication>
+#include <QDialogButtonBox>
+#include <QDockWidget>
+#include <QEvent>
 #include <QFile>
+#include <QFileDialog>
 #include <QImage>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
 #include <QSettings>
+#include <QTimer>
+#include <QToolBar>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <vector>
 
 using namespace palpate;
+using core::Vec3;
 
-/// Tests the report in the main window: dialog, pictures, messages.
+/// Tests the report in the main window: dialog, pictures, messages, and the walk-through of resources/docs/window.md
+/// from three files to the report with the mouse alone. With PALPATE_KEEP_PICTURES the walk-through uses the phantom
+/// and writes the pictures of that page into this folder.
 class ReportWriting : public QObject
 {
     Q_OBJECT
 
     std::unique_ptr<test::Desk> m_desk;
+    Vec3 m_above_W = Vec3::Zero(); ///< place of the liver nearest to the tumour
+    QPoint m_place;                ///< of the last press, in the view
 
     app::ReportPart& part() const { return *m_desk->window().findChild<app::ReportPart*>(); }
-    QString hint() const { return m_desk->window().findChild<ui::HintLine*>()->said(); }
+    ui::VtkViewport& viewport() const { return m_desk->window().viewport(); }
+    ui::MessageBar& messages() const { return *m_desk->window().findChild<ui::MessageBar*>(); }
     QByteArray read(const char* name) const
     {
         QFile file(QString::fromStdString((m_desk->folder() / name).string()));
@@ -57,6 +82,107 @@ class ReportWriting : public QObject
         session::replay(*haptic, motion,
                         [&](const servo::TickRecord& tick) { return writer.value()->append(tick).isOk(); });
         QVERIFY(writer.value()->finish().isOk());
+    }
+
+    static QString picturesFolder() { return qEnvironmentVariable("PALPATE_KEEP_PICTURES"); }
+    static void keepPicture(const char* name, const QImage& picture)
+    {
+        constexpr int kWidth_px = 800; // in the page
+        if (!picturesFolder().isEmpty()) {
+            QVERIFY(picture.scaledToWidth(kWidth_px, Qt::SmoothTransformation).save(picturesFolder() + '/' + name));
+        }
+    }
+    static geometry::TriangleMesh meshOf(const std::filesystem::path& file)
+    {
+        const auto scene = study::openScene(file);
+        return scene.isOk() ? scene.value().structures.at(0).surface->mesh : geometry::TriangleMesh();
+    }
+    /// Writes liver.stl, tumour.stl and vessels.vtp: of the phantom for pictures, otherwise coarse.
+    /// @return the folder
+    std::filesystem::path writePatient()
+    {
+        const std::filesystem::path phantom = std::filesystem::path(PALPATE_SOURCE_DIR) / "data" / "phantom";
+        const bool isForPictures = !picturesFolder().isEmpty();
+        const geometry::TriangleMesh tumour =
+            isForPictures ? meshOf(phantom / "lump-20-mm.stl") : test::moved(test::sphere(5, 8.0), {10.0, -40.0, 10.0});
+        geometry::TriangleMesh vessels =
+            isForPictures ? meshOf(phantom / "portal-vein.stl") : test::moved(test::sphere(3, 6.0), {-10.0, 5.0, 0.0});
+        if (isForPictures) {
+            test::append(vessels, meshOf(phantom / "hepatic-veins.stl"));
+        }
+        const geometry::TriangleMesh liver = isForPictures ? meshOf(phantom / "liver.stl") : test::sphere(20, 60.0);
+        Vec3 middle_W = Vec3::Zero();
+        for (const Vec3& vertex : tumour.vertices) {
+            middle_W += vertex / static_cast<double>(tumour.vertices.size());
+        }
+        m_above_W = *std::min_element(liver.vertices.begin(), liver.vertices.end(), [&](const Vec3& a, const Vec3& b) {
+            return (a - middle_W).norm() < (b - middle_W).norm();
+        });
+        m_desk->writeStl("patient/liver.stl", liver);
+        m_desk->writeStl("patient/tumour.stl", tumour);
+        meshio::VtpFile vtp;
+        vtp.points = vessels.vertices;
+        vtp.triangles = vessels.triangles;
+        const auto bytes = meshio::vtpBytes(vtp);
+        std::ofstream(m_desk->folder() / "patient" / "vessels.vtp", std::ios::binary)
+            << (bytes.isOk() ? bytes.value() : std::string());
+        return m_desk->folder() / "patient";
+    }
+
+    static void click(QWidget* widget)
+    {
+        QVERIFY(widget != nullptr && widget->isVisible());
+        QTest::mouseClick(widget, Qt::LeftButton);
+    }
+    QWidget* tool(const char* id) const
+    {
+        return m_desk->window().findChild<QToolBar*>("tools")->widgetForAction(&m_desk->command(id));
+    }
+    /// Chooses File › Report… with the mouse.
+    void chooseReport() const
+    {
+        QMenuBar* bar = m_desk->window().menuBar();
+        QAction* file = bar->actions().front();
+        QTest::mouseClick(bar, Qt::LeftButton, {}, bar->actionGeometry(file).center());
+        PALPATE_TRY_VERIFY(file->menu()->isVisible());
+        QTest::mouseClick(file->menu(), Qt::LeftButton, {},
+                          file->menu()->actionGeometry(&m_desk->command("report")).center());
+    }
+    /// Answers the next file dialog, which blocks the click that opens it.
+    static void atDialog(const std::filesystem::path& folder, const QString& names)
+    {
+        constexpr int kWait_ms = 300; // until the dialog is drawn
+        QTimer::singleShot(kWait_ms, [folder, names] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            QVERIFY(dialog != nullptr);
+            dialog->setDirectory(QString::fromStdString(folder.string()));
+            dialog->findChild<QLineEdit*>("fileNameEdit")->setText(names);
+            click(dialog->findChild<QDialogButtonBox*>()->buttons().front());
+        });
+    }
+    double depth_mm() const
+    {
+        const auto& last = m_desk->window().palpation().lastPress();
+        return last ? last->reading.depth_mm : 0.0;
+    }
+    /// Presses over the tumour with the mouse button, then deeper with the wheel.
+    void press(int notches)
+    {
+        m_place = viewport().placeOf(m_above_W).toPoint();
+        QTest::mouseMove(&viewport(), m_place);
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, m_place);
+        PALPATE_TRY_VERIFY(depth_mm() > 0.9 * m_desk->window().palpation().depth_mm());
+        for (int notch = 0; notch < notches; ++notch) {
+            Q_EMIT viewport().depthTurned(1.0);
+        }
+        PALPATE_TRY_VERIFY(depth_mm() > 0.9 * m_desk->window().palpation().depth_mm());
+    }
+    /// Releases the mouse button. @return the force before [N]
+    double letGo()
+    {
+        const double force_N = m_desk->window().palpation().lastPress()->reading.force_N;
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, m_place);
+        return force_N;
     }
 
   private Q_SLOTS:
@@ -101,8 +227,9 @@ class ReportWriting : public QObject
     void writesPicturesAndTables()
     {
         part().write(m_desk->folder() / "report", ".html", "17", "N. N.");
-        PALPATE_TRY_VERIFY2(hint().contains("Report written to"), qPrintable(hint()));
-        QVERIFY2(!hint().contains("missing"), qPrintable(hint()));
+        PALPATE_TRY_VERIFY2(messages().text().contains("Report written to"), qPrintable(messages().text()));
+        QVERIFY2(!messages().text().contains("missing"), qPrintable(messages().text()));
+        QVERIFY2(!messages().text().contains("outside"), qPrintable(messages().text()));
         const QByteArray html = read("report.html");
         QVERIFY(html.contains("<td dir=\"auto\">17</td>"));
         qsizetype at = 0;
@@ -145,15 +272,77 @@ class ReportWriting : public QObject
 
     void refusesOtherNames()
     {
-        auto& messages = *m_desk->window().findChild<ui::MessageBar*>();
         part().write(m_desk->folder() / "report", ".html", {}, {}); // not the name that a dialog confirmed
-        QVERIFY2(messages.text().contains("report.html already exists"), qPrintable(messages.text()));
+        QVERIFY2(messages().text().contains("report.html already exists"), qPrintable(messages().text()));
         part().write(m_desk->folder() / "report.txt", ".pdf", {}, {});
-        QVERIFY2(messages.text().contains("report.txt must end in .pdf or .html"), qPrintable(messages.text()));
+        QVERIFY2(messages().text().contains("report.txt must end in .pdf or .html"), qPrintable(messages().text()));
         const auto size = std::filesystem::file_size(m_desk->folder() / "r.palpate");
         part().write(m_desk->folder() / "r.palpate", ".pdf", {}, {}); // the recording itself
-        QVERIFY2(messages.text().contains("r.palpate must end in .pdf or .html"), qPrintable(messages.text()));
+        QVERIFY2(messages().text().contains("r.palpate must end in .pdf or .html"), qPrintable(messages().text()));
         QCOMPARE(std::filesystem::file_size(m_desk->folder() / "r.palpate"), size);
+    }
+
+    void leadsFromThreeFilesToAReportWithTheMouseAlone()
+    {
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        QSettings().remove(QStringLiteral("fingertip_mm")); // the usual fingertip
+        const std::filesystem::path patient = writePatient();
+        QVERIFY(m_desk->show());
+        const QString files = QStringLiteral("\"liver.stl\" \"tumour.stl\" \"vessels.vtp\"");
+        atDialog(patient, files);
+        click(m_desk->window().findChild<QPushButton*>("openAnatomy"));
+        const ui::StructureModel& model = m_desk->window().model();
+        PALPATE_TRY_VERIFY(model.rowCount() == 3 && model.rows()[1].loaded.isTransmitted);
+        keepPicture("window-walk-1.png", m_desk->picture());
+
+        chooseReport(); // without a recording
+        QCOMPARE(test::answerOf(messages())->text(), QString("Record"));
+        click(test::answerOf(messages()));
+        QVERIFY(m_desk->window().palpation().isPalpating());
+        press(16);
+        keepPicture("window-walk-2.png", m_desk->picture());
+        const double force_N = letGo();
+        click(tool("mark"));
+        const auto* table = m_desk->window().findChild<QAbstractItemView*>("findingsTable");
+        QCOMPARE(table->model()->rowCount(), 1);
+        const auto shown_N = table->model()->index(0, ui::FindingsModel::Force).data().toString().toDouble();
+        QVERIFY2(std::abs(shown_N - force_N) < 0.1, qPrintable(QString::number(shown_N)));
+        if (!picturesFolder().isEmpty()) {
+            QEvent leaving(QEvent::Leave);
+            QApplication::sendEvent(&viewport(), &leaving);
+            m_desk->window().findChild<QDockWidget*>("findings")->raise();
+            QTest::qWait(500);
+            keepPicture("window-walk-3.png", m_desk->picture());
+        }
+
+        chooseReport(); // while recording
+        QVERIFY2(messages().text().contains("finished recording"), qPrintable(messages().text()));
+        click(test::answerOf(messages()));
+        QVERIFY(m_desk->window().playback().recording() != nullptr);
+        auto* dialog = m_desk->window().findChild<app::ReportDialog*>();
+        QVERIFY(dialog != nullptr);
+        atDialog(m_desk->folder(), "walk.html");
+        for (QPushButton* one : dialog->findChildren<QPushButton*>()) {
+            if (one->isDefault()) {
+                click(one);
+                break;
+            }
+        }
+        PALPATE_TRY_VERIFY2(messages().text().contains("Report written to"), qPrintable(messages().text()));
+        QCOMPARE(test::answerOf(messages())->text(), QString("Open the report"));
+        const QByteArray html = read("walk.html");
+        for (const char* part :
+             {"Finding 1", "Touched lightly", "Distances and margins", "vessels", "published for such"}) {
+            QVERIFY2(html.contains(part), part);
+        }
+        QVERIFY(!messages().text().contains("outside"));
+
+        QVERIFY(m_desk->window().palpation().isPalpating()); // as before the end of the recording
+        press(0);
+        letGo();
+        click(tool("mark"));
+        part().write(m_desk->folder() / "again.html", ".html", {}, {});
+        PALPATE_TRY_VERIFY2(messages().text().contains("again.html, without 1 finding"), qPrintable(messages().text()));
     }
 
     void cleanupTestCase() { m_desk.reset(); }

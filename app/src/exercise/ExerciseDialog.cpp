@@ -13,6 +13,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -21,6 +22,23 @@
 #include <vector>
 
 namespace palpate::app {
+
+namespace {
+
+/// Converts the lengths of the style from rem, which Qt's rich text does not know, to pixels.
+QString inPixels(QString html)
+{
+    constexpr double kRem_px = 16.0;
+    static const QRegularExpression length(QStringLiteral("([0-9.]+)rem"));
+    QRegularExpressionMatch found;
+    while ((found = length.match(html)).hasMatch() && found.capturedEnd() < html.indexOf(QLatin1String("</style>"))) {
+        const double size_px = kRem_px * found.captured(1).toDouble();
+        html.replace(found.capturedStart(), found.capturedLength(), QStringLiteral("%1px").arg(qRound(size_px)));
+    }
+    return html;
+}
+
+} // namespace
 
 ExerciseDialog::ExerciseDialog(const std::filesystem::path& recording, session::MeshesByHash meshes,
                                meshio::Exercise exercise,
@@ -82,9 +100,7 @@ void ExerciseDialog::present(const core::Result<ScoredExercise>& scored)
     m_scored->facts.isPictured = !m_drawn.isNull();
     ScoredExercise shown = *m_scored;
     shown.facts.isPictured = false; // the view beside the dialog has the picture
-    QString html = QString::fromUtf8(ui::reportHtml(study::composeExercise(shown.score, shown.facts), {}));
-    html.replace(QLatin1String("<table"), QLatin1String("<table cellpadding=\"3\"")); // Qt ignores the style's padding
-    m_text->setHtml(html);
+    m_text->setHtml(inPixels(QString::fromUtf8(ui::reportHtml(study::composeExercise(shown.score, shown.facts), {}))));
     m_savePage->setEnabled(true);
     m_saveNumbers->setEnabled(true);
 }

@@ -75,7 +75,7 @@ void LumpLayout::assignLump(int row, int around)
         m_ways[i].layer.reset();
         m_hasTransmittedLump = true;
         const std::optional<study::StiffnessRatio> ratio = ratioOf(m_model, row, around);
-        m_lines << tr("%1: inside %2, %3 × as stiff (%4), felt through %2")
+        m_lines << tr("%1 lies in %2 and is felt through it, %3 times as stiff (%4)")
                        .arg(name, aroundName, ratioRangeText(ratio), ratioSourceText(ratio->source));
     } else {
         m_lines << tr("%1: inside %2, felt as a layer below %2 (%3)").arg(name, aroundName, why);

@@ -52,14 +52,17 @@ void ShowAround::start()
              tr("The list shows all structures. The eye shows or hides a structure; the hand makes a structure "
                 "palpable or not. Below the list you set how the structure feels.")},
         {m_view, tr("Press to feel"),
-         tr("Press P, then drag on the anatomy to press and slide; the wheel sets the depth. With the keyboard: Ctrl "
-            "and the arrow keys move the press point, Enter presses, Page Down goes deeper. Esc releases.")},
+         tr("Click Palpate (P), then drag on the anatomy to press and slide; the wheel sets the depth. With the "
+            "keyboard: "
+            "Ctrl and the arrow keys move the press point, Enter presses, Page Down goes deeper. Esc releases.")},
         {panel("touch"), tr("Touch"),
          tr("Force in newtons, touched structure, depth in millimetres and a chart of the last ten seconds. At the "
             "same depth, stiffer tissue pushes back harder.")},
         {panel("findings"), tr("Recording and findings"),
-         tr("R starts and stops a recording. M marks the touched place as a finding, listed here with force and depth; "
-            "F2 renames the finding. File › Export findings… saves the list.")},
+         tr("Record (R) starts and stops a recording. Mark (M) marks the touched place, or the place pressed last, as "
+            "a "
+            "finding with force and depth, listed here; F2 renames the finding. File › Report… writes a recording with "
+            "findings, distances and margins as PDF.")},
     });
 }
 

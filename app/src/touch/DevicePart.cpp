@@ -180,11 +180,12 @@ QString DevicePart::howToTouch() const
         return tr("Touch with the device; O or L fits the workspace to the organ or lump, C lifts the hand");
     }
     if (m_palpation.isPalpating()) {
-        return m_panel->settings().isByEffort ? tr("Hold to press harder, wheel for the force limit; P turns the view")
-                                              : tr("Drag to press, wheel for depth; P turns the view");
+        return m_panel->settings().isByEffort
+                   ? tr("Hold to press harder, wheel for the force limit; then Mark; right drag turns the view")
+                   : tr("Drag to press, wheel for depth; then Mark; right drag turns the view");
     }
-    return m_panel->settings().isByEffort ? tr("P palpate, hold to press harder, wheel for the force limit")
-                                          : tr("P palpate, drag to press, wheel for depth");
+    return m_panel->settings().isByEffort ? tr("Palpate (P): hold to press harder, wheel for the force limit")
+                                          : tr("Palpate (P): drag to press, wheel for depth");
 }
 
 /// Shows how the pointer presses; with another device, the setting of the pointer stays.

@@ -54,18 +54,22 @@ const core::Finding& FindingsDesk::finding(int row) const
     return m_parts.document.findings()[static_cast<std::size_t>(row)];
 }
 
-/// Makes a finding with the properties common to findings and notes at this moment.
-core::Finding FindingsDesk::markedNow() const
+/// Makes a finding with the properties common to findings and notes.
+/// @param tick  of the live hand, in the running recording
+core::Finding FindingsDesk::markedAt(std::int64_t tick) const
 {
     core::Finding now;
     now.camera = viewPose(m_parts.viewport);
     now.marked_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     const session::RecorderStatus recording = m_parts.live.recording();
     const RecordedTouch* played = m_parts.playback.recording();
+    const bool isLiveHand = m_parts.palpation.isPalpating() || !m_parts.live.usesPointer();
     if (recording.isRecording) {
+        const double ago_s =
+            static_cast<double>(m_parts.live.newest().tick - tick) / std::max(1.0, m_parts.live.rate_Hz());
         now.recording =
-            core::RecordedMoment{m_recording.string(), {}, m_parts.live.newest().tick, recording.duration_s};
-    } else if (played != nullptr) {
+            core::RecordedMoment{m_recording.string(), {}, tick, std::max(0.0, recording.duration_s - ago_s)};
+    } else if (played != nullptr && (m_parts.playback.isPlaying() || !isLiveHand)) {
         const double time_s = m_parts.playback.position_s();
         const auto tick = played->at(time_s);
         const std::filesystem::path file = std::filesystem::absolute(played->path());
@@ -76,14 +80,16 @@ core::Finding FindingsDesk::markedNow() const
 
 bool FindingsDesk::mark()
 {
-    const view::TouchState& touch = m_parts.viewport.view().cursor().state();
-    if (!touch.isInContact) {
+    const auto& pressed = m_parts.palpation.lastPress();
+    const view::TouchState& now = m_parts.viewport.view().cursor().state();
+    if (!now.isInContact && !pressed) {
         Q_EMIT said(tr("Nothing is touched. Press on a place first, then mark a finding (M)."));
         return false;
     }
-    core::Finding one = markedNow();
+    const view::TouchState& touch = pressed ? pressed->touch : now;
+    const TouchReading& felt = pressed ? pressed->reading : m_parts.touch.reading();
+    core::Finding one = markedAt(pressed ? pressed->tick : m_parts.live.newest().tick);
     one.name = tr("Finding %1").arg(m_parts.document.findings().size() + 1).toStdString();
-    const TouchReading& felt = m_parts.touch.reading();
     const PalpatedStructure on = palpatedStructure(felt);
     one.structure = on.name.toStdString();
     one.p_W = restOf(one.structure, touch.p_WG);
@@ -129,7 +135,7 @@ core::Vec3 FindingsDesk::restOf(const std::string& structure, const core::Vec3& 
 
 void FindingsDesk::addNote(const QString& text)
 {
-    core::Finding one = markedNow();
+    core::Finding one = markedAt(m_parts.live.newest().tick);
     one.hasPlace = false;
     one.name = tr("Note %1").arg(m_parts.document.findings().size() + 1).toStdString();
     one.note = text.toStdString();
@@ -236,6 +242,12 @@ void FindingsDesk::importFrom(const std::filesystem::path& path)
     if (!losses.isEmpty()) {
         Q_EMIT failed(losses.join(QLatin1Char('\n')));
     }
+}
+
+void FindingsDesk::beginRecording(const std::filesystem::path& path)
+{
+    m_recording = path;
+    m_parts.palpation.forgetPress(); // the recording does not contain this press
 }
 
 void FindingsDesk::endRecording()

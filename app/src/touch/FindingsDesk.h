@@ -6,6 +6,7 @@
 #include <palpate/ui/CameraFlight.h>
 #include <palpate/ui/FindingsPanel.h>
 #include <palpate/ui/LiveTouch.h>
+#include <palpate/ui/PalpationController.h>
 #include <palpate/ui/Playback.h>
 #include <palpate/ui/StructureModel.h>
 #include <palpate/ui/TouchPanel.h>
@@ -14,6 +15,7 @@
 #include <QTimer>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -32,14 +34,16 @@ class FindingsDesk : public QObject
         palpate::ui::FindingsPanel& panel;
         palpate::ui::VtkViewport& viewport;
         palpate::ui::LiveTouch& live;
+        palpate::ui::PalpationController& palpation;
         palpate::ui::Playback& playback;
         palpate::ui::TouchPanel& touch;
         const palpate::ui::StructureModel& structures;
     };
     FindingsDesk(const Parts& parts, QObject* parent);
 
-    /// Marks the current contact of the hand or of the playing recording. The keyboard focus does not change.
-    /// @return false without contact
+    /// Marks the current contact of the hand or of the playing recording, or else the contact at the end of the last
+    /// press of the pointer. The keyboard focus does not change.
+    /// @return false without contact and without a last press
     bool mark();
     /// Adds a note without a position. @param text  not empty
     void addNote(const QString& text);
@@ -54,7 +58,7 @@ class FindingsDesk : public QObject
     void importFrom(const std::filesystem::path& path);
     /// Sets the file of the recording in progress, and ends it: findings marked during the recording then get the
     /// file's hash.
-    void beginRecording(const std::filesystem::path& path) { m_recording = path; }
+    void beginRecording(const std::filesystem::path& path);
     void endRecording();
     /// Draws the findings of the scene and of the open recording.
     void show();
@@ -69,7 +73,7 @@ class FindingsDesk : public QObject
 
   private:
     [[nodiscard]] const palpate::core::Finding& finding(int row) const;
-    [[nodiscard]] palpate::core::Finding markedNow() const;
+    [[nodiscard]] palpate::core::Finding markedAt(std::int64_t tick) const;
     [[nodiscard]] std::optional<std::size_t> rowOf(const std::string& structure) const;
     [[nodiscard]] palpate::core::Vec3 restOf(const std::string& structure, const palpate::core::Vec3& p_W) const;
     [[nodiscard]] std::string hashOf(const std::filesystem::path& recording) const;

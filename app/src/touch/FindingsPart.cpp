@@ -29,9 +29,9 @@ FindingsPart::FindingsPart(const WindowCore& core, DocumentPart& document, Touch
     , m_core(core)
     , m_document(document)
     , m_panel(new ui::FindingsPanel(document.document().findingsModel(), &core.window))
-    , m_desk(new FindingsDesk(
-          {document.document(), *m_panel, core.viewport, core.live, recording.playback(), touch.panel(), core.model},
-          this))
+    , m_desk(new FindingsDesk({document.document(), *m_panel, core.viewport, core.live, touch.palpation(),
+                               recording.playback(), touch.panel(), core.model},
+                              this))
 {
     connect(m_desk, &FindingsDesk::said, this, [this](const QString& line) { m_core.notices.say(line); });
     connect(m_desk, &FindingsDesk::failed, &core.notices, &Notices::showError);
@@ -68,11 +68,15 @@ void FindingsPart::addActions()
         m_core.viewport.view().findings().setVisible(isOn);
         m_core.viewport.update();
     });
-    connect(actions.add("mark", ActionGroup::Session, tr("Mark a finding"),
-                        tr("Mark the touched place in the scene and in the recording"), {QKeySequence(Qt::Key_M)}),
-            &QAction::triggered, m_desk, &FindingsDesk::mark);
+    QAction* mark =
+        actions.add("mark", ActionGroup::Session, tr("Mark a finding"),
+                    tr("Mark the touched place, or the place pressed last, in the scene and in the recording"),
+                    {QKeySequence(Qt::Key_M)}, ui::Symbol::Mark);
+    mark->setIconText(tr("Mark")); // in the tool bar
+    connect(mark, &QAction::triggered, m_desk, &FindingsDesk::mark);
     connect(actions.add("mark-and-write", ActionGroup::Session, tr("Mark a finding and write…"),
-                        tr("Mark the touched place and write a note on it"), {QKeySequence(Qt::CTRL | Qt::Key_M)}),
+                        tr("Mark the touched place, or the place pressed last, and write a note on it"),
+                        {QKeySequence(Qt::CTRL | Qt::Key_M)}),
             &QAction::triggered, this, [this] {
                 if (m_desk->mark()) {
                     raise();

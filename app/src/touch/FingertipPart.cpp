@@ -90,7 +90,12 @@ void FingertipPart::fill()
 void FingertipPart::showChip()
 {
     const double radius_mm = m_core.live.fingertip_mm();
-    m_chip.say(radius_mm > 0.0 ? tr("fingertip %1 mm ▾").arg(QLocale().toString(radius_mm)) : tr("fingertip: point ▾"));
+    const QString number = QLocale().toString(radius_mm);
+    if (radius_mm > 0.0) {
+        m_chip.say(tr("fingertip %1 mm ▾").arg(number), ui::Chip::Tone::Quiet, tr("%1 mm ▾").arg(number));
+    } else {
+        m_chip.say(tr("fingertip: point ▾"), ui::Chip::Tone::Quiet, tr("point ▾"));
+    }
 }
 
 } // namespace palpate::app

@@ -13,6 +13,7 @@ namespace palpate::app {
 namespace {
 
 constexpr auto kExaminerKey = "report/examiner";
+constexpr int kWidth_px = 400; // of the fields with their names
 
 } // namespace
 
@@ -27,6 +28,7 @@ ReportDialog::ReportDialog(QWidget* parent)
                                       "recording. Both fields may stay empty."),
                                    this);
     explanation->setWordWrap(true);
+    explanation->setMinimumWidth(kWidth_px); // its height follows from the width
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     buttons->addButton(tr("Write report…"), QDialogButtonBox::AcceptRole)->setDefault(true);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -36,7 +38,6 @@ ReportDialog::ReportDialog(QWidget* parent)
     form->addRow(tr("&Case"), m_case);
     form->addRow(tr("&Examiner"), m_examiner);
     form->addRow(buttons);
-    setMinimumWidth(420);
 }
 
 QString ReportDialog::caseText() const

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "touch/ReportPart.h"
 
+#include "scene/DocumentPart.h"
+#include "scene/SceneDocument.h"
 #include "shared/Console.h"
 #include "shared/Paths.h"
 #include "shell/Notices.h"
@@ -8,15 +10,20 @@
 #include "touch/ReportRun.h"
 
 #include <palpate/ui/ActionList.h>
+#include <palpate/ui/MessageBar.h>
 #include <palpate/ui/Playback.h>
+#include <palpate/ui/RecordedTouch.h>
 #include <palpate/ui/ReportFile.h>
 #include <palpate/ui/StructureModel.h>
 #include <palpate/ui/Translated.h>
 
 #include <QAction>
+#include <QDesktopServices>
 #include <QFileDialog>
 #include <QMainWindow>
+#include <QUrl>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -25,8 +32,6 @@ namespace palpate::app {
 using ui::ActionGroup;
 
 namespace {
-
-constexpr int kShown_ms = 15000;
 
 /// Returns the open scene, for recordings whose own scene is no longer available.
 std::shared_ptr<const meshio::LoadedScene> openedScene(const ui::StructureModel& model)
@@ -43,9 +48,10 @@ std::shared_ptr<const meshio::LoadedScene> openedScene(const ui::StructureModel&
 
 } // namespace
 
-ReportPart::ReportPart(const WindowCore& core, const ui::Playback& playback)
+ReportPart::ReportPart(const WindowCore& core, DocumentPart& document, const ui::Playback& playback)
     : WindowPart(&core.window)
     , m_core(core)
+    , m_document(document)
     , m_playback(playback)
 {
 }
@@ -60,11 +66,44 @@ void ReportPart::addActions()
 
 void ReportPart::showState(const WindowState& state)
 {
-    m_core.actions.at("report").setEnabled(state.hasRecording && !state.isRecording);
+    m_isRecording = state.isRecording;
+    m_core.actions.at("report").setEnabled(state.hasScene || state.hasRecording);
+}
+
+/// Offers what is missing for a report: a recording, or the end of the running one.
+void ReportPart::offerRecording()
+{
+    ui::MessageBar& bar = m_core.notices.bar();
+    bar.withdraw(m_offer);
+    QAction& record = m_core.actions.at("record");
+    if (m_isRecording) {
+        m_offer = tr("The report describes a finished recording.");
+        bar.offer(m_offer, tr("Stop and report…"), [this, &record] {
+            if (m_isRecording) {
+                record.trigger();
+            }
+            if (!m_isRecording && m_playback.recording() != nullptr) {
+                ask();
+            }
+        });
+    } else {
+        m_offer =
+            tr("The report describes a recording: record, press, mark findings and stop. Then choose Report again.");
+        bar.offer(m_offer, tr("Record"), [this, &record] {
+            if (!m_isRecording) {
+                record.trigger();
+            }
+        });
+    }
 }
 
 void ReportPart::ask()
 {
+    if (m_isRecording || m_playback.recording() == nullptr) {
+        offerRecording();
+        return;
+    }
+    m_core.notices.bar().withdraw(m_offer);
     auto* dialog = new ReportDialog(&m_core.window);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { choose(dialog->caseText(), dialog->examiner()); });
     dialog->open();
@@ -117,14 +156,43 @@ void ReportPart::write(std::filesystem::path out, const QString& ending, const Q
     options.caseText = caseText.toStdString();
     options.examiner = examiner.toStdString();
     auto* run = new ReportRun(recording, std::move(options), out, &m_core.window);
-    connect(run, &ReportRun::written, this, [this, out](const QStringList& missing) {
-        m_core.notices.warn(missing);
-        m_core.notices.say(missing.isEmpty() ? tr("Report written to %1").arg(toText(out))
-                                             : tr("Report written to %1; it lists the missing parts").arg(toText(out)),
-                           kShown_ms);
-    });
+    connect(run, &ReportRun::written, this, [this, out](const QStringList& missing) { showWritten(out, missing); });
     connect(run, &ReportRun::failed, this, [this](const QString& line) { m_core.notices.showError(line); });
     connect(run, &ReportRun::cancelled, this, [this] { m_core.notices.say(tr("Report cancelled")); });
+}
+
+void ReportPart::showWritten(const std::filesystem::path& out, const QStringList& missing)
+{
+    m_core.notices.warn(missing);
+    ui::MessageBar& bar = m_core.notices.bar();
+    bar.withdraw(m_written);
+    const int outside = findingsOutside();
+    m_written = !missing.isEmpty() ? tr("Report written to %1; it lists the missing parts").arg(toText(out))
+                : outside > 0      ? tr("Report written to %1, without %n finding(s) marked outside of the recording",
+                                        nullptr, outside)
+                                    .arg(toText(out))
+                              : tr("Report written to %1").arg(toText(out));
+    bar.offer(m_written, tr("Open the report"), [this, out] { openFile(out); });
+}
+
+void ReportPart::openFile(const std::filesystem::path& out)
+{
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(toText(out)))) {
+        m_core.notices.showError(tr("No program was found that opens %1.").arg(toText(out)));
+    }
+}
+
+/// Number of findings of the scene that the recording does not contain, such as those marked before or afterwards.
+int ReportPart::findingsOutside() const
+{
+    const std::vector<core::Finding> inside =
+        m_playback.recording() == nullptr ? std::vector<core::Finding>() : m_playback.recording()->findings();
+    const std::vector<core::Finding>& all = m_document.document().findings();
+    return static_cast<int>(std::count_if(all.begin(), all.end(), [&](const core::Finding& one) {
+        return one.hasPlace && std::none_of(inside.begin(), inside.end(), [&](const core::Finding& other) {
+                   return one.id.empty() ? one.p_W == other.p_W : one.id == other.id;
+               });
+    }));
 }
 
 } // namespace palpate::app

@@ -4,6 +4,7 @@
 #include "shell/WindowPart.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <filesystem>
 
@@ -13,15 +14,16 @@ class Playback;
 
 namespace palpate::app {
 
+class DocumentPart;
 class ReportRun;
 
-/// Report of the open recording as PDF or HTML.
+/// Report of the open recording as PDF or HTML. Without a recording, the command offers to record.
 class ReportPart : public WindowPart
 {
     Q_OBJECT
   public:
     /// The references must outlive this part.
-    ReportPart(const WindowCore& core, const ui::Playback& playback);
+    ReportPart(const WindowCore& core, DocumentPart& document, const ui::Playback& playback);
     void addActions() override;
     void showState(const WindowState& state) override;
 
@@ -31,10 +33,18 @@ class ReportPart : public WindowPart
 
   private:
     void ask();
+    void offerRecording();
+    void showWritten(const std::filesystem::path& out, const QStringList& missing);
+    void openFile(const std::filesystem::path& out);
+    [[nodiscard]] int findingsOutside() const;
     void choose(const QString& caseText, const QString& examiner);
 
     WindowCore m_core;
+    DocumentPart& m_document;
     const ui::Playback& m_playback;
+    bool m_isRecording = false;
+    QString m_offer;   ///< open message that offers to record or to stop
+    QString m_written; ///< open message about the last report
 };
 
 } // namespace palpate::app

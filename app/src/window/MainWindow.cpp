@@ -142,7 +142,7 @@ void MainWindow::makeParts()
     auto* findings = keep(new FindingsPart(core, *m_document, *m_touch, *m_recording));
     auto* motion = keep(new MotionPart(core, m_recording->playback(), m_touch->palpation()));
     auto* results = keep(new ResultsPart(core, m_recording->playback()));
-    auto* report = keep(new ReportPart(core, m_recording->playback()));
+    auto* report = keep(new ReportPart(core, *m_document, m_recording->playback()));
     m_files = keep(new SceneFiles(core, *m_document, *progress, *m_welcome));
     m_coordinates = keep(new CoordinatesPart(core, *m_document, *m_files));
     auto* share = keep(new SharePart(core, *m_document, *m_files));

@@ -31,9 +31,10 @@ QToolBar* makeToolBar(ui::ActionList& actions, ui::ChipRow& chips, QWidget* wind
     };
     add("open", true);
     bar->addSeparator();
-    for (const char* id : {"palpate", "record", "play"}) {
+    for (const char* id : {"palpate", "record", "mark"}) {
         add(id, true);
     }
+    add("play", false); // known without a text, whose place the chip of a recording needs
     bar->addSeparator();
     for (const char* id : {"fit", "snapshot", "undo", "redo", "keys"}) {
         add(id, false);

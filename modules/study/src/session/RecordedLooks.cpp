@@ -8,6 +8,7 @@
 #include <QJsonObject>
 
 #include <algorithm>
+#include <optional>
 
 namespace palpate::study {
 
@@ -22,6 +23,12 @@ QString nameOf(meshio::SurfaceKind surface)
 {
     const std::string_view name = meshio::kSurfaceNames[static_cast<std::size_t>(surface)];
     return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
+std::optional<double> positiveIn(const QJsonObject& json, const char* key)
+{
+    const double value = json[QLatin1String(key)].toDouble();
+    return value > 0.0 ? std::optional(value) : std::nullopt;
 }
 
 RecordedLook lookIn(const QJsonObject& json)
@@ -45,6 +52,10 @@ RecordedLook lookIn(const QJsonObject& json)
     if (meshio::isCurved(look.surface) && json["crease_deg"].isDouble()) {
         look.crease_deg = std::clamp(json["crease_deg"].toDouble(), 0.0, 180.0);
     }
+    look.inside = json["inside"].toString().toStdString();
+    look.youngRatio = positiveIn(json, "young_ratio");
+    look.young_kPa = positiveIn(json, "young_kPa");
+    look.feltContactRadius_mm = positiveIn(json, "felt_contact_radius_mm");
     return look;
 }
 
@@ -72,6 +83,17 @@ std::string looksText(const std::vector<RecordedLook>& looks)
         if (meshio::isCurved(one.surface)) {
             look["crease_deg"] = one.crease_deg;
         }
+        if (!one.inside.empty()) {
+            look["inside"] = QString::fromStdString(one.inside);
+        }
+        const auto put = [&look](const char* key, const std::optional<double>& value) {
+            if (value) {
+                look[QLatin1String(key)] = *value;
+            }
+        };
+        put("young_ratio", one.youngRatio);
+        put("young_kPa", one.young_kPa);
+        put("felt_contact_radius_mm", one.feltContactRadius_mm);
         all.append(look);
     }
     return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
@@ -89,8 +111,9 @@ std::vector<RecordedLook> looksFrom(std::string_view text)
 
 RecordedLook lookOf(const meshio::SceneStructure& structure)
 {
-    return {structure.name,    structure.colour,    structure.opacity,    structure.outwards,
-            structure.surface, structure.smoothing, structure.crease_deg, structure.closeHoles_mm};
+    return {structure.name,    structure.colour,      structure.opacity,    structure.outwards,
+            structure.surface, structure.smoothing,   structure.crease_deg, structure.closeHoles_mm,
+            structure.inside,  structure.young_ratio, structure.young_kPa,  structure.felt_contact_radius_mm};
 }
 
 } // namespace palpate::study

@@ -193,8 +193,20 @@ class Reopening
             out.closeHoles_mm = m_looks[number].closeHoles_mm;
             out.surface = m_looks[number].surface;
             out.smoothing = m_looks[number].smoothing;
+            describeLump(out, m_looks[number]);
         }
         return out;
+    }
+
+    /// Applies what the recording states about a lump; older recordings state nothing.
+    static void describeLump(meshio::SceneStructure& out, const RecordedLook& look)
+    {
+        if (out.layer == 0 && !look.inside.empty()) {
+            out.inside = look.inside;
+        }
+        out.young_ratio = look.youngRatio ? look.youngRatio : out.young_ratio;
+        out.young_kPa = look.young_kPa ? look.young_kPa : out.young_kPa;
+        out.felt_contact_radius_mm = look.feltContactRadius_mm ? look.feltContactRadius_mm : out.felt_contact_radius_mm;
     }
 
     meshio::SceneStructure withSceneAppearance(const StructureRecord& record, std::size_t number) const

@@ -40,6 +40,7 @@ PalpationController::PalpationController(VtkViewport& viewport, LiveTouch& live,
     connect(&live, &LiveTouch::deviceChanged, this, [this] {
         m_hand.goAway();
         m_isByKeys = false;
+        forgetPress();
         run();
     });
     refreshText();
@@ -272,6 +273,7 @@ void PalpationController::setPalpating(bool isPalpating)
     m_isPalpating = isPalpating;
     m_viewport.setMode(isPalpating ? VtkViewport::Mode::Palpate : VtkViewport::Mode::Camera);
     if (!isPalpating) {
+        forgetPress();
         m_hand.goAway();
         m_isByKeys = false;
         run();
@@ -314,6 +316,7 @@ void PalpationController::setSceneSize(double diagonal_mm)
     m_hand.goAway();
     m_isByKeys = false;
     m_hand.setSettings(settingsForSize(diagonal_mm));
+    forgetPress();
     Q_EMIT depthChanged(depth_mm());
     refreshText();
     run();
@@ -458,6 +461,9 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         const auto& touched = m_model.rows()[static_cast<std::size_t>(tick.felt.structure)].loaded;
         addLump(m_model, tick.felt.structure, restOf(touched.motion.get(), m_live.timeOf_s(tick), tick.felt.p_WG),
                 reading);
+    }
+    if (m_live.usesPointer() && isPressing()) {
+        m_lastPress = state.isInContact ? std::optional<Press>({state, reading, tick.tick}) : std::nullopt;
     }
     Q_EMIT touched(reading);
 }

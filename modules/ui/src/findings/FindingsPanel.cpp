@@ -99,7 +99,7 @@ FindingsPanel::FindingsPanel(FindingsModel& model, QWidget* parent)
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 
-    m_empty->setText(tr("No findings yet. Press on a place and mark a finding with M; N adds a note without a place."));
+    m_empty->setText(tr("No findings yet. Press on a place, then click Mark or press M."));
     m_empty->setWordWrap(true);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
     m_note->setPlaceholderText(tr("Write a note (N), Enter saves"));

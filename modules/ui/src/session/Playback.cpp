@@ -81,6 +81,9 @@ void Playback::setSecond(std::unique_ptr<RecordedTouch> second)
     m_panel.alignAxes();
     showNames();
     if (m_second != nullptr) {
+        if (position_s() >= m_recording->duration_s()) {
+            m_panel.secondTransport().seek(duration_s); // both at the end: the map shows all of both
+        }
         m_panel.secondTimeline().setPeaks({}, duration_s);
         m_panel.secondTimeline().setMarks(m_second->marks());
         connect(m_second.get(), &RecordedTouch::overviewReady, this, [this](const std::vector<float>& peaks_N) {

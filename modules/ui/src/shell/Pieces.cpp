@@ -40,11 +40,12 @@ Chip::Chip(const QString& what, QWidget* parent)
     hide(); // until a text is set
 }
 
-void Chip::say(const QString& text, Tone tone)
+void Chip::say(const QString& text, Tone tone, const QString& shortForm)
 {
     if (text == m_said && tone == m_tone) {
         return;
     }
+    m_shortForm = shortForm;
     m_tone = tone;
     m_said = text;
     setContentsMargins(kSide_px + (tone == Tone::Good ? kDot_px + 5 : 0), 3, kSide_px, 3);
@@ -57,7 +58,10 @@ void Chip::say(const QString& text, Tone tone)
 
 QString Chip::shortText() const
 {
-    return m_tone == Tone::Good ? QString() : m_said.section(QStringLiteral(", "), 0, 0);
+    if (m_tone == Tone::Good) {
+        return {};
+    }
+    return m_shortForm.isEmpty() ? m_said.section(QStringLiteral(", "), 0, 0) : m_shortForm;
 }
 
 void Chip::setShort(bool isShort)

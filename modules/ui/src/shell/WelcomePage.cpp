@@ -30,6 +30,7 @@ WelcomePage::WelcomePage(QWidget* parent)
     hint->setWordWrap(true);
     auto* open = new QPushButton(icon(Symbol::Open), tr("Open anatomy…"), m_card);
     open->setDefault(true);
+    open->setObjectName(QStringLiteral("openAnatomy"));
     open->setToolTip(tr("Open mesh or scene files (Ctrl+O)"));
     m_phantom->setParent(m_card);
     m_phantom->setIcon(icon(Symbol::Hand));
@@ -44,8 +45,9 @@ WelcomePage::WelcomePage(QWidget* parent)
     buttons->addWidget(open);
     buttons->addWidget(m_phantom);
     buttons->addStretch(1);
-    auto* how =
-        new QLabel(tr("Then press P, drag to press, and set the depth with the wheel. Press ? for all keys."), m_card);
+    auto* how = new QLabel(
+        tr("Then click Palpate and drag on the anatomy to press; the wheel sets the depth. Press ? for all keys."),
+        m_card);
     how->setWordWrap(true);
     how->setAlignment(Qt::AlignCenter);
     how->setForegroundRole(QPalette::PlaceholderText);

@@ -70,7 +70,6 @@ void ExerciseBar::setTexts(const Texts& texts)
     showText(*m_clock, texts.clock);
     showText(*m_force, texts.force);
     showText(*m_detail, texts.detail);
-    m_detail->setFixedHeight(m_detail->heightForWidth(m_detail->maximumWidth()));
     m_force->setForegroundRole(texts.isAbove ? QPalette::BrightText : QPalette::WindowText); // see Theme.h
     m_force->setMinimumWidth(qMax(m_force->minimumWidth(), m_force->sizeHint().width()));    // the bar must not jump
     place();
@@ -99,6 +98,15 @@ void ExerciseBar::setActions(const std::vector<QAction*>& actions)
     place();
 }
 
+bool ExerciseBar::event(QEvent* event)
+{
+    const bool isTaken = QFrame::event(event);
+    if (event->type() == QEvent::LayoutRequest) { // new buttons and fonts get their size only after they are shown
+        place();
+    }
+    return isTaken;
+}
+
 bool ExerciseBar::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Resize && watched == parent()) {
@@ -115,6 +123,7 @@ void ExerciseBar::showEvent(QShowEvent* event)
 
 void ExerciseBar::place()
 {
+    m_detail->setFixedHeight(qMax(0, m_detail->heightForWidth(m_detail->maximumWidth())));
     layout()->activate(); // otherwise the size is that of the texts before
     adjustSize();
     move(kExerciseMargin_px, static_cast<const VtkViewport*>(parentWidget())->coveredAbove_px() + kExerciseMargin_px);

@@ -178,6 +178,11 @@ void drawSymbol(QPainter& p, Symbol symbol, const QColor& ink)
         }
         drawArrowBack(p);
         break;
+    case Symbol::Mark: // a flag
+        p.drawLine(QPointF(6, 3.5), QPointF(6, 21));
+        p.setBrush(ink);
+        p.drawPolygon(QPolygonF({{6, 4}, {19, 8.2}, {6, 12.5}}));
+        break;
     case Symbol::Keys:
         p.drawRoundedRect(QRectF(2.5, 6.5, 19, 11.5), 2, 2);
         for (const double x : {6.0, 10.0, 14.0, 18.0}) {

@@ -5,13 +5,16 @@
 #include <palpate/meshio/SceneFile.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace palpate::study {
 
-/// Appearance of a structure during a recording, and the conversion of the mesh to a surface.
+/// Appearance of a structure during a recording, the conversion of the mesh to a surface, and how the structure is a
+/// lump of an organ. A lump felt through its organ has no contact surface, so the recorded scene itself does not name
+/// the lump.
 struct RecordedLook
 {
     std::string name;
@@ -22,6 +25,8 @@ struct RecordedLook
     double smoothing = meshio::kDefaultSmoothing;
     double crease_deg = meshio::kDefaultCrease_deg;
     double closeHoles_mm = 0.0; ///< [mm]
+    std::string inside;         ///< name of the organ; empty: not a lump, or not named
+    std::optional<double> youngRatio, young_kPa, feltContactRadius_mm; ///< see meshio::SceneStructure
 };
 
 /// Serializes looks for RecordingInfo::looks, in the order of the recording's structures. See

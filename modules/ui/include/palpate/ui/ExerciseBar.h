@@ -42,6 +42,7 @@ class PALPATE_EXPORT ExerciseBar : public QFrame
     void setActions(const std::vector<QAction*>& actions);
 
   protected:
+    bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 

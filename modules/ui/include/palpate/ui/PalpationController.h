@@ -13,6 +13,9 @@
 #include <QObject>
 #include <QTimer>
 
+#include <cstdint>
+#include <optional>
+
 namespace palpate::ui {
 
 /// Uses the pointer as a haptic device: view → PointerHand → device, newest servo tick → cursor and readings. Active
@@ -62,6 +65,18 @@ class PALPATE_EXPORT PalpationController : public QObject
     void stepDepth(int steps);
     /// Updates a hovering hand after the camera was moved by keys.
     void followCamera();
+    /// Contact at the end of a press.
+    struct Press
+    {
+        view::TouchState touch;
+        TouchReading reading;
+        std::int64_t tick = 0;
+    };
+    /// Returns the contact of the last press of the pointer or the keys: with one mouse, a command can only be clicked
+    /// after the release. Empty after a press that ended without contact, without palpation mode, with another device
+    /// or scene, and after `forgetPress`.
+    [[nodiscard]] const std::optional<Press>& lastPress() const noexcept { return m_lastPress; }
+    void forgetPress() { m_lastPress.reset(); }
     /// True while keys control the hand and the crosshair is visible.
     [[nodiscard]] bool isByKeys() const noexcept { return m_isByKeys; }
 
@@ -111,7 +126,8 @@ class PALPATE_EXPORT PalpationController : public QObject
     bool m_isPushed = false; ///< press by the 6-axis mouse
     bool m_isSlidOff = false;
     double m_pressed_mm = 0.0; ///< depth of the hand along the line of sight
-    QString m_text;            ///< last emitted text
+    std::optional<Press> m_lastPress;
+    QString m_text; ///< last emitted text
 };
 
 } // namespace palpate::ui

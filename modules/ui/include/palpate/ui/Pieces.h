@@ -19,7 +19,8 @@ namespace palpate::ui {
 
 class ActionList;
 
-/// Short fact in a rounded frame: "mouse", "1.00 kHz". The short form omits the text after the first comma.
+/// Short fact in a rounded frame: "mouse", "1.00 kHz". The short form is given, or omits the text after the first
+/// comma.
 class PALPATE_EXPORT Chip : public QLabel
 {
     Q_OBJECT
@@ -33,7 +34,8 @@ class PALPATE_EXPORT Chip : public QLabel
     };
     /// @param what  description of the fact for screen readers
     explicit Chip(const QString& what, QWidget* parent = nullptr);
-    void say(const QString& text, Tone tone = Tone::Quiet);
+    /// @param shortForm  text for a narrow window; empty: the text before the first comma
+    void say(const QString& text, Tone tone = Tone::Quiet, const QString& shortForm = {});
     [[nodiscard]] const QString& said() const noexcept { return m_said; }
     [[nodiscard]] Tone tone() const noexcept { return m_tone; }
     /// Switches between full and short text. Chips with Tone::Good show only the dot.
@@ -55,7 +57,7 @@ class PALPATE_EXPORT Chip : public QLabel
     [[nodiscard]] QString shortText() const;
 
     Tone m_tone = Tone::Quiet;
-    QString m_said;
+    QString m_said, m_shortForm;
     bool m_isShort = false;
 };
 

@@ -90,6 +90,7 @@ enum class Symbol
     Offer,
     Undo,
     Redo,
+    Mark,
     Keys
 };
 [[nodiscard]] PALPATE_EXPORT QIcon icon(Symbol symbol);
