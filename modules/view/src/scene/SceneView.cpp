@@ -53,6 +53,7 @@ SceneView::SceneView()
     m_solid->GetActiveCamera()->SetViewAngle(30.0);
     m_image.addTo(*m_solid);
     m_sectionPicture.addTo(*m_solid);
+    m_handPath.addTo(*m_solid);
     m_cursor.addTo(*m_solid, *m_overlay);
     m_findings.addTo(*m_overlay);
     m_measures.addTo(*m_overlay);
@@ -104,6 +105,7 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
     m_placeRing.hide();
     m_secondHand.hide();
     m_targets.set({});
+    m_handPath.set({});
     for (const ViewStructure& one : m_structures) {
         m_solid->AddActor(one.picture.actor());
     }
@@ -262,7 +264,7 @@ core::Box SceneView::bounds() const
             shown.extend(box);
         }
     }
-    return shown.isEmpty() ? all : shown;
+    return !shown.isEmpty() ? shown : !all.isEmpty() ? all : m_handPath.bounds();
 }
 
 /// Casts a ray from the eye to each finding; tissue hit before the finding hides it.
@@ -307,6 +309,23 @@ std::size_t SceneView::countTissueVertices(const Eigen::AlignedBox2d& box_px, co
     return count;
 }
 
+std::size_t SceneView::tissueIn(const Eigen::AlignedBox2d& box_px, double pixelRatio) const
+{
+    return countTissueVertices(box_px, ViewFrame::of(*m_solid, pixelRatio));
+}
+
+/// Boxes that labels avoid: the legend and what covers the view.
+std::vector<Eigen::AlignedBox2d> SceneView::coveredBoxes() const
+{
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (const Eigen::AlignedBox2d& box : {m_legend.box(), m_covered}) {
+        if (!box.isEmpty()) {
+            boxes.push_back(box);
+        }
+    }
+    return boxes;
+}
+
 /// Places the legend. The corner of a legend with marks is the one that hides less tissue. The corner is chosen when
 /// the legend appears, the view is resized or the whole scene is fitted into the view, but not while the view is
 /// turned.
@@ -339,9 +358,8 @@ void SceneView::placeMeasures(const ViewFrame& frame)
         const Eigen::Vector2d centre = label.disc_px + label.offset_px;
         taken.emplace_back(centre - 0.5 * label.size_px, centre + 0.5 * label.size_px);
     }
-    if (m_legend.isShown()) {
-        taken.push_back(m_legend.box());
-    }
+    const std::vector<Eigen::AlignedBox2d> covered = coveredBoxes();
+    taken.insert(taken.end(), covered.begin(), covered.end());
     m_measures.place(frame, taken);
     m_targets.place(taken, frame);
 }
@@ -448,9 +466,13 @@ void SceneView::prepareFrame(double pixelRatio)
     placeLegend(frame);
     bendTissue(frame);
     cutTissue();
-    m_cursor.place(frame, m_legend.box());
+    m_cursor.place(frame, coveredBoxes());
     findHiddenFindings(frame);
-    m_findings.place(frame, m_cursor.marks_px(frame));
+    std::vector<Eigen::AlignedBox2d> marks = m_cursor.marks_px(frame);
+    if (!m_covered.isEmpty()) {
+        marks.push_back(m_covered);
+    }
+    m_findings.place(frame, marks);
     placeMeasures(frame);
     core::Box box = bounds();
     box.extend(m_cursor.bounds());
