@@ -64,6 +64,27 @@ class Palpation : public QObject
         QVERIFY(shown.isInContact);
         QVERIFY(std::abs(shown.p_WG.norm() - 50.0) < 0.1);
     }
+    /// The same depth and force as with a point, straight on and on a slope of 45 degrees.
+    void aFingertipBeginsOutsideToo()
+    {
+        m_live->setFingertip(8.0);
+        m_palpation->setPalpating(true);
+        const view::TouchState& shown = m_viewport->view().cursor().state();
+        for (const QPointF place : {QPointF(300, 200), m_viewport->placeOf(50.0 * core::Vec3(1, -1, 0).normalized())}) {
+            m_palpation->moveTo(place);
+            PALPATE_TRY_VERIFY(m_reading && m_reading->structure.isEmpty());
+            const double slant = -m_viewport->rayAt(place).d_W.dot(shown.p_WH.normalized());
+            QVERIFY2(shown.p_WH.norm() > 58.0 + 1.0 * slant, qPrintable(QString::number(shown.p_WH.norm())));
+            m_palpation->pressAt(place);
+            PALPATE_TRY_VERIFY2(m_reading && std::abs(m_reading->force_N - 2.0 * slant) < 0.1,
+                                qPrintable(QString::number(m_reading ? m_reading->force_N : -1.0)));
+            QVERIFY(std::abs(m_reading->depth_mm - 4.0 * slant) < 0.2);
+            QVERIFY(std::abs(shown.p_WG.norm() - 58.0) < 0.2 && std::abs(shown.onSurface_W().norm() - 50.0) < 0.2);
+            QVERIFY((shown.n_W - shown.p_WG.normalized()).norm() < 0.1);
+            m_palpation->letGo();
+            PALPATE_TRY_VERIFY(m_reading && m_reading->structure.isEmpty());
+        }
+    }
     void hoverIsShownButNotFelt()
     {
         m_palpation->setPalpating(true);

@@ -86,7 +86,7 @@ bool FindingsDesk::mark()
     const TouchReading& felt = m_parts.touch.reading();
     const PalpatedStructure on = palpatedStructure(felt);
     one.structure = on.name.toStdString();
-    one.p_W = restOf(one.structure, touch.p_WG);
+    one.p_W = restOf(one.structure, touch.onSurface_W());
     one.force_N = on.force_N;
     one.depth_mm = on.depth_mm;
     for (const LayerShare& layer : felt.layers) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/Effort.h"
 
+#include <palpate/geometry/SurfaceDistance.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -64,6 +66,45 @@ std::vector<study::PressedSurface> surfacesAlongPress(const haptics::HapticScene
         }
     }
     return found;
+}
+
+double touchAlongRay_mm(const haptics::HapticScene& scene, const view::Ray& ray, double hit_mm, double time_s)
+{
+    // Sphere tracing: a step as long as the gap between ball and surfaces passes no surface.
+    constexpr double kFarthest = 20.0; // start before the surface, in radii: enough for slants up to 87 degrees
+    constexpr double kTouch = 1e-3;    // gap that counts as touch, in radii
+    constexpr int kMostSteps = 256;
+    const double radius_mm = scene.fingertip_mm();
+    if (!(radius_mm > 0.0)) {
+        return hit_mm;
+    }
+    std::vector<geometry::SurfaceMotion::Moment> moments;
+    for (const haptics::HapticStructure& one : scene.structures()) {
+        moments.push_back(one.motion != nullptr ? one.motion->at(time_s) : geometry::SurfaceMotion::Moment());
+    }
+    const auto gapAt = [&](const core::Vec3& p_W, double most_mm) {
+        double least_mm = most_mm;
+        for (std::size_t i = 0; i < scene.structures().size(); ++i) {
+            const haptics::HapticStructure& one = scene.structures()[i];
+            if (one.surface == nullptr) {
+                continue;
+            }
+            const core::Vec3 p = one.motion != nullptr ? one.motion->toRest(moments[i], p_W, p_W).X : p_W;
+            if (const auto near = geometry::nearestPoint(*one.surface, p, least_mm + radius_mm)) {
+                least_mm = std::min(least_mm, near->distance_mm - radius_mm);
+            }
+        }
+        return least_mm;
+    };
+    double at_mm = std::max(0.0, hit_mm - kFarthest * radius_mm);
+    for (int step = 0; step < kMostSteps && at_mm < hit_mm; ++step) {
+        const double gap_mm = gapAt(ray.p_W + at_mm * ray.d_W, hit_mm - at_mm);
+        if (gap_mm < kTouch * radius_mm) {
+            break;
+        }
+        at_mm += gap_mm;
+    }
+    return std::min(at_mm, hit_mm);
 }
 
 } // namespace palpate::ui
