@@ -22,6 +22,8 @@ core::Box boxOf(vtkActor* actor)
     return {Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5])};
 }
 
+constexpr int kPeels = 4, kCoarsePeels = 1; // layers of translucent tissue that are sorted
+
 /// Opacity up to which a structure is meant to be looked through, so that its cut face must not hide others.
 constexpr double kLeastFilled = 0.25;
 
@@ -35,7 +37,7 @@ SceneView::SceneView()
     setBackground({0.20, 0.23, 0.27}, {0.36, 0.41, 0.47}, {0.95, 0.96, 0.97});
     // Depth peeling of the front layers of translucent tissue; layers behind the fourth are practically invisible.
     m_solid->UseDepthPeelingOn();
-    m_solid->SetMaximumNumberOfPeels(4);
+    m_solid->SetMaximumNumberOfPeels(kPeels);
     m_solid->SetOcclusionRatio(0.05);
     vtkNew<vtkLightKit> lights;
     lights->SetKeyLightIntensity(0.82);
@@ -97,6 +99,7 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
 {
     for (const ViewStructure& old : m_structures) {
         m_solid->RemoveActor(old.picture.actor());
+        m_solid->RemoveActor(old.picture.coarseActor());
     }
     m_structures = std::move(structures);
     ++m_tissueRevision;
@@ -108,6 +111,7 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
     m_handPath.set({});
     for (const ViewStructure& one : m_structures) {
         m_solid->AddActor(one.picture.actor());
+        m_solid->AddActor(one.picture.coarseActor());
     }
 }
 
@@ -115,6 +119,7 @@ void SceneView::addStructures(std::vector<ViewStructure> structures)
 {
     for (ViewStructure& one : structures) {
         m_solid->AddActor(one.picture.actor());
+        m_solid->AddActor(one.picture.coarseActor());
         m_structures.push_back(std::move(one));
     }
     m_isSectionOld = true;
@@ -123,8 +128,10 @@ void SceneView::addStructures(std::vector<ViewStructure> structures)
 void SceneView::setStructure(std::size_t i, ViewStructure structure)
 {
     m_solid->RemoveActor(m_structures[i].picture.actor());
+    m_solid->RemoveActor(m_structures[i].picture.coarseActor());
     m_structures[i] = std::move(structure);
     m_solid->AddActor(m_structures[i].picture.actor());
+    m_solid->AddActor(m_structures[i].picture.coarseActor());
     ++m_tissueRevision;
     m_isSectionOld = true;
 }
@@ -373,6 +380,38 @@ void SceneView::bendTissue(const ViewFrame& frame)
     }
 }
 
+void SceneView::setCoarse(bool isOn)
+{
+    m_isCoarse = isOn;
+    if (!isOn || m_coarse.isBusy()) {
+        return;
+    }
+    std::vector<vtkSmartPointer<vtkPolyData>> without;
+    for (const ViewStructure& one : m_structures) {
+        if (!one.picture.hasCoarsePicture() &&
+            one.picture.picture()->GetNumberOfPolys() >= CoarseSurfaces::kLeastTriangles) {
+            without.emplace_back(one.picture.picture());
+        }
+    }
+    if (!without.empty()) {
+        m_coarse.start(without);
+    }
+}
+
+void SceneView::takeCoarsePictures()
+{
+    for (const auto& [surface, coarse] : m_coarse.take()) {
+        for (ViewStructure& one : m_structures) {
+            if (one.picture.picture() == surface) {
+                one.picture.setCoarsePicture(coarse);
+            }
+        }
+    }
+    for (ViewStructure& one : m_structures) {
+        one.picture.setCoarse(m_isCoarse);
+    }
+}
+
 void SceneView::setSection(const std::optional<geometry::SectionPlane>& plane)
 {
     m_section = plane;
@@ -466,6 +505,7 @@ void SceneView::prepareFrame(double pixelRatio)
     placeLegend(frame);
     bendTissue(frame);
     cutTissue();
+    takeCoarsePictures();
     m_cursor.place(frame, coveredBoxes());
     findHiddenFindings(frame);
     std::vector<Eigen::AlignedBox2d> marks = m_cursor.marks_px(frame);
@@ -491,6 +531,7 @@ void SceneView::prepareFrame(double pixelRatio)
         return one.picture.appearance().isVisible && one.picture.appearance().opacity < 1.0;
     });
     m_solid->SetUseDepthPeeling(m_isSorted || translucent > 1);
+    m_solid->SetMaximumNumberOfPeels(m_isCoarse ? kCoarsePeels : kPeels);
     // SSAO uses the depth of opaque geometry: behind translucent tissue it would darken the wrong places.
     const bool isOpaque = std::all_of(m_structures.begin(), m_structures.end(), [](const ViewStructure& one) {
         return !one.picture.appearance().isVisible || one.picture.appearance().opacity >= 1.0;

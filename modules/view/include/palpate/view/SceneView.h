@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/view/CameraPresets.h"
+#include "palpate/view/CoarseSurface.h"
 #include "palpate/view/ColourLegend.h"
 #include "palpate/view/FindingMarkers.h"
 #include "palpate/view/HandPath.h"
@@ -149,6 +150,10 @@ class PALPATE_EXPORT SceneView
     /// sorting: half the time and the same colours except where the surface folds over itself. Several structures are
     /// always sorted.
     void setSortedTransparency(bool isOn) { m_isSorted = isOn; }
+    /// Draws large structures with fewer triangles, for frames while the view turns. Their coarse pictures are made on
+    /// another thread at the first call; until then, and for structures with a dent, colours or a motion, nothing
+    /// changes.
+    void setCoarse(bool isOn);
     /// Turns ambient occlusion on. For graphics cards only: a frame takes many times longer.
     void setAmbientOcclusion(bool isOn) { m_hasOcclusion = isOn; }
 
@@ -161,6 +166,7 @@ class PALPATE_EXPORT SceneView
     void findHiddenFindings(const ViewFrame& frame);
     void placeLegend(const ViewFrame& frame);
     void placeMeasures(const ViewFrame& frame);
+    void takeCoarsePictures();
     [[nodiscard]] std::vector<Eigen::AlignedBox2d> coveredBoxes() const;
     [[nodiscard]] std::size_t countTissueVertices(const Eigen::AlignedBox2d& box_px, const ViewFrame& frame) const;
 
@@ -206,6 +212,8 @@ class PALPATE_EXPORT SceneView
     Eigen::AlignedBox2d m_covered;
     bool m_hasOcclusion = false;
     bool m_isSorted = true;
+    bool m_isCoarse = false;
+    CoarseSurfaces m_coarse;
     bool m_bends = true;
 };
 
