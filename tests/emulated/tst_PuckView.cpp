@@ -4,6 +4,7 @@
 #include "EmulatedArm.h"
 #include "TestRunner.h"
 
+#include <palpate/ui/ConnectedDevices.h>
 #include <palpate/ui/DeviceChoice.h>
 
 #include <vtkCamera.h>
@@ -12,7 +13,9 @@
 #include <QMenu>
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 using namespace palpate;
 using namespace palpate::test;
@@ -166,6 +169,33 @@ class PuckView : public QObject
         QVERIFY(m_window->focus() == Vec3::Zero() && m_window->eye() == Vec3(0, -500, 0));
         m_window->movesView->trigger();
         QVERIFY(!m_window->presses->isChecked() && m_window->movesView->isChecked());
+    }
+
+    /// Every family of devices has a state and a next step, with and without plugins.
+    void theTableOfDevicesNamesStateAndNextStep()
+    {
+        using State = ui::DeviceFamily::State;
+        const std::vector<device::OtherDevice> onBus{{"Novint Falcon", "a plugin", ""},
+                                                     {"Haply Inverse3", "a service", "haply"}};
+        const auto host = shippingPlugins();
+        const auto families = ui::deviceFamilies(host.get(), onBus);
+        const auto stateOf = [&families](const char* name) {
+            const auto found = std::find_if(families.begin(), families.end(), [name](const ui::DeviceFamily& one) {
+                return one.name.startsWith(QLatin1String(name));
+            });
+            return found != families.end() ? found->state : State::Unavailable;
+        };
+        QVERIFY(stateOf("SpaceMouse") == State::Ready && stateOf("Novint Falcon") == State::NotReady);
+        for (const ui::DeviceFamily& one : families) {
+            QVERIFY2(!one.stateText.isEmpty() && !one.nextStep.isEmpty(), qPrintable(one.name));
+        }
+        m_bench->with([](standin::Bench& b) { standin::plugPuck(b, false); });
+        QVERIFY(ui::deviceFamilies(host.get(), {})[4].state == State::NotConnected);
+        const auto without = ui::deviceFamilies(nullptr, {});
+        QCOMPARE(without.size(), std::size_t{6});
+        for (const ui::DeviceFamily& one : without) {
+            QVERIFY2(one.state == State::Unavailable && !one.nextStep.isEmpty(), qPrintable(one.name));
+        }
     }
 
     void oneDeviceIsNotTwo()

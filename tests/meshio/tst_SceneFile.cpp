@@ -53,6 +53,7 @@ void SceneFile::givesBackWhatWasWritten()
     scene.camera = meshio::SceneCamera{{{1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 25.0}, {}};
     scene.shownMap = meshio::ShownMap{"left lobe", "felt:stiffness"};
     scene.image = folder.path("images/ct.nii.gz");
+    scene.imageWindow = geometry::GreyWindow{40.5, 350.0};
     scene.section = meshio::SceneSection{meshio::SectionDirection::Coronal, {1, -2.5, 1.0 / 3.0}, {0, -1, 0}, {}};
     scene.findings = {{"lump", {7, 8, 9.25}, "hard", "left lobe", 1.75, 0.0}, {"bare", {1, 0, 0}}};
     scene.tapes = {{"Tape 1", {1, 2, 3.125}, {4, 5, 1.0 / 3.0}, "left lobe", "lump", {}}};
@@ -74,7 +75,7 @@ void SceneFile::givesBackWhatWasWritten()
     QVERIFY(back.value().camera->focus_W == core::Vec3(4, 5, 6) && back.value().camera->up_W == core::Vec3(0, 1, 0));
     QVERIFY(back.value().shownMap == scene.shownMap);
     QCOMPARE(back.value().image, scene.image);
-    QVERIFY(back.value().section == scene.section);
+    QVERIFY(back.value().section == scene.section && back.value().imageWindow == scene.imageWindow);
     QCOMPARE(back.value().findings.size(), std::size_t{2});
     const core::Finding& found = back.value().findings[0];
     QVERIFY(found.p_W == core::Vec3(7, 8, 9.25) && found.note == "hard" && found.extra.empty());
@@ -252,6 +253,8 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     finding(R"("layers": [{"force_N": "much"}])", "layers[0].force_N: found \"much\"");
     whole(R"({"structures": []})", "a.json: version: found nothing");
     whole(R"({"version": 1, "structures": [], "image": ""})", "a.json: image: found ");
+    whole(R"({"version": 1, "image_window": {"level": 40}})", "a.json: image_window.width: found nothing");
+    whole(R"({"version": 1, "image_window": {"level": 40, "width": 0}})", "a.json: image_window.width: found 0");
     whole(R"({"version": 1, "section": {"direction": "oblique"}})", "a.json: section.direction: found \"oblique\"");
     whole(R"({"version": 1, "section": {"normal": [0, 0, 1]}})", "a.json: section.point: found nothing");
     whole(R"({"version": 1, "section": {"point": [0, 0, 0]}})", "a.json: section.normal: found no direction");

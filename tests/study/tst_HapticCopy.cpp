@@ -162,6 +162,15 @@ class HapticCopy : public QObject
         model.removeRows({2});
         QCOMPARE(model.scene().hiddenTargets(), std::size_t{0});
         QVERIFY(!model.scene().sceneFile({}).exercise);
+
+        // A name as displayed gives a target away, too.
+        rows.clear();
+        rows.emplace_back().loaded = loaded.structures[2];
+        rows.front().loaded.description.name = "VH_F_polyp_2";
+        rows.front().touch = study::indexed(*loaded.structures[2].surface);
+        model.setRows(std::move(rows), meshio::BuriedTouch::Layers, meshio::Exercise{{"VH_F_polyp_2"}, {}, {}, {}});
+        model.setTargetsHidden(true);
+        QVERIFY(model.scene().givesTargetAway("Polyp 2: open") && !model.scene().givesTargetAway("Polyp 3: open"));
     }
 
     void whatARecordingKeepsOfAStructureComesBack()

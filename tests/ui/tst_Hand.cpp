@@ -73,6 +73,7 @@ class Hand : public QObject
         settings.isLeftHanded = true;
         settings.isByEffort = true;
         settings.effort_N = 7.5;
+        settings.preset = "omega";
         settings.buttons = {ButtonUse::Nothing, ButtonUse::Clutch, ButtonUse::Centre, ButtonUse::Nothing};
         settings.save(store, QStringLiteral("touch"));
         const HandSettings back = HandSettings::load(store, QStringLiteral("touch"));
@@ -82,6 +83,7 @@ class Hand : public QObject
         QCOMPARE(back.cpu, 1);
         QVERIFY(back.isByEffort && !HandSettings().isByEffort);
         QCOMPARE(back.effort_N, 7.5);
+        QCOMPARE(back.preset, std::string("omega"));
         QVERIFY(back.buttons == settings.buttons);
         QVERIFY(!HandSettings::load(store, QStringLiteral("omega")).isLeftHanded);
         store.setValue(QStringLiteral("devices/touch/fill"), 77);
@@ -89,6 +91,8 @@ class Hand : public QObject
         store.setValue(QStringLiteral("devices/touch/rate_kHz"), 3);
         store.setValue(QStringLiteral("devices/touch/effort_N"), 900);
         QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).effort_N, ui::Effort::kUsual_N);
+        store.setValue(QStringLiteral("devices/touch/preset"), QStringLiteral("none such"));
+        QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).preset, std::string("touch"));
         store.setValue(QStringLiteral("devices/touch/cpu"), QStringLiteral("all"));
         QCOMPARE(HandSettings::load(store, QStringLiteral("touch")).cpu, -1);
         QVERIFY(HandSettings::load(store, QStringLiteral("touch")).fill == MapFill::Scene);
@@ -234,6 +238,19 @@ class Hand : public QObject
             }
         }
         QCOMPARE(clutch.count(), 2);
+        // The simulated hand has the limits of a device.
+        auto* presets = panel.findChild<QComboBox*>(QStringLiteral("preset"));
+        QVERIFY(presets->isHidden() || presets->parentWidget()->isHidden());
+        device::DeviceInfo simulated = touch();
+        simulated.id = "simulated-hand";
+        panel.setDevice(simulated, {});
+        QVERIFY(!presets->parentWidget()->isHidden());
+        QCOMPARE(presets->currentText(), QStringLiteral("Touch"));
+        QSignalSpy preset(&panel, &ui::HandPanel::presetChanged);
+        presets->setCurrentIndex(presets->findText(QStringLiteral("omega")));
+        Q_EMIT presets->activated(presets->currentIndex());
+        QCOMPARE(preset.count(), 1);
+        QCOMPARE(panel.settings().preset, std::string("omega"));
     }
 
     /// The latency of a device is measured, and lowers the stable stiffness from then on.

@@ -64,6 +64,31 @@ class Palpation : public QObject
         QVERIFY(shown.isInContact);
         QVERIFY(std::abs(shown.p_WG.norm() - 50.0) < 0.1);
     }
+    /// The same depth and force as with a point, straight on and on a slope of 45 degrees.
+    void aFingertipBeginsOutsideToo()
+    {
+        m_live->setFingertip(8.0);
+        PALPATE_TRY_VERIFY(m_live->scene() != nullptr && m_live->scene()->fingertip_mm() == 8.0);
+        m_palpation->setPalpating(true);
+        const view::TouchState& shown = m_viewport->view().cursor().state();
+        for (const QPointF place : {QPointF(300, 200), m_viewport->placeOf(50.0 * core::Vec3(1, -1, 0).normalized())}) {
+            m_palpation->moveTo(place);
+            const core::Vec3 d_W = m_viewport->rayAt(place).d_W;
+            const auto slantNow = [&] { return -d_W.dot(shown.p_WH.normalized()); };
+            // 2 mm before the touch along the line of sight
+            PALPATE_TRY_VERIFY2(std::abs(shown.p_WH.norm() - 58.0 - 2.0 * slantNow()) < 0.2,
+                                qPrintable(QString::number(shown.p_WH.norm())));
+            const double slant = slantNow();
+            m_palpation->pressAt(place);
+            PALPATE_TRY_VERIFY2(m_reading && std::abs(m_reading->force_N - 2.0 * slant) < 0.1,
+                                qPrintable(QString::number(m_reading ? m_reading->force_N : -1.0)));
+            QVERIFY(std::abs(m_reading->depth_mm - 4.0 * slant) < 0.2);
+            QVERIFY(std::abs(shown.p_WG.norm() - 58.0) < 0.2 && std::abs(shown.onSurface_W().norm() - 50.0) < 0.2);
+            QVERIFY((shown.n_W - shown.p_WG.normalized()).norm() < 0.1);
+            m_palpation->letGo();
+            PALPATE_TRY_VERIFY(m_reading && m_reading->structure.isEmpty());
+        }
+    }
     void hoverIsShownButNotFelt()
     {
         m_palpation->setPalpating(true);

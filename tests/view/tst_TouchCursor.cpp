@@ -197,7 +197,7 @@ class TouchCursor : public QObject
         const std::vector<Eigen::AlignedBox2d> before = cursor.labels().boxes();
         QVERIFY(!before.empty());
         for (const Eigen::AlignedBox2d& legend : before) {
-            cursor.place(frameAt(300), legend);
+            cursor.place(frameAt(300), {legend});
             for (const Eigen::AlignedBox2d& label : cursor.labels().boxes()) {
                 QVERIFY(legend.intersection(label).isEmpty());
             }

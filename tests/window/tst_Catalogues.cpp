@@ -187,7 +187,6 @@ class Catalogues : public QObject
         for (const app::Language& language : app::languages()) {
             offered << QStringLiteral("palpate_%1.ts").arg(language.code);
         }
-        offered.removeOne(QStringLiteral("palpate_en.ts"));
         offered.sort();
         QCOMPARE(QDir(PALPATE_SOURCE_DIR "/resources/translations").entryList({QStringLiteral("*.ts")}), offered);
     }
@@ -226,6 +225,42 @@ class Catalogues : public QObject
             }
         }
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+    }
+
+    /// English has a catalogue of its texts with a number only.
+    void englishHasSingularAndPlural()
+    {
+        const QString folder = QStringLiteral(PALPATE_SOURCE_DIR "/resources/translations/");
+        const auto plurals = [&folder](const char* file) {
+            QList<Message> all = readCatalogue(folder + QLatin1String(file));
+            all.removeIf([](const Message& message) { return !message.isPlural; });
+            return all;
+        };
+        const auto placesOf = [](const QList<Message>& messages) {
+            QStringList places;
+            for (const Message& message : messages) {
+                places << message.context + QStringLiteral(": ") + message.source;
+            }
+            places.sort();
+            return places;
+        };
+        const QList<Message> english = plurals("palpate_en.ts");
+        QCOMPARE(placesOf(english), placesOf(plurals("palpate_de.ts")));
+        QStringList faults;
+        for (const Message& message : english) {
+            const bool isWhole = message.isFinished && message.translations.size() == 2;
+            for (const QString& text : message.translations) {
+                const QString fault =
+                    text.contains(QStringLiteral("(s)")) ? QStringLiteral("(s)") : faultOf(message, text);
+                faults += fault.isEmpty() ? QStringList() : QStringList(text + QStringLiteral(": ") + fault);
+            }
+            faults += isWhole ? QStringList() : QStringList(message.source + QStringLiteral(": unfinished"));
+        }
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+        QTranslator translator;
+        QVERIFY(translator.load(QStringLiteral("palpate_en"), QStringLiteral(":/translations")));
+        QCOMPARE(translator.translate("palpate::ui::StructureList", "%n hidden target(s)", nullptr, 1),
+                 QStringLiteral("%n hidden target"));
     }
 
     void holdsEachMessageOfTheEngine_data() { addLanguages(); }

@@ -10,6 +10,7 @@
 #include <palpate/ui/FindingsModel.h>
 #include <palpate/ui/LumpMaps.h>
 #include <palpate/ui/MessageBar.h>
+#include <palpate/ui/MessageList.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/Playback.h>
 #include <palpate/ui/StructureModel.h>
@@ -53,6 +54,11 @@ class Exercise : public QObject
     ui::VtkViewport& viewport() { return window().viewport(); }
     QAction& command(const char* id) { return m_desk->command(id); }
     ui::ExerciseBar& bar() { return *window().findChild<ui::ExerciseBar*>(); }
+    ui::MessageBar& messages() { return *window().findChild<ui::MessageBar*>(); }
+    const ui::Messages& messageList()
+    {
+        return *qobject_cast<ui::Messages*>(window().findChild<ui::MessageList*>()->model());
+    }
     app::ExerciseDialog* results() { return window().findChild<app::ExerciseDialog*>(); }
 
     /// Texts of everything that a user, a screen reader or a test program can read in the window, with their places.
@@ -318,12 +324,18 @@ class Exercise : public QObject
         command("felt").setChecked(true);
         command("distances").setChecked(true);
         QTest::qWait(500);
+        messages().showError(QStringLiteral("Quokka_Two: open"));
+        messages().offer(
+            QStringLiteral("quokka one is inside out"), QStringLiteral("Turn"), [] {},
+            ui::MessageBar::Keep::UntilAnswered);
+        messages().showError(QStringLiteral("organ: open"));
         command("exercise-again").trigger();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         QCOMPARE(window().model().scene().hiddenTargets(), std::size_t{3});
         QTest::qWait(300);
         picture("exercise-5-again.png");
         QCOMPARE(leaks(), QStringList());
+        QCOMPARE(messageList().text(messageList().rowCount() - 1), QStringLiteral("organ: open")); // no target
         QVERIFY(!isAnyTargetDrawn() && viewport().view().targets().marks().empty());
         QVERIFY(viewport().view().findings().marks().empty());
         QVERIFY(window().playback().recording() == nullptr);

@@ -202,14 +202,14 @@ class Inside : public QObject
         QVERIFY(!inset.isVisible());
         view::TouchState touch;
         touch.isPresent = touch.isInContact = true;
-        touch.p_WG = Vec3(0, -40, 0);
-        touch.p_WH = Vec3(0, -35, 0);
+        touch.p_WG = Vec3(0, -44, 0); // centre of the fingertip
+        touch.p_WH = Vec3(0, -39, 0);
         touch.n_W = -Vec3::UnitY();
         touch.fingertip_mm = 4.0;
         view().cursor().setState(touch);
         m_desk->pressKeyOf("finger-section");
         QVERIFY(inset.isVisible() && viewport().rect().contains(inset.geometry()));
-        QVERIFY(inset.plane().p_W == touch.p_WG && (inset.plane().v_W - touch.n_W).norm() < 1e-12);
+        QVERIFY(inset.plane().p_W == Vec3(0, -40, 0) && (inset.plane().v_W - touch.n_W).norm() < 1e-12);
         QCOMPARE(inset.cuts().size(), std::size_t{2});
         // The section through both centres, the organ first.
         QVERIFY(std::abs(inset.cuts()[0].area_mm2 / (M_PI * 1600.0) - 1.0) < 0.05);
@@ -224,8 +224,8 @@ class Inside : public QObject
         QVERIFY(std::abs(organ.red() - 204) < 4 && std::abs(organ.blue() - 51) < 4);
         QCOMPARE(colourAtDepth(10.0, -5.0), inset.palette().color(QPalette::Base));
         // It follows a hand that moves, and keeps the section of a hand that lifts off.
-        touch.p_WG = Vec3(40, 0, 0);
-        touch.p_WH = Vec3(35, 0, 0);
+        touch.p_WG = Vec3(44, 0, 0);
+        touch.p_WH = Vec3(39, 0, 0);
         touch.n_W = Vec3::UnitX();
         view().cursor().setState(touch);
         viewport().update();
@@ -236,6 +236,20 @@ class Inside : public QObject
         viewport().update();
         QTest::qWait(100);
         QCOMPARE(inset.cuts().size(), std::size_t{2});
+        // It moves away from the hand, and labels avoid it.
+        touch.isInContact = true;
+        touch.p_WG = touch.p_WH = viewport().rayAt(QPointF(inset.geometry().center())).p_W +
+                                  400.0 * viewport().rayAt(QPointF(inset.geometry().center())).d_W;
+        view().cursor().setState(touch);
+        viewport().update();
+        PALPATE_TRY_VERIFY(!inset.geometry().contains(viewport().placeOf(touch.p_WG).toPoint()));
+        viewport().grabFramebuffer();
+        const Eigen::Vector2d half(0.5 * viewport().width(), 0.5 * viewport().height());
+        for (const Eigen::AlignedBox2d& label : view().cursor().labels().boxes()) {
+            const QRectF shown(label.min().x() + half.x(), half.y() - label.max().y(), label.sizes().x(),
+                               label.sizes().y());
+            QVERIFY(!shown.intersects(inset.geometry()));
+        }
         m_desk->pressKeyOf("finger-section");
         QVERIFY(!inset.isVisible());
         view().cursor().setState({});
@@ -314,21 +328,31 @@ class Inside : public QObject
         bar().findChild<QCheckBox*>()->setChecked(false);
         QVERIFY(colourAt(Vec3(5, 0, 0)).blue() > 190);
         bar().findChild<QCheckBox*>()->setChecked(true);
-        // Undo ends the section and removes the image, redo shows both again, and the scene file keeps both.
+        // Undo takes back the window, ends the section and removes the image, redo shows all again, and the scene file
+        // keeps all.
+        const double usualWidth = [&] {
+            m_desk->command("undo").trigger();
+            return field("Window").value();
+        }();
+        QVERIFY(usualWidth < 190.0 && !isGrey(colourAt(Vec3(5, 0, 0)), 64));
         m_desk->command("undo").trigger();
         QVERIFY(!view().section());
         m_desk->command("undo").trigger();
         QVERIFY(!bar().findChild<QCheckBox*>()->isVisible());
-        m_desk->command("redo").trigger();
-        m_desk->command("redo").trigger();
+        for (int i = 0; i < 3; ++i) {
+            m_desk->command("redo").trigger();
+        }
         PALPATE_TRY_VERIFY(bar().findChild<QCheckBox*>()->isVisible());
         m_desk->command("save").trigger();
         const auto saved = meshio::readScene(m_desk->folder() / "balls.palpate.json");
         QVERIFY(saved.isOk());
         QCOMPARE(saved.value().image, std::filesystem::absolute(file));
+        QVERIFY((saved.value().imageWindow == geometry::GreyWindow{150.0, 200.0}));
         QVERIFY(m_desk->open({m_desk->folder() / "balls.palpate.json"}));
         QVERIFY(view().section() && m_desk->command("section").isChecked());
         PALPATE_TRY_VERIFY(bar().findChild<QCheckBox*>()->isVisible());
+        QCOMPARE(field("Window").value(), 200.0);
+        QVERIFY(isGrey(colourAt(Vec3(5, 0, 0)), 64));
         // A file that cannot be read says so.
         std::ofstream(m_desk->folder() / "broken.mha") << "NDims = 3\n";
         m_desk->window().open({m_desk->folder() / "broken.mha"});

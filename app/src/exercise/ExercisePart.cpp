@@ -227,6 +227,8 @@ void ExercisePart::hide()
     }
     m_core.model.setTargetsHidden(true);
     m_document.document().setAside(true);
+    m_core.notices.forgetIf( // messages from before the targets were hidden
+        [this](const QString& text) { return m_core.model.scene().givesTargetAway(text.toStdString()); });
 }
 
 void ExercisePart::reveal()
@@ -270,7 +272,7 @@ void ExercisePart::again()
     closeResults();
     m_stage = Stage::Waiting;
     m_file.clear();
-    m_core.notices.bar().forgetScene(); // offers name structures
+    m_core.notices.bar().forgetScene();
     hide();
     m_core.viewport.setFocus();
     Q_EMIT stateChanged();

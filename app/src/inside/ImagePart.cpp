@@ -76,9 +76,11 @@ ImagePart::ImagePart(const WindowCore& core, DocumentPart& document, SceneFiles&
     });
     connect(&document.document(), &SceneDocument::imageChanged, this, &ImagePart::read);
     connect(&section.bar(), &ui::SectionBar::windowChosen, this, [this](double width, double level) {
-        m_window = {level, width};
-        draw();
+        if (m_volume != nullptr) {
+            m_document.document().setImageWindow({level, width});
+        }
     });
+    connect(&document.document(), &SceneDocument::imageWindowChanged, this, &ImagePart::takeWindow);
     connect(&section.bar(), &ui::SectionBar::imageToggled, this, &ImagePart::draw);
 }
 
@@ -156,8 +158,9 @@ void ImagePart::take(const std::filesystem::path& file, const core::Status& stat
         return;
     }
     m_volume = volume;
-    m_window = windowAbout(m_core.viewport.view().bounds(), *volume);
-    m_section.bar().setImage(toText(file.filename()), m_window.width, m_window.level);
+    m_usual = windowAbout(m_core.viewport.view().bounds(), *volume);
+    m_section.bar().setImage(toText(file.filename()), m_usual.width, m_usual.level);
+    takeWindow();
     if (boundsOf(*volume).intersects(m_core.viewport.view().bounds())) {
         m_core.notices.say(tr("%1 is shown in sections (X).").arg(toText(file.filename())));
     } else {
@@ -167,7 +170,16 @@ void ImagePart::take(const std::filesystem::path& file, const core::Status& stat
     if (isWanted) {
         m_core.actions.at("section").setChecked(true);
     }
-    draw();
+}
+
+/// Shows the image with the window of the document.
+void ImagePart::takeWindow()
+{
+    if (m_volume != nullptr) {
+        const geometry::GreyWindow window = m_document.document().imageWindow().value_or(m_usual);
+        m_section.bar().setWindow(window.width, window.level);
+        draw();
+    }
 }
 
 void ImagePart::draw()
@@ -175,7 +187,8 @@ void ImagePart::draw()
     if (m_volume == nullptr) {
         m_section.bar().setImage({}, 1.0, 0.0);
     }
-    m_core.viewport.view().setImage(m_section.bar().isImageShown() ? m_volume : nullptr, m_window);
+    m_core.viewport.view().setImage(m_section.bar().isImageShown() ? m_volume : nullptr,
+                                    m_document.document().imageWindow().value_or(m_usual));
     m_core.viewport.update();
 }
 

@@ -34,13 +34,14 @@ class ImagePart : public WindowPart
     void choose();
     void read();
     void take(const std::filesystem::path& file, const core::Status& status, const Volume& volume);
+    void takeWindow();
     void draw();
 
     WindowCore m_core;
     DocumentPart& m_document;
     SectionPart& m_section;
-    Volume m_volume; ///< null: no image
-    geometry::GreyWindow m_window;
+    Volume m_volume;                                  ///< null: no image
+    geometry::GreyWindow m_usual;                     ///< window of this image unless the document has one
     bool m_isWanted = false;                          ///< the user has just chosen the image
     std::shared_ptr<std::atomic<bool>> m_isCancelled; ///< of the running job
     QThreadPool m_pool;

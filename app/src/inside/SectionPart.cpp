@@ -227,7 +227,7 @@ Vec3 SectionPart::wantedPlace() const
 {
     view::SceneView& view = m_core.viewport.view();
     if (view.cursor().state().isPresent && view.cursor().state().isInContact) {
-        return view.cursor().state().p_WG;
+        return view.cursor().state().onSurface_W();
     }
     if (const auto finding = view.findings().selectedPlace()) {
         return *finding;

@@ -178,13 +178,15 @@ class SceneDocument::ImageStep : public QUndoCommand
     void redo() override
     {
         std::swap(m_document.m_rest.image, m_image);
+        std::swap(m_document.m_rest.imageWindow, m_window);
         Q_EMIT m_document.imageChanged();
     }
     void undo() override { redo(); }
 
   private:
     SceneDocument& m_document;
-    std::filesystem::path m_image; ///< before redo the new image, after it the old one
+    std::filesystem::path m_image;                ///< before redo the new image, after it the old one
+    std::optional<geometry::GreyWindow> m_window; ///< likewise; a new image begins without one
 };
 
 void SceneDocument::setImage(const std::filesystem::path& file)
@@ -193,6 +195,39 @@ void SceneDocument::setImage(const std::filesystem::path& file)
     if (absolute != m_rest.image) {
         m_model.undoStack().push(new ImageStep(
             *this, absolute, file.empty() ? tr("Remove the image") : tr("Show %1").arg(toText(file.filename()))));
+    }
+}
+
+/// Undo step that exchanges the window of the image.
+class SceneDocument::ImageWindowStep : public QUndoCommand
+{
+  public:
+    ImageWindowStep(SceneDocument& document, const geometry::GreyWindow& window)
+        : QUndoCommand(tr("Change the window of the image"))
+        , m_document(document)
+        , m_other(window)
+    {
+    }
+    void redo() override
+    {
+        std::swap(m_document.m_rest.imageWindow, m_other);
+        Q_EMIT m_document.imageWindowChanged();
+    }
+    void undo() override { redo(); }
+    [[nodiscard]] int id() const override { return kImageWindow; }
+    /// Keeps the window before the first change.
+    bool mergeWith(const QUndoCommand*) override { return true; }
+
+  private:
+    static constexpr int kImageWindow = 3; // StructureModel has 1, SectionStep 2
+    SceneDocument& m_document;
+    std::optional<geometry::GreyWindow> m_other; ///< before redo the new window, after it the old one
+};
+
+void SceneDocument::setImageWindow(const geometry::GreyWindow& window)
+{
+    if (window != m_rest.imageWindow) {
+        m_model.undoStack().push(new ImageWindowStep(*this, window));
     }
 }
 

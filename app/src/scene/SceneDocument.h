@@ -53,6 +53,14 @@ class SceneDocument : public QObject
     /// Sets the volume shown in sections (undoable). @param file  empty: none
     void setImage(const std::filesystem::path& file);
 
+    /// Range of the image's numbers from black to white; empty: chosen from the image.
+    [[nodiscard]] const std::optional<palpate::geometry::GreyWindow>& imageWindow() const noexcept
+    {
+        return m_rest.imageWindow;
+    }
+    /// Sets this range (undoable; consecutive changes are one step).
+    void setImageWindow(const palpate::geometry::GreyWindow& window);
+
     /// Plane that cuts the picture; empty: none.
     [[nodiscard]] const std::optional<palpate::meshio::SceneSection>& section() const noexcept
     {
@@ -82,6 +90,7 @@ class SceneDocument : public QObject
     void findingsChanged();
     /// Another volume is to be shown, or the meshes have new axes.
     void imageChanged();
+    void imageWindowChanged();
     void sectionChanged();
     void marked(const palpate::core::Finding& finding);
     void unmarked(const palpate::core::Finding& finding);
@@ -91,6 +100,7 @@ class SceneDocument : public QObject
 
   private:
     class ImageStep;
+    class ImageWindowStep;
     class SectionStep;
     [[nodiscard]] palpate::meshio::SceneFile content() const;
     [[nodiscard]] palpate::core::Transform turnOf(const std::string& structure, palpate::core::FileFrame frame) const;

@@ -65,10 +65,8 @@ void applyChosenLanguage()
     // independently of the locale.
     const QLocale system = QLocale::system();
     QLocale::setDefault(system.language() == QLocale(code).language() ? system : QLocale(code));
-    if (code == QLatin1String("en")) {
-        return;
-    }
-    // Buttons of Qt's own dialogs, if the system has Qt's catalogue.
+    // Buttons of Qt's own dialogs, if the system has Qt's catalogue. The English catalogue of the window has the texts
+    // with singular and plural.
     install(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     install(QStringLiteral("palpate_") + code, QStringLiteral(":/translations"));
 }

@@ -56,6 +56,15 @@ void Notices::warn(const QStringList& lines)
     m_messages.add(ui::Messages::Kind::Warning, lines);
 }
 
+void Notices::forgetIf(const std::function<bool(const QString& text)>& matches)
+{
+    m_messages.removeIf(matches);
+    m_bar->withdrawIf(matches);
+    if (matches(m_hint->said())) {
+        m_hint->say({});
+    }
+}
+
 void Notices::toggleList()
 {
     const bool isShown = !m_dock->isVisible();

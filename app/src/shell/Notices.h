@@ -9,6 +9,8 @@
 
 #include <QStringList>
 
+#include <functional>
+
 class QDockWidget;
 
 namespace palpate::app {
@@ -30,6 +32,8 @@ class Notices : public WindowPart
     void showError(const QString& line) { m_bar->showError(line); }
     /// Adds warnings to the list.
     void warn(const QStringList& lines);
+    /// Removes all messages whose text matches, from the list, the view and the status line.
+    void forgetIf(const std::function<bool(const QString& text)>& matches);
     /// Open offers and questions over the view.
     [[nodiscard]] ui::MessageBar& bar() noexcept { return *m_bar; }
     /// Status line.

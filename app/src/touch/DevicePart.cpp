@@ -45,6 +45,7 @@ DevicePart::DevicePart(const WindowCore& core, StructuresPart& structures, Touch
     connect(m_hand, &ui::HandControl::said, this, [this](const QString& line) { m_core.notices.say(line); });
     connect(m_hand, &ui::HandControl::settingsTaken, this, &DevicePart::takePress);
     connect(&m_palpation, &ui::PalpationController::effortTurned, m_hand, &ui::HandControl::setEffort);
+    connect(m_panel, &ui::HandPanel::presetChanged, this, [this] { use("simulated"); }); // starts with its limits
     connect(&core.live, &ui::LiveTouch::deviceChanged, m_hand, &ui::HandControl::takeDevice);
     connect(&core.live, &ui::LiveTouch::statusChanged, this, &DevicePart::showDevice);
     connect(&core.live, &ui::LiveTouch::faulted, this, &DevicePart::tellFault);

@@ -92,7 +92,7 @@ bool FindingsDesk::mark()
     one.name = tr("Finding %1").arg(m_parts.document.findings().size() + 1).toStdString();
     const PalpatedStructure on = palpatedStructure(felt);
     one.structure = on.name.toStdString();
-    one.p_W = restOf(one.structure, touch.p_WG);
+    one.p_W = restOf(one.structure, touch.onSurface_W());
     one.force_N = on.force_N;
     one.depth_mm = on.depth_mm;
     for (const LayerShare& layer : felt.layers) {

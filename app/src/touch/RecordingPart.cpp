@@ -148,7 +148,8 @@ void RecordingPart::open(const std::filesystem::path& path)
     }
     if (m_core.model.rowCount() == 0) {
         m_core.notices.bar().offer(
-            tr("%1 can be played, but its meshes were not found. Open them to see what was touched.")
+            tr("%1 can be played, but its meshes were not found: only the path of the hand is shown. Open the meshes "
+               "to see what was touched.")
                 .arg(toText(path.filename())),
             tr("Find the meshes…"), [this, path] { findMeshes(path); });
         Q_EMIT shownAlone();

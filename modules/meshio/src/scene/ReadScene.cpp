@@ -413,6 +413,21 @@ void readImagePath(JsonFields& fields, const std::filesystem::path& folder, Scen
     scene.image = (folder / std::filesystem::path(image)).lexically_normal();
 }
 
+void readImageWindow(JsonFields& fields, SceneFile& scene)
+{
+    constexpr double kLeastWidth = 1e-12, kLargest = 1e12;
+    if (auto entry = fields.fieldsOf("image_window")) {
+        geometry::GreyWindow& window = scene.imageWindow.emplace();
+        for (const char* name : {"level", "width"}) {
+            if (!entry->has(name)) {
+                entry->fail(name, {PALPATE_TEXT("nothing")}, {PALPATE_TEXT("a number")});
+            }
+        }
+        entry->read("level", window.level, -kLargest, kLargest);
+        entry->read("width", window.width, kLeastWidth, kLargest);
+    }
+}
+
 void readSection(JsonFields& fields, SceneFile& scene)
 {
     if (auto entry = fields.fieldsOf("section")) {
@@ -582,6 +597,7 @@ core::Result<SceneFile> readScene(const std::filesystem::path& path)
     }
     readShownMap(fields, scene);
     readImagePath(fields, folder, scene);
+    readImageWindow(fields, scene);
     readSection(fields, scene);
     for (JsonFields& entry : fields.listOf("findings")) {
         scene.findings.push_back(readFinding(entry, folder));

@@ -245,6 +245,9 @@ core::Status writeScene(const std::filesystem::path& path, const SceneFile& scen
     if (!scene.image.empty()) {
         out["image"] = text(scene.image.lexically_relative(folder).generic_string());
     }
+    if (scene.imageWindow) {
+        out["image_window"] = QJsonObject{{"level", scene.imageWindow->level}, {"width", scene.imageWindow->width}};
+    }
     if (scene.section) {
         QJsonObject section = unknownFields(scene.section->extra);
         section["direction"] = text(std::string(kSectionNames[static_cast<std::size_t>(scene.section->direction)]));

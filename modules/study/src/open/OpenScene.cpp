@@ -16,13 +16,31 @@ namespace {
 
 using Kind = SceneEvent::Kind;
 
-/// Text as compared by `givesTargetAway`: ASCII letters in lower case, "_" as a space.
-std::string comparable(std::string text)
+/// Text as compared by `givesTargetAway`: ASCII letters in lower case, "_" as a space, single spaces.
+std::string comparable(const std::string& text)
 {
-    for (char& c : text) {
+    std::string plain;
+    for (char c : text) {
         c = c == '_' ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        if (c != ' ' || (!plain.empty() && plain.back() != ' ')) {
+            plain += c;
+        }
     }
-    return text;
+    return plain;
+}
+
+/// The part of a comparable name that the window displays: reference libraries prefix every organ with the body.
+std::string displayed(std::string name)
+{
+    for (const char* prefix : {"vh f ", "vh m "}) {
+        if (name.starts_with(prefix)) {
+            name.erase(0, 5);
+        }
+    }
+    while (!name.empty() && name.back() == ' ') {
+        name.pop_back();
+    }
+    return name;
 }
 
 /// Prepares the maps for the servo tick. @par Cost O(triangles) per map
@@ -188,7 +206,8 @@ bool OpenScene::givesTargetAway(const std::string& text) const
     return std::any_of(m_undisclosed.begin(), m_undisclosed.end(), [&where](const auto& hidden) {
         const std::string file = hidden.second.part.empty() ? hidden.second.mesh.stem().string() : std::string();
         for (const std::string& name : {hidden.second.name, hidden.second.part, file}) {
-            if (!name.empty() && where.find(comparable(name)) != std::string::npos) {
+            const std::string sought = displayed(comparable(name));
+            if (!sought.empty() && where.find(sought) != std::string::npos) {
                 return true;
             }
         }

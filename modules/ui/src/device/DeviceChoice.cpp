@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/DeviceChoice.h"
 
+#include "palpate/ui/ConnectedDevices.h"
+#include "palpate/ui/Effort.h"
+#include "palpate/ui/HandSettings.h"
 #include "palpate/ui/Translated.h"
 
-#include <palpate/device/OtherDevices.h>
+#include <palpate/device/DevicePresets.h>
 #include <palpate/device/PlaybackDevice.h>
 #include <palpate/device/SimulatedHand.h>
 #include <palpate/session/RecordingReader.h>
@@ -12,9 +15,9 @@
 #include <QActionGroup>
 #include <QLocale>
 #include <QMenu>
-#include <QMessageBox>
+#include <QSettings>
+#include <QStringList>
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -89,8 +92,8 @@ void DeviceChoice::fill(QMenu& menu)
         });
     };
     add("mouse", tr("Mouse"), tr("Mouse pointer over the view; the force is displayed, not felt"));
-    add("simulated", tr("Simulated hand"),
-        tr("Virtual hand that palpates the centre of the view and responds to the force"));
+    add("simulated", tr("Simulated hand (no device)"),
+        tr("Computed hand that palpates the centre of the view and responds to the force"));
     add("playback", tr("Replay with current tissue"),
         tr("Repeats the motion of the open recording on the current tissue"));
     if (m_plugins != nullptr) {
@@ -98,7 +101,11 @@ void DeviceChoice::fill(QMenu& menu)
         bool hasPuck = false;
         for (const device::PluginEntry& entry : m_plugins->plugins()) {
             if (entry.status.isOk()) {
-                add(entry.info.id, QString::fromStdString(entry.info.name), QString::fromStdString(entry.info.drives));
+                QStringList tip(QString::fromStdString(entry.info.drives));
+                if (const QString steps = stepsToConnect(entry.info.id); !steps.isEmpty()) {
+                    tip << steps;
+                }
+                add(entry.info.id, QString::fromStdString(entry.info.name), tip.join(QLatin1Char('\n')));
                 hasPuck = hasPuck || entry.info.id == kPuckPlugin;
             } else {
                 QAction* action = menu.addAction(tr("%1 (skipped)").arg(QString::fromStdString(entry.file.filename())));
@@ -119,8 +126,7 @@ void DeviceChoice::fill(QMenu& menu)
     });
     calibrate->setToolTip(tr("Use the current pose of the device as calibration pose"));
     connect(&menu, &QMenu::aboutToShow, calibrate, [this, calibrate] {
-        const std::string& id = m_live.deviceInfo().id;
-        calibrate->setEnabled(!m_live.usesPointer() && id != "simulated" && id != "playback");
+        calibrate->setEnabled(m_chosen != "mouse" && m_chosen != "simulated" && m_chosen != "playback");
     });
     menu.addAction(tr("Connected devices…"), this, &DeviceChoice::reportBusDevices);
 }
@@ -226,11 +232,20 @@ core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::makeSimulated(
                       PALPATE_TEXT("the simulated hand palpates what is in the middle of the view: found nothing "
                                    "palpable there"));
     }
-    auto script = device::HandScript::make(palpationAt(pick->hit.p_W, ray.d_W));
+    const double touch_mm = m_live.scene() != nullptr
+                                ? touchAlongRay_mm(*m_live.scene(), ray, pick->hit.distance_mm, m_live.time_s())
+                                : pick->hit.distance_mm;
+    auto script = device::HandScript::make(palpationAt(ray.p_W + touch_mm * ray.d_W, ray.d_W));
     if (!script.isOk()) {
         return script.status();
     }
-    return std::make_unique<device::SimulatedHand>(std::move(script).value());
+    device::SimulatedHandOptions options;
+    const QSettings store;
+    const HandSettings settings = HandSettings::load(store, QStringLiteral("simulated-hand"));
+    if (const device::DevicePreset* preset = device::findDevicePreset(settings.preset); preset != nullptr) {
+        options.preset = *preset;
+    }
+    return std::make_unique<device::SimulatedHand>(std::move(script).value(), options);
 }
 
 core::Result<std::unique_ptr<device::HapticDevice>> DeviceChoice::makePlayback()
@@ -301,58 +316,7 @@ bool DeviceChoice::isTroubled() const
 
 void DeviceChoice::reportBusDevices()
 {
-    QStringList lines;
-    std::set<std::string> driving; // ids of plugins that found a usable device
-    if (m_plugins != nullptr) {
-        std::vector<std::string> ids;
-        for (const device::PluginEntry& entry : m_plugins->plugins()) {
-            if (entry.status.isOk()) {
-                ids.push_back(entry.info.id);
-            }
-        }
-        for (const std::string& id : ids) {
-            const auto found = m_plugins->find(id);
-            if (!found.isOk()) {
-                continue; // error is reported below
-            }
-            for (const device::FoundDevice& one : found.value()) {
-                lines << QString::fromStdString(one.problem.empty() ? one.name : one.name + ": " + one.problem);
-                if (one.problem.empty()) {
-                    driving.insert(id);
-                }
-            }
-        }
-    }
-    for (const device::OtherDevice& other : device::recogniseOtherDevices()) {
-        if (!driving.contains(other.plugin)) {
-            lines
-                << tr("%1: requires %2.").arg(QString::fromStdString(other.name), QString::fromStdString(other.needs));
-        }
-    }
-    if (lines.isEmpty()) {
-        lines << tr("No haptic device or 6-axis mouse is connected.");
-    }
-    QStringList supported;
-    if (m_plugins != nullptr) {
-        for (const device::PluginEntry& entry : m_plugins->plugins()) {
-            if (entry.status.isOk()) {
-                supported << QString::fromStdString(entry.info.drives);
-            }
-        }
-    }
-    if (!supported.isEmpty()) {
-        lines << tr("Supported: %1.").arg(supported.join(QStringLiteral("; ")));
-    }
-    lines << tr("Not supported yet: 3D Systems Touch, Novint Falcon. A device plugin "
-                "connects such an arm; the page “device-plugin” of the documentation describes how to write one.");
-    if (m_plugins != nullptr) {
-        for (const device::PluginEntry& entry : m_plugins->plugins()) {
-            if (!entry.status.isOk()) {
-                lines << translated(entry.status);
-            }
-        }
-    }
-    QMessageBox::information(&m_viewport, tr("Devices"), lines.join(QStringLiteral("\n\n")));
+    ConnectedDevices(m_plugins.get(), &m_viewport).exec();
 }
 
 } // namespace palpate::ui

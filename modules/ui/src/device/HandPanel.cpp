@@ -3,6 +3,8 @@
 
 #include "widgets/ShownComboBox.h"
 
+#include <palpate/device/DevicePresets.h>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -69,6 +71,7 @@ HandPanel::HandPanel(QWidget* parent)
 {
     m_mapping = makeMapping();
     m_press = makePress();
+    m_simulated = makeSimulated();
     QFont bold = font();
     bold.setBold(true);
     m_name->setFont(bold);
@@ -85,7 +88,7 @@ HandPanel::HandPanel(QWidget* parent)
     layout->setContentsMargins(14, 8, 14, 10);
     layout->setSpacing(6);
     for (QWidget* part : {static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_force), static_cast<QWidget*>(m_held),
-                          static_cast<QWidget*>(m_clutched), m_press, m_mapping}) {
+                          static_cast<QWidget*>(m_clutched), m_press, m_simulated, m_mapping}) {
         layout->addWidget(part);
     }
     layout->addStretch(1);
@@ -207,21 +210,50 @@ QWidget* HandPanel::makePress()
     return press;
 }
 
+QWidget* HandPanel::makeSimulated()
+{
+    auto* simulated = new QWidget(this);
+    auto* form = new QFormLayout(simulated);
+    form->setContentsMargins(0, 4, 0, 4);
+    form->setVerticalSpacing(6);
+    auto* what = new QLabel(tr("Computed hand, no device: it presses what is in the middle of the view. Force and "
+                               "stiffness have the limits of the chosen device."),
+                            simulated);
+    what->setWordWrap(true);
+    form->addRow(what);
+    m_preset = new ShownComboBox(simulated);
+    m_preset->setObjectName(QStringLiteral("preset"));
+    for (const device::DevicePreset& one : device::devicePresets()) {
+        m_preset->addItem(QString::fromUtf8(one.name.data(), static_cast<qsizetype>(one.name.size())),
+                          QString::fromUtf8(one.id.data(), static_cast<qsizetype>(one.id.size())));
+    }
+    m_preset->setAccessibleName(tr("Limits of"));
+    m_preset->setToolTip(tr("Shows how tissue feels at a device that is not here: force, stiffness and damping are "
+                            "bounded as by this device"));
+    form->addRow(tr("Limits of"), m_preset);
+    connect(m_preset, &QComboBox::activated, this, [this] {
+        edit();
+        Q_EMIT presetChanged();
+    });
+    return simulated;
+}
+
 void HandPanel::setDevice(const device::DeviceInfo& info, const HandSettings& settings)
 {
     m_limit_N = info.actuatedAxes > 0 ? info.maxForce_N : 0.0;
-    m_name->setText(QString::fromStdString(info.name));
+    m_name->setText(info.id == "simulated-hand" ? tr("Simulated hand") : QString::fromStdString(info.name));
     showWhatApplies(info);
     m_force->setVisible(m_limit_N > 0.0);
     setSettings(settings);
 }
 
 /// Shows the applicable controls. Devices without a workspace (pointer, simulated hand) are not mapped and have no
-/// buttons; only force or depth of the pointer can be chosen.
+/// buttons; only force or depth of the pointer and the limits of the simulated hand can be chosen.
 void HandPanel::showWhatApplies(const device::DeviceInfo& info)
 {
     m_mapping->setVisible(servo::edgeOf(info) > 0.0);
     m_press->setVisible(info.id == "mouse");
+    m_simulated->setVisible(info.id == "simulated-hand");
 }
 
 void HandPanel::setSettings(const HandSettings& settings)
@@ -232,6 +264,7 @@ void HandPanel::setSettings(const HandSettings& settings)
     m_leftHanded->setChecked(m_settings.isLeftHanded);
     m_pressBy->setCurrentIndex(m_settings.isByEffort ? 1 : 0);
     m_effort->setValue(m_settings.effort_N);
+    m_preset->setCurrentIndex(m_preset->findData(QString::fromStdString(m_settings.preset)));
     m_effort->setEnabled(m_settings.isByEffort);
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         m_buttons[i]->setCurrentIndex(static_cast<int>(m_settings.buttons[i]));
@@ -249,6 +282,7 @@ void HandPanel::edit()
     m_settings.isLeftHanded = m_leftHanded->isChecked();
     m_settings.isByEffort = m_pressBy->currentIndex() == 1;
     m_settings.effort_N = m_effort->value();
+    m_settings.preset = m_preset->currentData().toString().toStdString();
     m_effort->setEnabled(m_settings.isByEffort);
     for (std::size_t i = 0; i < m_buttons.size(); ++i) {
         m_settings.buttons[i] = static_cast<ButtonUse>(m_buttons[i]->currentIndex());

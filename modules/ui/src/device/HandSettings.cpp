@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/HandSettings.h"
 
+#include <palpate/device/DevicePresets.h>
+
 #include <QSettings>
 
 #include <algorithm>
@@ -26,7 +28,7 @@ int numberBelow(const QSettings& store, const QString& name, int fallback, int e
 
 } // namespace
 
-HandSettings HandSettings::load(QSettings& store, const QString& id)
+HandSettings HandSettings::load(const QSettings& store, const QString& id)
 {
     HandSettings out;
     out.turn = static_cast<MapTurn>(numberBelow(store, key(id, "turn"), static_cast<int>(out.turn), 3));
@@ -42,6 +44,10 @@ HandSettings HandSettings::load(QSettings& store, const QString& id)
     out.isByEffort = store.value(key(id, "byEffort"), false).toBool();
     const double effort_N = store.value(key(id, "effort_N"), out.effort_N).toDouble();
     out.effort_N = effort_N >= Effort::kLeast_N && effort_N <= Effort::kMost_N ? effort_N : Effort::kUsual_N;
+    out.preset = store.value(key(id, "preset"), QString::fromStdString(out.preset)).toString().toStdString();
+    if (device::findDevicePreset(out.preset) == nullptr) {
+        out.preset = HandSettings().preset;
+    }
     for (int i = 0; i < kButtons; ++i) {
         ButtonUse& use = out.buttons[static_cast<std::size_t>(i)];
         use = static_cast<ButtonUse>(
@@ -60,6 +66,7 @@ void HandSettings::save(QSettings& store, const QString& id) const
     store.setValue(key(id, "leftHanded"), isLeftHanded);
     store.setValue(key(id, "byEffort"), isByEffort);
     store.setValue(key(id, "effort_N"), effort_N);
+    store.setValue(key(id, "preset"), QString::fromStdString(preset));
     for (int i = 0; i < kButtons; ++i) {
         store.setValue(key(id, "button") + QString::number(i), static_cast<int>(buttons[static_cast<std::size_t>(i)]));
     }

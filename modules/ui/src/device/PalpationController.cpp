@@ -168,7 +168,8 @@ void PalpationController::stepAlongScreen(int right, int up)
     }
     const view::ViewFrame frame = view::ViewFrame::of(m_viewport.view().renderer(), m_viewport.devicePixelRatioF());
     const double stride_mm = m_hand.settings().stride_mm;
-    const core::Vec3 p_W = *m_hand.surfacePoint() + stride_mm * (right * frame.right_W + up * frame.up_W);
+    const core::Vec3 p_W =
+        *m_hand.surfacePoint() + m_toSurface_W + stride_mm * (right * frame.right_W + up * frame.up_W);
     if (isPressing()) {
         // Keeps the press direction after a camera rotation; a new line of sight would make the hand jump.
         const core::Vec3 d_W = m_hand.direction();
@@ -200,7 +201,7 @@ void PalpationController::stepDepth(int steps)
 void PalpationController::followCamera()
 {
     if (m_isByKeys && !isPressing() && m_hand.surfacePoint()) {
-        point(m_viewport.rayAt(m_viewport.placeOf(*m_hand.surfacePoint())));
+        point(m_viewport.rayAt(m_viewport.placeOf(*m_hand.surfacePoint() + m_toSurface_W)));
     }
 }
 
@@ -346,7 +347,16 @@ void PalpationController::moveTo(const QPointF& place)
 void PalpationController::point(const view::Ray& ray)
 {
     const auto pick = m_viewport.view().pick(ray);
-    m_hand.pointAt(ray.p_W, ray.d_W, pick ? std::optional(pick->hit.p_W) : std::nullopt);
+    std::optional<core::Vec3> place_W;
+    if (pick) {
+        // The hand is the centre of the fingertip, which touches before the centre reaches the surface.
+        const double hit_mm = pick->hit.distance_mm;
+        const double touch_mm =
+            m_live.scene() != nullptr ? touchAlongRay_mm(*m_live.scene(), ray, hit_mm, m_live.time_s()) : hit_mm;
+        place_W = ray.p_W + touch_mm * ray.d_W;
+        m_toSurface_W = pick->hit.p_W - *place_W;
+    }
+    m_hand.pointAt(ray.p_W, ray.d_W, place_W);
     run();
 }
 

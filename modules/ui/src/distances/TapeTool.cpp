@@ -32,7 +32,7 @@ void TapeTool::press()
     const view::TouchState& touch = m_viewport.view().cursor().state();
     if (touch.isInContact) {
         m_isMeasuring = true;
-        take(snapped({touch.p_WG, m_touched().toStdString()}));
+        take(snapped({touch.onSurface_W(), m_touched().toStdString()}));
     } else if (m_begun) {
         cancel();
     } else {

@@ -117,9 +117,9 @@ FeltPanel::FeltPanel(FeltOverlay& overlay, StructureModel& model, QWidget* paren
     m_notice = new QLabel(this);
     m_notice->setWordWrap(true);
     auto* left = new QVBoxLayout;
-    left->addWidget(m_notice);
     left->addWidget(m_status);
-    left->addWidget(m_table, 1);
+    left->addWidget(m_table, 1); // at the top, so that a low panel with large text shows a whole row
+    left->addWidget(m_notice);
     auto* all = new QHBoxLayout(this);
     all->setContentsMargins(8, 8, 8, 8);
     all->addLayout(left, 1);

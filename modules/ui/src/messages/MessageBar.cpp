@@ -129,6 +129,16 @@ void MessageBar::withdraw(const QString& text)
     }
 }
 
+void MessageBar::withdrawIf(const std::function<bool(const QString& text)>& matches)
+{
+    const std::vector<Entry> before = m_entries;
+    for (const Entry& entry : before) {
+        if (matches(entry.row->text())) {
+            remove(entry.row);
+        }
+    }
+}
+
 MessageRow* MessageBar::put(Messages::Kind kind, const QString& text, const QStringList& buttons, Keep keep)
 {
     withdraw(text); // a repeated message is replaced, since its buttons may have changed

@@ -32,6 +32,17 @@ void Messages::add(Kind kind, const QStringList& texts)
     endInsertRows();
 }
 
+void Messages::removeIf(const std::function<bool(const QString& text)>& matches)
+{
+    for (int row = rowCount() - 1; row >= 0; --row) {
+        if (matches(text(row))) {
+            beginRemoveRows({}, row, row);
+            m_all.erase(m_all.begin() + row);
+            endRemoveRows();
+        }
+    }
+}
+
 int Messages::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(m_all.size());

@@ -39,6 +39,7 @@ void Playback::setRecording(std::unique_ptr<RecordedTouch> recording)
     m_timer.stop();
     setSecond(nullptr);
     m_recording = std::move(recording);
+    m_viewport.view().handPath().set({});
     m_peak_s = 0.0;
     m_touch.clearHistory();
     m_panel.timeline().clear();
@@ -60,12 +61,25 @@ void Playback::setRecording(std::unique_ptr<RecordedTouch> recording)
         m_panel.timeline().setPeaks(peaks_N, m_recording->duration_s());
         m_panel.alignAxes();
         m_panel.refresh();
+        showPath();
         Q_EMIT overviewReady();
     });
     m_recording->startOverview();
     m_panel.refresh();
     showMoment(0.0);
     Q_EMIT stateChanged();
+}
+
+/// Shows the path of the hand in the place of surfaces that were not found.
+void Playback::showPath()
+{
+    view::SceneView& view = m_viewport.view();
+    if (view.structureCount() > 0) {
+        return;
+    }
+    view.handPath().set(m_recording->path_W());
+    view.look(view::ViewFrom::Oblique);
+    m_viewport.update();
 }
 
 void Playback::setSecond(std::unique_ptr<RecordedTouch> second)
@@ -181,7 +195,7 @@ void Playback::showSecondMoment()
         constexpr std::size_t kNoStructure = std::numeric_limits<std::size_t>::max(); // does not move with one
         const view::TouchState state =
             touchState(*tick, tick->felt.f_W, m_second->fingertip_mm(*tick), {}, m_second->tissue(*tick));
-        ring.show(state.p_WG, state.n_W.isZero() ? core::Vec3(core::Vec3::UnitZ()) : state.n_W,
+        ring.show(state.onSurface_W(), state.n_W.isZero() ? core::Vec3(core::Vec3::UnitZ()) : state.n_W,
                   std::max(m_second->fingertip_mm(*tick), kLeast_mm), kNoStructure);
     }
     m_viewport.update();

@@ -198,16 +198,30 @@ void RecordedTouch::startOverview()
         const std::size_t known = reader.value()->faults().size();
         const double ticks = static_cast<double>(std::max<std::int64_t>(1, extent.lastTick - extent.firstTick + 1));
         std::vector<float> peaks(kBins, 0.0f);
+        std::vector<view::PathPoint> path_W;
+        const std::int64_t step = std::max<std::int64_t>(1, (extent.lastTick - extent.firstTick) / kPathPoints + 1);
+        bool isContinued = false; // the hand was there since the last point
         const core::Status status =
             reader.value()->forEach(extent.firstTick, extent.lastTick, [&](const servo::TickRecord& tick) {
                 const double place = static_cast<double>(tick.tick - extent.firstTick) / ticks;
                 const auto bin = std::min(kBins - 1, static_cast<std::size_t>(place * static_cast<double>(kBins)));
                 peaks[bin] = std::max(peaks[bin], static_cast<float>(tick.felt.f_W.norm()));
+                const bool hasHand = (tick.flags & servo::kNoHand) == 0 && tick.p_WH.allFinite();
+                isContinued = isContinued && hasHand && (tick.flags & servo::kReset) == 0;
+                if (hasHand && (tick.tick - extent.firstTick) % step == 0) {
+                    path_W.push_back({tick.p_WH, tick.felt.f_W.norm() > 0.0, isContinued});
+                    isContinued = true;
+                }
                 return !m_isClosing;
             });
         if (status.isOk() && !m_isClosing) {
             QMetaObject::invokeMethod(
-                this, [this, peaks = std::move(peaks)] { Q_EMIT overviewReady(peaks); }, Qt::QueuedConnection);
+                this,
+                [this, peaks = std::move(peaks), path_W = std::move(path_W)]() mutable {
+                    m_path_W = std::move(path_W);
+                    Q_EMIT overviewReady(peaks);
+                },
+                Qt::QueuedConnection);
             if (const std::size_t places = reader.value()->faults().size(); places > known) {
                 QMetaObject::invokeMethod(
                     this, [this, places] { Q_EMIT damageFound(damageText(m_path, places)); }, Qt::QueuedConnection);

@@ -29,7 +29,8 @@ struct SceneLoader::Job
 
 namespace {
 
-constexpr double kReading = 0.7; // fraction of the progress; the rest is for pictures and haptic copies
+constexpr double kReading = 0.7;   // fraction of the progress
+constexpr double kPreparing = 0.2; // for pictures and haptic copies; the rest is for the containment
 
 } // namespace
 
@@ -159,11 +160,12 @@ class SceneLoader::Opening
             Qt::QueuedConnection);
     }
 
-    /// Reports progress in steps of 1 %. Returns false when the job was cancelled.
+    /// Reports progress in steps of 1 %, and each step of the work. Returns false when the job was cancelled.
     bool progress(const QString& what, double share)
     {
-        if (share - m_lastTold >= 0.01 || share < m_lastTold) {
+        if (share - m_lastTold >= 0.01 || share < m_lastTold || what != m_lastStep) {
             m_lastTold = share;
+            m_lastStep = what;
             tell([&loader = m_loader, what, share] { Q_EMIT loader.progressed(what, share); });
         }
         return !m_job->isCancelled;
@@ -303,9 +305,11 @@ class SceneLoader::Opening
                 row.sha256 = session::geometryHash(row.loaded.surface->mesh);
             }
             done += static_cast<double>(row.loaded.surface->mesh.triangles.size());
-            progress(tr("Preparing for touch"), kReading + (1.0 - kReading) * done / std::max(1.0, triangles));
+            progress(tr("Preparing for touch"), kReading + kPreparing * done / std::max(1.0, triangles));
         }
+        progress(tr("Finding structures inside others"), kReading + kPreparing);
         nest();
+        progress(tr("Drawing the scene"), 1.0);
     }
 
     /// Determines the containment of the structures.
@@ -351,6 +355,7 @@ class SceneLoader::Opening
     std::vector<std::filesystem::path> m_files; ///< files to open
     std::vector<OpenSurface> m_open;            ///< structures of the scene to which the files are added
     double m_lastTold = -1.0;
+    QString m_lastStep;
     std::shared_ptr<OpenedScene> m_opened = std::make_shared<OpenedScene>();
     QStringList m_problems;
     std::shared_ptr<Previews> m_previews = std::make_shared<Previews>();

@@ -63,9 +63,18 @@ void FingerInset::follow()
     const view::TouchState& now = m_viewport.view().cursor().state();
     const bool isSame = now.p_WH == m_touch.p_WH && now.p_WG == m_touch.p_WG && now.n_W == m_touch.n_W &&
                         now.isInContact == m_touch.isInContact && now.isPresent == m_touch.isPresent;
-    if (isVisible() && !isSame && !m_pause.isActive()) {
-        take();
-        m_pause.start();
+    if (isVisible() && !m_pause.isActive()) {
+        if (isInTheWay(geometry())) { // of a legend that has appeared, or of the hand
+            const QPoint before = pos();
+            place();
+            if (pos() != before) {
+                m_viewport.update(); // places the labels again
+            }
+        }
+        if (!isSame) {
+            take();
+            m_pause.start();
+        }
     }
 }
 
@@ -84,7 +93,7 @@ void FingerInset::take()
         if (right_W.norm() < kAlong) {
             right_W = across(cameraUp_W.normalized());
         }
-        m_plane.p_W = m_touch.p_WG;
+        m_plane.p_W = m_touch.onSurface_W();
         m_plane.u_W = right_W.normalized();
         m_plane.v_W = up_W;
         m_plane.n_W = m_plane.u_W.cross(m_plane.v_W);
@@ -135,7 +144,8 @@ void FingerInset::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor ink = palette().color(QPalette::Text), back = palette().color(QPalette::Base);
     if (m_touch.isPresent && !m_cuts.empty()) {
-        const QPointF hand = place(m_plane.inPlane(m_touch.p_WH)), onSurface = place(m_plane.inPlane(m_touch.p_WG));
+        const QPointF hand = place(m_plane.inPlane(m_touch.p_WH)),
+                      onSurface = place(m_plane.inPlane(m_touch.onSurface_W()));
         const double radius = std::max(3.0, scale * m_touch.fingertip_mm);
         for (const auto& [colour, width] : {std::pair(back, 4.0), std::pair(ink, 2.0)}) { // a halo on any colour
             painter.setPen(QPen(colour, width));
@@ -174,18 +184,79 @@ void FingerInset::showEvent(QShowEvent* event)
     take();
 }
 
+void FingerInset::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    m_viewport.view().setCovered({});
+    m_viewport.update();
+}
+
 bool FingerInset::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::Resize) {
+    if (event->type() == QEvent::Resize && isVisible()) {
         place();
     }
     return QWidget::eventFilter(watched, event);
 }
 
-/// Keeps the picture in the lower left corner of the view.
+/// Box of a place for the view, whose labels avoid the picture.
+Eigen::AlignedBox2d FingerInset::boxOf(const QRect& place) const
+{
+    const Eigen::Vector2d half(0.5 * m_viewport.width(), 0.5 * m_viewport.height());
+    return {Eigen::Vector2d(place.left(), m_viewport.height() - place.bottom() - 1) - half,
+            Eigen::Vector2d(place.right() + 1, m_viewport.height() - place.top()) - half};
+}
+
+/// Returns true if a place hides the hand, the legend or another widget of the view.
+bool FingerInset::isInTheWay(const QRect& place) const
+{
+    constexpr int kAboutHand_px = 30;
+    view::SceneView& view = m_viewport.view();
+    const Eigen::AlignedBox2d box = boxOf(place), legend = view.legend().box();
+    if (!legend.isEmpty() && box.intersects(legend)) {
+        return true;
+    }
+    const auto isHidden = [&](const Vec3& p_W) {
+        return place.adjusted(-kAboutHand_px, -kAboutHand_px, kAboutHand_px, kAboutHand_px)
+            .contains(m_viewport.placeOf(p_W).toPoint());
+    };
+    const view::TouchState& touch = view.cursor().state();
+    if (touch.isPresent && (isHidden(touch.p_WG) || isHidden(touch.p_WH))) {
+        return true;
+    }
+    const auto others = m_viewport.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly);
+    return std::any_of(others.begin(), others.end(), [&](const QWidget* one) {
+        return one != this && one->isVisible() && !one->testAttribute(Qt::WA_TransparentForMouseEvents) &&
+               one->geometry().intersects(place);
+    });
+}
+
+/// Moves the picture to the corner where it hides the least, if it is in the way where it is.
 void FingerInset::place()
 {
-    move(kMargin_px, m_viewport.height() - height() - kMargin_px);
+    view::SceneView& view = m_viewport.view();
+    const double ratio = m_viewport.devicePixelRatioF();
+    const int above = m_viewport.coveredAbove_px() + kMargin_px;
+    const int right = m_viewport.width() - width() - kMargin_px;
+    // The lower corners have the orientation cube and the scale bar.
+    const int aboveCube = m_viewport.height() - height() - kMargin_px - qRound(view.cube().top_px());
+    const int aboveScale = m_viewport.height() - height() - kMargin_px - qRound(view.scaleBar().top() / ratio);
+    QRect best;
+    std::size_t least = 0;
+    bool isBestFree = false;
+    for (const QPoint& corner :
+         {QPoint(kMargin_px, aboveCube), QPoint(kMargin_px, above), QPoint(right, above), QPoint(right, aboveScale)}) {
+        const QRect place(corner, size());
+        const bool isFree = !isInTheWay(place);
+        const std::size_t hidden = view.tissueIn(boxOf(place), ratio);
+        if (best.isNull() || (isFree && !isBestFree) || (isFree == isBestFree && hidden < least)) {
+            best = place;
+            least = hidden;
+            isBestFree = isFree;
+        }
+    }
+    move(best.topLeft());
+    view.setCovered(boxOf(geometry()));
 }
 
 } // namespace palpate::ui

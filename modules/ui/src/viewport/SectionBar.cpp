@@ -118,19 +118,25 @@ void SectionBar::addImageRow(QVBoxLayout& layout)
 
 void SectionBar::setImage(const QString& name, double width, double level)
 {
-    const QSignalBlocker quietWidth(m_width), quietLevel(m_level);
     // As many digits and as large steps as the range needs: HU in whole numbers, a parameter map of 0 to 1 in
     // hundredths.
     const int decimals = width >= 50.0 ? 0 : width >= 0.5 ? 2 : 4;
     for (QDoubleSpinBox* field : {m_width, m_level}) {
+        const QSignalBlocker quiet(field); // fewer decimals round the value
         field->setDecimals(decimals);
         field->setSingleStep(width >= 50.0 ? 10.0 : width / 20.0);
     }
-    m_width->setValue(width);
-    m_level->setValue(level);
+    setWindow(width, level);
     m_image->setToolTip(name);
     m_imageRow->setVisible(!name.isEmpty());
     place();
+}
+
+void SectionBar::setWindow(double width, double level)
+{
+    const QSignalBlocker quietWidth(m_width), quietLevel(m_level);
+    m_width->setValue(width);
+    m_level->setValue(level);
 }
 
 bool SectionBar::isImageShown() const

@@ -15,6 +15,7 @@
 #include <QTabletEvent>
 #include <QWheelEvent>
 
+#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkInteractorStyleTrackballCamera.h>
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace palpate::ui {
 
@@ -169,12 +171,22 @@ void VtkViewport::paintGL()
     state->vtkglDepthFunc(GL_LEQUAL);
     m_window->SetReadyForRendering(true);
     m_window->SetIsCurrent(true);
+    m_view.setCoarse(m_isSlow && !m_isStill && hasTurned());
     m_view.prepareFrame(devicePixelRatioF());
     m_window->Render();
     blitToWidget();
     state->Pop();
     m_frame_ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
     judgeSpeed();
+}
+
+/// Returns true if the camera has moved since the last frame.
+bool VtkViewport::hasTurned()
+{
+    vtkCamera& camera = m_view.camera();
+    const std::array<core::Vec3, 3> now{core::Vec3(camera.GetPosition()), core::Vec3(camera.GetFocalPoint()),
+                                        core::Vec3(camera.GetViewUp())};
+    return std::exchange(m_cameraBefore, now) != now;
 }
 
 void VtkViewport::refineNext()
@@ -203,6 +215,7 @@ QImage VtkViewport::picture(double scale)
     m_window->SetSize(w, h);
     m_window->SetIsCurrent(true);
     m_view.setSortedTransparency(true);
+    m_view.setCoarse(false);
     m_view.prepareFrame(ratio * scale);
     m_window->Render();
     QImage image(w, h, QImage::Format_RGBA8888);

@@ -22,6 +22,8 @@ core::Box boxOf(vtkActor* actor)
     return {Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5])};
 }
 
+constexpr int kPeels = 4, kCoarsePeels = 1; // layers of translucent tissue that are sorted
+
 /// Opacity up to which a structure is meant to be looked through, so that its cut face must not hide others.
 constexpr double kLeastFilled = 0.25;
 
@@ -35,7 +37,7 @@ SceneView::SceneView()
     setBackground({0.20, 0.23, 0.27}, {0.36, 0.41, 0.47}, {0.95, 0.96, 0.97});
     // Depth peeling of the front layers of translucent tissue; layers behind the fourth are practically invisible.
     m_solid->UseDepthPeelingOn();
-    m_solid->SetMaximumNumberOfPeels(4);
+    m_solid->SetMaximumNumberOfPeels(kPeels);
     m_solid->SetOcclusionRatio(0.05);
     vtkNew<vtkLightKit> lights;
     lights->SetKeyLightIntensity(0.82);
@@ -53,6 +55,7 @@ SceneView::SceneView()
     m_solid->GetActiveCamera()->SetViewAngle(30.0);
     m_image.addTo(*m_solid);
     m_sectionPicture.addTo(*m_solid);
+    m_handPath.addTo(*m_solid);
     m_cursor.addTo(*m_solid, *m_overlay);
     m_findings.addTo(*m_overlay);
     m_measures.addTo(*m_overlay);
@@ -96,6 +99,7 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
 {
     for (const ViewStructure& old : m_structures) {
         m_solid->RemoveActor(old.picture.actor());
+        m_solid->RemoveActor(old.picture.coarseActor());
     }
     m_structures = std::move(structures);
     ++m_tissueRevision;
@@ -104,8 +108,10 @@ void SceneView::setStructures(std::vector<ViewStructure> structures)
     m_placeRing.hide();
     m_secondHand.hide();
     m_targets.set({});
+    m_handPath.set({});
     for (const ViewStructure& one : m_structures) {
         m_solid->AddActor(one.picture.actor());
+        m_solid->AddActor(one.picture.coarseActor());
     }
 }
 
@@ -113,6 +119,7 @@ void SceneView::addStructures(std::vector<ViewStructure> structures)
 {
     for (ViewStructure& one : structures) {
         m_solid->AddActor(one.picture.actor());
+        m_solid->AddActor(one.picture.coarseActor());
         m_structures.push_back(std::move(one));
     }
     m_isSectionOld = true;
@@ -121,8 +128,10 @@ void SceneView::addStructures(std::vector<ViewStructure> structures)
 void SceneView::setStructure(std::size_t i, ViewStructure structure)
 {
     m_solid->RemoveActor(m_structures[i].picture.actor());
+    m_solid->RemoveActor(m_structures[i].picture.coarseActor());
     m_structures[i] = std::move(structure);
     m_solid->AddActor(m_structures[i].picture.actor());
+    m_solid->AddActor(m_structures[i].picture.coarseActor());
     ++m_tissueRevision;
     m_isSectionOld = true;
 }
@@ -262,7 +271,7 @@ core::Box SceneView::bounds() const
             shown.extend(box);
         }
     }
-    return shown.isEmpty() ? all : shown;
+    return !shown.isEmpty() ? shown : !all.isEmpty() ? all : m_handPath.bounds();
 }
 
 /// Casts a ray from the eye to each finding; tissue hit before the finding hides it.
@@ -307,6 +316,23 @@ std::size_t SceneView::countTissueVertices(const Eigen::AlignedBox2d& box_px, co
     return count;
 }
 
+std::size_t SceneView::tissueIn(const Eigen::AlignedBox2d& box_px, double pixelRatio) const
+{
+    return countTissueVertices(box_px, ViewFrame::of(*m_solid, pixelRatio));
+}
+
+/// Boxes that labels avoid: the legend and what covers the view.
+std::vector<Eigen::AlignedBox2d> SceneView::coveredBoxes() const
+{
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (const Eigen::AlignedBox2d& box : {m_legend.box(), m_covered}) {
+        if (!box.isEmpty()) {
+            boxes.push_back(box);
+        }
+    }
+    return boxes;
+}
+
 /// Places the legend. The corner of a legend with marks is the one that hides less tissue. The corner is chosen when
 /// the legend appears, the view is resized or the whole scene is fitted into the view, but not while the view is
 /// turned.
@@ -339,9 +365,8 @@ void SceneView::placeMeasures(const ViewFrame& frame)
         const Eigen::Vector2d centre = label.disc_px + label.offset_px;
         taken.emplace_back(centre - 0.5 * label.size_px, centre + 0.5 * label.size_px);
     }
-    if (m_legend.isShown()) {
-        taken.push_back(m_legend.box());
-    }
+    const std::vector<Eigen::AlignedBox2d> covered = coveredBoxes();
+    taken.insert(taken.end(), covered.begin(), covered.end());
     m_measures.place(frame, taken);
     m_targets.place(taken, frame);
 }
@@ -352,6 +377,38 @@ void SceneView::bendTissue(const ViewFrame& frame)
     m_cursor.setInDent(m_bends);
     for (ViewStructure& one : m_structures) {
         one.picture.bend(dimple, frame);
+    }
+}
+
+void SceneView::setCoarse(bool isOn)
+{
+    m_isCoarse = isOn;
+    if (!isOn || m_coarse.isBusy()) {
+        return;
+    }
+    std::vector<vtkSmartPointer<vtkPolyData>> without;
+    for (const ViewStructure& one : m_structures) {
+        if (!one.picture.hasCoarsePicture() &&
+            one.picture.picture()->GetNumberOfPolys() >= CoarseSurfaces::kLeastTriangles) {
+            without.emplace_back(one.picture.picture());
+        }
+    }
+    if (!without.empty()) {
+        m_coarse.start(without);
+    }
+}
+
+void SceneView::takeCoarsePictures()
+{
+    for (const auto& [surface, coarse] : m_coarse.take()) {
+        for (ViewStructure& one : m_structures) {
+            if (one.picture.picture() == surface) {
+                one.picture.setCoarsePicture(coarse);
+            }
+        }
+    }
+    for (ViewStructure& one : m_structures) {
+        one.picture.setCoarse(m_isCoarse);
     }
 }
 
@@ -448,9 +505,14 @@ void SceneView::prepareFrame(double pixelRatio)
     placeLegend(frame);
     bendTissue(frame);
     cutTissue();
-    m_cursor.place(frame, m_legend.box());
+    takeCoarsePictures();
+    m_cursor.place(frame, coveredBoxes());
     findHiddenFindings(frame);
-    m_findings.place(frame, m_cursor.marks_px(frame));
+    std::vector<Eigen::AlignedBox2d> marks = m_cursor.marks_px(frame);
+    if (!m_covered.isEmpty()) {
+        marks.push_back(m_covered);
+    }
+    m_findings.place(frame, marks);
     placeMeasures(frame);
     core::Box box = bounds();
     box.extend(m_cursor.bounds());
@@ -469,6 +531,7 @@ void SceneView::prepareFrame(double pixelRatio)
         return one.picture.appearance().isVisible && one.picture.appearance().opacity < 1.0;
     });
     m_solid->SetUseDepthPeeling(m_isSorted || translucent > 1);
+    m_solid->SetMaximumNumberOfPeels(m_isCoarse ? kCoarsePeels : kPeels);
     // SSAO uses the depth of opaque geometry: behind translucent tissue it would darken the wrong places.
     const bool isOpaque = std::all_of(m_structures.begin(), m_structures.end(), [](const ViewStructure& one) {
         return !one.picture.appearance().isVisible || one.picture.appearance().opacity >= 1.0;

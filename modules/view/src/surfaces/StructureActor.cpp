@@ -36,6 +36,7 @@ constexpr double kAmbient = 0.06, kHighlight = 0.30; // ambient share of the col
 
 StructureActor::StructureActor(vtkPolyData* surface, const Appearance& appearance, bool isClosed)
     : m_actor(vtkSmartPointer<vtkActor>::New())
+    , m_coarse(vtkSmartPointer<vtkActor>::New())
     , m_isClosed(isClosed)
 {
     vtkNew<vtkPolyDataMapper> mapper;
@@ -49,6 +50,12 @@ StructureActor::StructureActor(vtkPolyData* surface, const Appearance& appearanc
     look->SetSpecularPower(22.0);
     vtkNew<vtkProperty> inside;
     m_actor->SetBackfaceProperty(inside);
+    vtkNew<vtkPolyDataMapper> coarseMapper;
+    coarseMapper->ScalarVisibilityOff();
+    m_coarse->SetMapper(coarseMapper);
+    m_coarse->SetProperty(look);
+    // Without a property of back faces, whose dark triangles would speckle thin bones.
+    m_coarse->PickableOff();
     setAppearance(appearance);
 }
 
@@ -66,6 +73,9 @@ void StructureActor::setPicture(vtkPolyData* surface)
     const bool hasColours =
         surface->GetPointData()->GetScalars() != nullptr || surface->GetCellData()->GetScalars() != nullptr;
     mapper->SetScalarVisibility(hasColours);
+    m_hasColours = hasColours || surface->GetPointData()->GetNumberOfArrays() > 1; // arrays colour in a shader
+    m_hasCoarse = m_hasCoarse && m_coarseOf == surface->GetPolys();
+    showEither();
     mapper->SetColorModeToDirectScalars();
     removeArrayShader(*m_actor);
     drawPalpabilityContours(*m_actor, *surface);
@@ -154,6 +164,29 @@ void StructureActor::bend(const Dimple& dimple, const ViewFrame& frame)
 void StructureActor::clip(vtkPlaneCollection* planes)
 {
     m_actor->GetMapper()->SetClippingPlanes(planes);
+    m_coarse->GetMapper()->SetClippingPlanes(planes);
+}
+
+void StructureActor::setCoarsePicture(vtkPolyData* coarse)
+{
+    vtkPolyDataMapper::SafeDownCast(m_coarse->GetMapper())->SetInputData(coarse);
+    m_coarseOf = m_rest->GetPolys();
+    m_hasCoarse = true;
+}
+
+void StructureActor::setCoarse(bool isOn)
+{
+    m_isCoarse = isOn;
+    showEither();
+}
+
+/// Shows one of the two pictures.
+void StructureActor::showEither()
+{
+    const bool isShown = m_appearance.isVisible && m_appearance.opacity > 0.0;
+    const bool isCoarse = m_isCoarse && m_hasCoarse && !m_hasColours && !m_isBent && m_moved.motion == nullptr;
+    m_actor->SetVisibility(isShown && !isCoarse);
+    m_coarse->SetVisibility(isShown && isCoarse);
 }
 
 void StructureActor::setHighlighted(bool isOn)
@@ -177,7 +210,7 @@ void StructureActor::setAppearance(const Appearance& appearance)
     inside->DeepCopy(m_actor->GetProperty());
     inside->SetSpecular(0.0);
     inside->SetColor(0.72 * colour[0], 0.72 * colour[1], 0.72 * colour[2]);
-    m_actor->SetVisibility(m_appearance.isVisible && m_appearance.opacity > 0.0);
+    showEither();
 }
 
 vtkPoints& StructureActor::points() const

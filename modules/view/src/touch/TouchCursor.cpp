@@ -149,7 +149,7 @@ Colour TouchCursor::ballColour() const
     return m_state.isInContact ? cividis(m_state.f_W.norm() / m_limit_N) : kLight;
 }
 
-void TouchCursor::place(const ViewFrame& frame, const Eigen::AlignedBox2d& taken)
+void TouchCursor::place(const ViewFrame& frame, const std::vector<Eigen::AlignedBox2d>& taken)
 {
     const bool isThere = m_state.isPresent && m_state.p_WH.allFinite() && m_state.p_WG.allFinite();
     const bool isTouching = isThere && m_state.isInContact;
@@ -257,7 +257,7 @@ std::vector<Eigen::AlignedBox2d> TouchCursor::marks_px(const ViewFrame& frame) c
     return {boxAbout(frame.pixelOf(m_state.p_WG), kRimBall_px), boxAbout(frame.pixelOf(m_state.p_WH), kRimRing_px)};
 }
 
-void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching, const Eigen::AlignedBox2d& legend)
+void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching, const std::vector<Eigen::AlignedBox2d>& others)
 {
     const Eigen::Vector2d g = frame.pixelOf(m_state.p_WG), h = frame.pixelOf(m_state.p_WH);
     const Eigen::Vector2d half(0.5 * frame.width_px, 0.5 * frame.height_px);
@@ -272,9 +272,7 @@ void TouchCursor::placeLabels(const ViewFrame& frame, bool isTouching, const Eig
     const double patch_px = std::min(m_patch_mm / frame.mmPerPixel(m_state.p_WG), 2.0 * kLargestPatch_px);
     std::vector<Eigen::AlignedBox2d> taken{boxAbout(g, std::max(m_arrow.radius_px() + 4.0, patch_px)),
                                            boxAbout(h, m_state.hasCrosshair ? kCross_px : kPointer_px)};
-    if (!legend.isEmpty()) {
-        taken.push_back(legend);
-    }
+    taken.insert(taken.end(), others.begin(), others.end());
     constexpr int kPieces = 6; // boxes that cover a line
     for (int i = 0; i <= kPieces; ++i) {
         const double share = static_cast<double>(i) / kPieces;

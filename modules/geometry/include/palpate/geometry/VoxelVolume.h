@@ -35,6 +35,7 @@ struct GreyWindow
 {
     double level = 0.5; ///< number shown in medium grey
     double width = 1.0; ///< from black to white; above 0
+    friend bool operator==(const GreyWindow&, const GreyWindow&) = default;
 };
 
 /// Window that shows a volume well: from the 1st to the 99th percentile of its finite numbers. The lowest

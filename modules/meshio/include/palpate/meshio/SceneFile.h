@@ -12,6 +12,7 @@
 #include <palpate/core/TissueMapping.h>
 #include <palpate/core/Types.h>
 #include <palpate/core/ViewPose.h>
+#include <palpate/geometry/VoxelVolume.h>
 
 #include <array>
 #include <cstdint>
@@ -151,7 +152,8 @@ struct SceneFile
     std::optional<SceneCamera> camera;
     std::optional<ShownMap> shownMap; ///< empty: each structure shows a uniform colour
     std::filesystem::path image; ///< volume shown in sections; in memory absolute, in the file relative; empty: none
-    std::optional<SceneSection> section; ///< empty: the picture is not cut
+    std::optional<geometry::GreyWindow> imageWindow; ///< range of the image's numbers; empty: chosen from the image
+    std::optional<SceneSection> section;             ///< empty: the picture is not cut
     std::vector<core::Finding> findings;
     std::vector<core::Tape> tapes;
     BuriedTouch buried = BuriedTouch::Layers;

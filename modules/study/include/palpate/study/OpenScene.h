@@ -115,7 +115,8 @@ class PALPATE_EXPORT OpenScene
     /// display. The reference is valid until the next change.
     [[nodiscard]] const meshio::SceneStructure& described(std::size_t structure) const;
     /// Returns true if a text for display contains the name, or the name of the mesh file, of a hidden target. For
-    /// texts that were composed before the scene was open. Ignores case, and reads "_" as a space.
+    /// texts that were composed before the target was hidden. Ignores case and prefixes that the window does not
+    /// display, such as "VH_F_", and reads "_" as a space.
     [[nodiscard]] bool givesTargetAway(const std::string& text) const;
 
     /// Applies an edit. Targets stay hidden or shown as they are, hidden targets keep their names, and the exercise

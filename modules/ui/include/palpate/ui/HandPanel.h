@@ -49,6 +49,8 @@ class PALPATE_EXPORT HandPanel : public QWidget
 
   Q_SIGNALS:
     void settingsChanged();
+    /// Emitted after `settingsChanged` when another device for the simulated hand was chosen.
+    void presetChanged();
     void centreWanted();
     void fitWanted(palpate::ui::MapFill fill);
     void clutchWanted(bool isDown);
@@ -60,6 +62,7 @@ class PALPATE_EXPORT HandPanel : public QWidget
     QWidget* makeFits();
     QWidget* makeMapping();
     QWidget* makePress();
+    QWidget* makeSimulated();
 
     HandSettings m_settings;
     QLabel* m_name = nullptr;
@@ -68,6 +71,8 @@ class PALPATE_EXPORT HandPanel : public QWidget
     QLabel* m_clutched = nullptr;
     QWidget* m_mapping = nullptr;
     QWidget* m_press = nullptr;
+    QWidget* m_simulated = nullptr;
+    QComboBox* m_preset = nullptr;
     QComboBox* m_pressBy = nullptr;
     QDoubleSpinBox* m_effort = nullptr;
     QLabel* m_reach = nullptr;

@@ -10,6 +10,7 @@
 #include <QString>
 
 #include <array>
+#include <string>
 
 class QSettings;
 
@@ -53,12 +54,13 @@ struct PALPATE_EXPORT HandSettings
     int cpu = -1;                       ///< CPU reserved for the servo loop; -1: any
     bool isByEffort = false;            ///< pointer only: a press sets a force, the depth follows
     double effort_N = Effort::kUsual_N; ///< force limit of a press by effort
+    std::string preset = "touch";       ///< simulated hand only: device with the limits of this preset
     bool isLeftHanded = false;          ///< swaps the first two buttons, since the thumb is on the other side
     std::array<ButtonUse, kButtons> buttons{ButtonUse::Clutch, ButtonUse::Centre, ButtonUse::Nothing,
                                             ButtonUse::Nothing};
 
     /// Loads the settings of a device. @param id  device id, see device::DeviceInfo
-    static HandSettings load(QSettings& store, const QString& id);
+    static HandSettings load(const QSettings& store, const QString& id);
     void save(QSettings& store, const QString& id) const;
 
     /// Bit mask of the buttons with this function, with left-handed swapping applied.

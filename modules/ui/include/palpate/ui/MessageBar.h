@@ -67,6 +67,8 @@ class PALPATE_EXPORT MessageBar : public QWidget
              std::function<void()> otherAct);
     /// Closes the open message with this text, which is no longer of interest; nothing happens without one.
     void withdraw(const QString& text);
+    /// Closes all open messages whose text matches. They stay in the message list.
+    void withdrawIf(const std::function<bool(const QString& text)>& matches);
     /// Closes the messages about the previous scene.
     void forgetScene();
     /// Texts of the open messages, newest first, one per line.

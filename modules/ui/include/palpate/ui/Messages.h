@@ -8,6 +8,7 @@
 #include <QTime>
 
 #include <deque>
+#include <functional>
 
 namespace palpate::ui {
 
@@ -34,6 +35,8 @@ class PALPATE_EXPORT Messages : public QAbstractListModel
     void add(Kind kind, const QString& text) { add(kind, QStringList(text)); }
     /// Adds messages in one batch, which a view lays out once.
     void add(Kind kind, const QStringList& texts);
+    /// Removes all messages whose text matches.
+    void removeIf(const std::function<bool(const QString& text)>& matches);
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     [[nodiscard]] Kind kind(int row) const { return m_all[static_cast<std::size_t>(row)].kind; }

@@ -115,6 +115,7 @@ class PALPATE_EXPORT PalpationController : public QObject
     LiveTouch& m_live;
     StructureModel& m_model;
     PointerHand m_hand;
+    core::Vec3 m_toSurface_W = core::Vec3::Zero(); ///< from the hand's reference point to the pointed place
     QTimer m_timer;
     servo::TickRecord m_tick;
     view::TouchState m_shown;

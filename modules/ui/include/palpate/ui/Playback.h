@@ -62,6 +62,7 @@ class PALPATE_EXPORT Playback : public QObject
     void showMoment(double time_s);
     void showSecondMoment();
     void showNames();
+    void showPath();
     [[nodiscard]] std::shared_ptr<const geometry::SurfaceMotion> motionOf(const servo::TickRecord& tick, int row) const;
     void addLump(TouchReading& reading, const servo::TickRecord& tick) const;
     void feed(const servo::TickRecord& tick, double time_s);

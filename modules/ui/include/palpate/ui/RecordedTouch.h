@@ -7,11 +7,13 @@
 #include <palpate/core/Finding.h>
 #include <palpate/geometry/SurfaceMotion.h>
 #include <palpate/session/RecordingReader.h>
+#include <palpate/view/HandPath.h>
 
 #include <QObject>
 #include <QString>
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -28,6 +30,8 @@ class PALPATE_EXPORT RecordedTouch : public QObject
   public:
     /// Bins of the overview; more than a timeline has pixels.
     static constexpr std::size_t kBins = 2000;
+    /// Most points of the path of the hand.
+    static constexpr std::int64_t kPathPoints = 20'000;
 
     [[nodiscard]] static core::Result<std::unique_ptr<RecordedTouch>> open(const std::filesystem::path& path);
     ~RecordedTouch() override;
@@ -60,8 +64,11 @@ class PALPATE_EXPORT RecordedTouch : public QObject
     /// One line about lost ticks or an interrupted recording; empty for a complete recording.
     [[nodiscard]] QString losses() const;
 
-    /// Starts reading the greatest force in each of `kBins` equal intervals on a worker thread.
+    /// Starts reading the greatest force in each of `kBins` equal intervals and the path of the hand on a worker
+    /// thread.
     void startOverview();
+    /// Positions of the hand at equal intervals; empty until `overviewReady`.
+    [[nodiscard]] const std::vector<view::PathPoint>& path_W() const noexcept { return m_path_W; }
 
   Q_SIGNALS:
     void overviewReady(const std::vector<float>& peaks_N);
@@ -75,6 +82,7 @@ class PALPATE_EXPORT RecordedTouch : public QObject
     std::unique_ptr<session::RecordingReader> m_reader;
     std::thread m_overview;
     std::atomic<bool> m_isClosing{false};
+    std::vector<view::PathPoint> m_path_W;
 };
 
 /// One-line message about the number of damaged places of a recording; empty for 0 places.

@@ -30,8 +30,10 @@ class PALPATE_EXPORT SectionBar : public QFrame
     /// Updates the controls. @param line  place in words; @param step_mm  step of the position
     void setSection(meshio::SectionDirection direction, double position_mm, double step_mm, const QString& line);
     [[nodiscard]] QString line() const;
-    /// Shows the controls of an image. @param name  empty: hides them
+    /// Shows the controls of an image, with digits and steps for its usual window. @param name  empty: hides them
     void setImage(const QString& name, double width, double level);
+    /// Shows another window of the same image.
+    void setWindow(double width, double level);
     [[nodiscard]] bool isImageShown() const;
 
   Q_SIGNALS:

@@ -12,6 +12,8 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
+#include <array>
+
 class vtkGenericRenderWindowInteractor;
 
 namespace palpate::ui {
@@ -109,6 +111,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     void blitToWidget();
     void setPeeking(bool isPeeking);
     void judgeSpeed();
+    bool hasTurned();
 
     view::SceneView m_view;
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
@@ -128,6 +131,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     int m_covered_px = 0;
     QTimer m_still;
     bool m_isSlow = false;
+    std::array<core::Vec3, 3> m_cameraBefore{core::Vec3::Zero(), core::Vec3::Zero(), core::Vec3::Zero()};
     bool m_isStill = false; ///< the current frame is drawn because the picture has been still
 };
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "palpate/view/CameraPresets.h"
+#include "palpate/view/CoarseSurface.h"
 #include "palpate/view/ColourLegend.h"
 #include "palpate/view/FindingMarkers.h"
+#include "palpate/view/HandPath.h"
 #include "palpate/view/ImageSlice.h"
 #include "palpate/view/MeasureLines.h"
 #include "palpate/view/OrientationCube.h"
@@ -78,6 +80,13 @@ class PALPATE_EXPORT SceneView
     void setBackground(const Colour& bottom, const Colour& top, const Colour& text);
     /// Sets the height at the top of the view that something covers, which the legend avoids. [logical px]
     void setCoveredAbove(double height_px) noexcept { m_covered_px = height_px; }
+    /// Sets a part of the view that something covers, which labels avoid. @param box_px  logical pixels from the centre
+    /// of the view, y up; empty: none
+    void setCovered(const Eigen::AlignedBox2d& box_px) { m_covered = box_px; }
+    /// Number of sampled vertices of visible tissue in a box, to choose the box that hides the least. @param box_px  as
+    /// above
+    /// @par Cost Some hundred projections per structure
+    [[nodiscard]] std::size_t tissueIn(const Eigen::AlignedBox2d& box_px, double pixelRatio) const;
     /// Sets the style of all texts, from the next frame on.
     void setTextStyle(const TextStyle& style) { m_text = style; }
     [[nodiscard]] const TextStyle& textStyle() const noexcept { return m_text; }
@@ -109,6 +118,8 @@ class PALPATE_EXPORT SceneView
     [[nodiscard]] PlaceRing& secondHand() noexcept { return m_secondHand; }
     /// Targets of an exercise after the search; removed when structures are replaced.
     [[nodiscard]] TargetMarks& targets() noexcept { return m_targets; }
+    /// Path of a recorded hand without the touched surfaces; removed when structures are replaced.
+    [[nodiscard]] HandPath& handPath() noexcept { return m_handPath; }
     [[nodiscard]] OrientationCube& cube() noexcept { return m_cube; }
     [[nodiscard]] vtkRenderer& renderer() noexcept { return *m_solid; }
     [[nodiscard]] const ScaleBar& scaleBar() const noexcept { return m_scaleBar; }
@@ -124,7 +135,8 @@ class PALPATE_EXPORT SceneView
     /// Returns the nearest hit on a visible structure with a picking surface.
     [[nodiscard]] std::optional<ScenePick> pick(const Ray& ray) const;
 
-    /// Bounding box of the visible structures [mm]; of all structures when none is visible.
+    /// Bounding box of the visible structures [mm]; of all structures when none is visible, and of the path of the
+    /// hand without structures.
     [[nodiscard]] core::Box bounds() const;
 
     /// Fits clipping range, cursor, markers, scale bar and cube to the camera. Call before each frame.
@@ -138,6 +150,10 @@ class PALPATE_EXPORT SceneView
     /// sorting: half the time and the same colours except where the surface folds over itself. Several structures are
     /// always sorted.
     void setSortedTransparency(bool isOn) { m_isSorted = isOn; }
+    /// Draws large structures with fewer triangles, for frames while the view turns. Their coarse pictures are made on
+    /// another thread at the first call; until then, and for structures with a dent, colours or a motion, nothing
+    /// changes.
+    void setCoarse(bool isOn);
     /// Turns ambient occlusion on. For graphics cards only: a frame takes many times longer.
     void setAmbientOcclusion(bool isOn) { m_hasOcclusion = isOn; }
 
@@ -150,6 +166,8 @@ class PALPATE_EXPORT SceneView
     void findHiddenFindings(const ViewFrame& frame);
     void placeLegend(const ViewFrame& frame);
     void placeMeasures(const ViewFrame& frame);
+    void takeCoarsePictures();
+    [[nodiscard]] std::vector<Eigen::AlignedBox2d> coveredBoxes() const;
     [[nodiscard]] std::size_t countTissueVertices(const Eigen::AlignedBox2d& box_px, const ViewFrame& frame) const;
 
     vtkSmartPointer<vtkRenderer> m_solid;
@@ -160,6 +178,7 @@ class PALPATE_EXPORT SceneView
     PlaceRing m_placeRing;
     PlaceRing m_secondHand{kSecondColour};
     TargetMarks m_targets;
+    HandPath m_handPath;
     SectionPicture m_sectionPicture;
     ImageSlice m_image;
     std::optional<geometry::SectionPlane> m_section;
@@ -190,8 +209,11 @@ class PALPATE_EXPORT SceneView
     vtkSmartPointer<vtkRenderWindow> m_window;
     TextStyle m_text;
     double m_covered_px = 0.0;
+    Eigen::AlignedBox2d m_covered;
     bool m_hasOcclusion = false;
     bool m_isSorted = true;
+    bool m_isCoarse = false;
+    CoarseSurfaces m_coarse;
     bool m_bends = true;
 };
 

@@ -8,6 +8,7 @@
 #include <palpate/core/Export.h>
 
 #include <vtkActor.h>
+#include <vtkCellArray.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -59,18 +60,29 @@ class PALPATE_EXPORT StructureActor
     void bend(const Dimple& dimple, const ViewFrame& frame);
     /// Hides what is on the negative side of the planes. @param planes  null: hides nothing
     void clip(vtkPlaneCollection* planes);
+    /// Picture of the rest shape, from which a coarse one is made.
+    [[nodiscard]] vtkPolyData* picture() const noexcept { return m_rest; }
+    /// Sets the picture that `setCoarse` draws. @param coarse  from `coarseSurface` of `picture`
+    void setCoarsePicture(vtkPolyData* coarse);
+    [[nodiscard]] bool hasCoarsePicture() const noexcept { return m_hasCoarse; }
+    /// Draws the coarse picture, if there is one and the surface has neither a dent, colours nor a motion.
+    void setCoarse(bool isOn);
     /// Brightens the structure slightly, in its own colour.
     void setHighlighted(bool isOn);
     [[nodiscard]] const Appearance& appearance() const noexcept { return m_appearance; }
     /// Displayed positions of the vertices without a dent, world frame [mm].
     [[nodiscard]] vtkPoints& points() const;
     [[nodiscard]] vtkActor* actor() const noexcept { return m_actor; }
+    /// Drawn instead while coarse.
+    [[nodiscard]] vtkActor* coarseActor() const noexcept { return m_coarse; }
 
   private:
     [[nodiscard]] bool isInPlace() const;
     void showMoved();
+    void showEither();
 
     vtkSmartPointer<vtkActor> m_actor;
+    vtkSmartPointer<vtkActor> m_coarse;                      ///< with the property of the other
     vtkSmartPointer<vtkPolyData> m_rest;                     ///< picture of the rest shape
     vtkSmartPointer<vtkPolyData> m_drawn;                    ///< the same with moved points; null until moved
     std::shared_ptr<const geometry::SurfaceMotion> m_motion; ///< of `moveTo`
@@ -80,6 +92,10 @@ class PALPATE_EXPORT StructureActor
     Appearance m_appearance;
     bool m_isClosed = false;
     bool m_isBent = false;
+    vtkSmartPointer<vtkCellArray> m_coarseOf; ///< triangles of the surface with the coarse picture
+    bool m_hasColours = false;
+    bool m_hasCoarse = false;
+    bool m_isCoarse = false; ///< wanted
 };
 
 } // namespace palpate::view

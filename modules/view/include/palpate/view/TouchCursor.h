@@ -22,6 +22,8 @@ struct TouchState
     Vec3 n_W = Vec3::Zero();   ///< unit normal of the surface at the contact; zero: unknown
     Vec3 f_W = Vec3::Zero();   ///< force on the hand [N]
     double fingertip_mm = 0.0; ///< radius of the contact ball [mm], 0: a point
+    /// Contact on the surface: the god-object of a ball is its centre. [mm]
+    [[nodiscard]] Vec3 onSurface_W() const { return p_WG - fingertip_mm * n_W; }
     bool isInContact = false;
     bool isPresent = false;    ///< false: no hand; nothing is drawn
     bool hasCrosshair = false; ///< shows a crosshair, because the hand is moved by keys without a pointer
@@ -74,8 +76,8 @@ class PALPATE_EXPORT TouchCursor
     void setForceLimit(double force_N);
 
     /// Fits all parts to the view. Call before each frame.
-    /// @param taken  box that labels avoid, logical pixels from the centre of the view; may be empty
-    void place(const ViewFrame& frame, const Eigen::AlignedBox2d& taken = {});
+    /// @param taken  boxes that labels avoid, logical pixels from the centre of the view
+    void place(const ViewFrame& frame, const std::vector<Eigen::AlignedBox2d>& taken = {});
 
     /// Bounding box of the cursor, for the clipping range [mm]; empty when hidden.
     [[nodiscard]] core::Box bounds() const;
@@ -99,7 +101,7 @@ class PALPATE_EXPORT TouchCursor
     void placeContact(const ViewFrame& frame, bool isTouching);
     void placeCrosshair(const ViewFrame& frame, bool isThere);
     [[nodiscard]] Vec3 dentOffset_W() const;
-    void placeLabels(const ViewFrame& frame, bool isTouching, const Eigen::AlignedBox2d& legend);
+    void placeLabels(const ViewFrame& frame, bool isTouching, const std::vector<Eigen::AlignedBox2d>& others);
     [[nodiscard]] double patchRadius_mm(const ViewFrame& frame) const;
     void placeFriction(bool isTouching);
     void placeInner(const ViewFrame& frame, bool isTouching);
