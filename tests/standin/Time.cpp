@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <condition_variable>
+#include <cstdlib>
 #include <ctime>
 #include <dlfcn.h>
 #include <iterator>
@@ -246,6 +247,14 @@ ssize_t send(int socket, const void* bytes, std::size_t size, int flags)
 ssize_t write(int file, const void* bytes, std::size_t size)
 {
     return standin::alerted(syscall(SYS_write, file, bytes, size));
+}
+
+/// For a program that the library is preloaded into.
+[[gnu::constructor]] static void makeTimeVirtualIfAsked()
+{
+    if (std::getenv("PALPATE_STANDIN_VIRTUAL") != nullptr) {
+        standin_makeTimeVirtual();
+    }
 }
 
 int clock_gettime(clockid_t clock, timespec* out)

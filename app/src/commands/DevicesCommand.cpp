@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// palpate devices: lists available and connected haptic devices.
+// palpate devices: lists available and connected haptic devices, or tests one.
+#include "commands/CheckDevice.h"
 #include "commands/Commands.h"
 #include "shared/Console.h"
 #include "shared/Devices.h"
@@ -88,7 +89,20 @@ void addDevicesCommand(CLI::App& app, Chosen& chosen)
     auto folders = std::make_shared<std::vector<std::filesystem::path>>();
     command->add_option("--plugin-path", *folders, "Folder to look for device plugins in first; may be given again")
         ->allow_extra_args(false);
-    command->callback([folders, &chosen] { chosen = [folders] { return listDevices(*folders); }; });
+    auto check = std::make_shared<CheckOptions>();
+    auto* name =
+        command->add_option("--check", check->device,
+                            "Test this device for a minute: round trip, friction, held stiffness; simulated or a "
+                            "plugin's id");
+    command->add_option("--out", check->out, "Folder for selftest.html and selftest.json")
+        ->capture_default_str()
+        ->needs(name);
+    command->add_option("--rate", check->rate, "Servo rate of the test [Hz]")->capture_default_str()->needs(name);
+    command->callback([folders, check, &chosen] {
+        chosen = [folders, check] {
+            return check->device.empty() ? listDevices(*folders) : checkDevice(*folders, *check);
+        };
+    });
 }
 
 } // namespace palpate::app

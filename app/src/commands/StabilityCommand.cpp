@@ -24,7 +24,7 @@ using core::StatusCode;
 struct StabilityOptions
 {
     fs::path scene, out = "out/stability";
-    std::string device, unit = "mm", frame, rate = "1000";
+    std::string device, unit = "mm", frame, rate = "1000", delay = "1";
 };
 
 core::Result<std::vector<device::DevicePreset>> presetsOf(const std::string& id)
@@ -84,6 +84,11 @@ int runStability(const StabilityOptions& options)
     if (!rate.isOk()) {
         return report(rate.status());
     }
+    constexpr double kMostDelay = 16.0;
+    const auto delay = numberOption("--delay", options.delay, {.least = 0.0, .most = kMostDelay});
+    if (!delay.isOk()) {
+        return report(delay.status());
+    }
     auto presets = presetsOf(options.device);
     if (!presets.isOk()) {
         return report(presets.status());
@@ -122,6 +127,7 @@ int runStability(const StabilityOptions& options)
     stability::Options how;
     how.presets = std::move(presets).value();
     how.rate_Hz = rate.value();
+    how.delayTicks = static_cast<int>(std::lround(delay.value()));
     stability::Result result;
     {
         ProgressLine progress;
@@ -162,6 +168,10 @@ void addStabilityCommand(CLI::App& app, Chosen& chosen)
                         "a fine sphere and two layers");
     command->add_option("--device", options->device, "Kind of device, as touch or omega; without it, all of them");
     command->add_option("--rate", options->rate, "Servo rate [Hz]")->capture_default_str();
+    command
+        ->add_option("--delay", options->delay,
+                     "Ticks from computing a force until it acts, as `devices --check` states")
+        ->capture_default_str();
     command->add_option("--unit", options->unit, "Unit of a mesh file's numbers: m, cm or mm")->capture_default_str();
     command->add_option("--frame", options->frame, kFrameHelp);
     command->add_option("--out", options->out, "Folder for stability.html and stability.csv")->capture_default_str();

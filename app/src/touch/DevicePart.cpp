@@ -4,6 +4,7 @@
 #include "scene/StructuresPart.h"
 #include "shell/Docks.h"
 #include "shell/Notices.h"
+#include "touch/DeviceTests.h"
 #include "touch/RecordingPart.h"
 #include "touch/ThresholdDialog.h"
 #include "touch/TouchPart.h"
@@ -53,7 +54,8 @@ DevicePart::DevicePart(const WindowCore& core, StructuresPart& structures, Touch
 
 DevicePart::~DevicePart()
 {
-    delete m_devices; // first: gives the device back and notifies the others
+    delete m_test;    // uses the device
+    delete m_devices; // notifies the others
     delete m_hand;
     delete m_panel;
 }
@@ -111,6 +113,44 @@ void DevicePart::addActions()
     addFit("fit-device-lump", tr("Fit the workspace to the lump"),
            tr("The workspace of the device covers 10 mm around the place that is touched, under the pointer or marked"),
            Qt::Key_L, ui::MapFill::Lump);
+    addTests();
+}
+
+void DevicePart::addTests()
+{
+    connect(m_core.actions.add("test-device", ActionGroup::Device, tr("Test…"),
+                               tr("Measure round trip, noise, friction and the stiffness that the device holds")),
+            &QAction::triggered, this, [this] {
+                m_test = new SelfTestDialog(m_core.live, &m_core.window);
+                m_test->open();
+            });
+    connect(m_core.actions.add("check-axes", ActionGroup::Device, tr("Check the axes…"),
+                               tr("Check whether the device moves as the hand does")),
+            &QAction::triggered, this, &DevicePart::checkAxes);
+    connect(&m_core.live, &ui::LiveTouch::deviceChanged, this, [this] {
+        m_core.notices.bar().withdraw(m_axesOffer);
+        const device::DeviceInfo& info = m_core.live.deviceInfo();
+        if (info.workspaceRadius_mm > 0.0 && !AxisCheckDialog::wasDone(info)) {
+            m_axesOffer = tr("Check once whether %1 moves as your hand does.").arg(QString::fromStdString(info.name));
+            m_core.notices.bar().offer(m_axesOffer, tr("Check the axes…"), [this] { checkAxes(); });
+        }
+    });
+}
+
+void DevicePart::checkAxes()
+{
+    m_core.notices.bar().withdraw(m_axesOffer);
+    m_test = new AxisCheckDialog(m_core.live, &m_core.window);
+    m_test->open();
+}
+
+/// Only for a device with a workspace of its own, in which the user holds the handle.
+void DevicePart::showTests(bool isRecording)
+{
+    const device::DeviceInfo& info = m_core.live.deviceInfo();
+    const bool isHeld = !m_core.live.usesPointer() && info.workspaceRadius_mm > 0.0;
+    m_core.actions.at("test-device").setEnabled(isHeld && !isRecording && info.actuatedAxes > 0);
+    m_core.actions.at("check-axes").setEnabled(isHeld);
 }
 
 void DevicePart::measureThreshold()
@@ -129,8 +169,9 @@ void DevicePart::addPanel(Docks& docks)
     docks.add({tr("Device"), "device", m_panel, Qt::RightDockWidgetArea});
 }
 
-void DevicePart::showState(const WindowState&)
+void DevicePart::showState(const WindowState& state)
 {
+    showTests(state.isRecording);
     showDevice();
 }
 

@@ -3,6 +3,9 @@
 
 #include "shell/WindowPart.h"
 
+#include <QDialog>
+#include <QPointer>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,6 +61,9 @@ class DevicePart : public WindowPart
     void use(const std::string& id);
     void takePress(const ui::HandSettings& settings);
     void showDevice();
+    void addTests();
+    void showTests(bool isRecording);
+    void checkAxes();
     void measureThreshold();
     void tellFault(const QString& line);
 
@@ -68,6 +74,8 @@ class DevicePart : public WindowPart
     ui::DeviceChoice* m_devices = nullptr;
     ui::Chip& m_chip;
     std::optional<std::string> m_waiting; ///< device that waits for a scene
+    QPointer<QDialog> m_test;             ///< open test of the device
+    QString m_axesOffer;                  ///< text of the open offer to check the axes
 };
 
 } // namespace palpate::app

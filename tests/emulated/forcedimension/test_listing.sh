@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# test_listing.sh PALPATE FOLDER SCENE WORK   the program lists an emulated device through the stand-in libdhd.so.3 in FOLDER, which the
+# test_listing.sh PALPATE FOLDER SCENE WORK STANDIN   the program lists an emulated device through the stand-in libdhd.so.3 in FOLDER, which the
 # loader finds; without it, the list is silent about the library, and choosing the device names it.
 set -eu
-palpate=$1 folder=$2 scene=$3 work=$4
+palpate=$1 folder=$2 scene=$3 work=$4 standin=$5
 rm -rf "$work"
 mkdir -p "$work"
 export XDG_CONFIG_HOME=$work HOME=$work PALPATE_STANDIN_DHD=$work/bench
@@ -24,3 +24,18 @@ if "$palpate" replay "$scene" --motion "$work/motion.csv" --live --device forced
     exit 1
 fi
 grep -F 'libdhd.so.3 was not found; install' "$work/error.txt"
+
+# Tests the emulated device in virtual time, and refuses others.
+(
+    export LD_LIBRARY_PATH=$folder LD_PRELOAD=$standin PALPATE_STANDIN_VIRTUAL=1
+    "$palpate" devices --check forcedimension --rate 250 --out "$work/check" >"$work/check.txt"
+)
+grep -F 'Held stiffness, with the controller: ' "$work/check.txt"
+grep -F 'compare with: palpate stability --device omega --rate 250 --delay' "$work/check.txt"
+grep -F '</html>' "$work/check/selftest.html" >/dev/null
+grep -F '"complete": true' "$work/check/selftest.json"
+status=0
+"$palpate" devices --check nothing --out "$work/none" 2>"$work/error.txt" || status=$?
+test "$status" -eq 2
+grep -F -- '--check: found "nothing", expected one of simulated, ' "$work/error.txt"
+test ! -e "$work/none"

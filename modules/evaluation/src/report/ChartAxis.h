@@ -1,32 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
+#include <palpate/study/ChartAxis.h>
 
 namespace palpate::evaluation {
 
-/// Escapes text for HTML and SVG.
-[[nodiscard]] std::string escaped(std::string_view text);
-/// Formats a number with at most three digits, with a power of ten in superscripts where shorter: 0.35, 12, 2·10⁻⁹.
-[[nodiscard]] std::string shortNumber(double value);
-
-/// Axis range of a chart.
-struct ChartAxis
-{
-    double low = 0.0;
-    double high = 1.0;
-    bool isLog = false;
-    std::string title;
-
-    /// Logarithmic axis of whole decades that covers the positive `values`.
-    [[nodiscard]] static ChartAxis decades(const std::vector<double>& values, std::string title);
-    /// Linear axis from 0 to a round number above all `values`.
-    [[nodiscard]] static ChartAxis linear(const std::vector<double>& values, std::string title);
-    /// Relative position of `value` on the axis, clamped to 0 to 1.
-    [[nodiscard]] double share(double value) const;
-    [[nodiscard]] std::vector<double> ticks() const;
-};
+using study::ChartAxis;
+using study::escaped;
+using study::shortNumber;
 
 } // namespace palpate::evaluation

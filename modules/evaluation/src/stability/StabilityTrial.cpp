@@ -95,7 +95,7 @@ double restOscillation_mm(const Shape& shape, double stiffness_N_per_mm, const S
     const auto scene = sceneOf(shape, stiffness_N_per_mm, setup.tissueDamping_Ns_per_mm);
     double worst = 0.0;
     bool isAnyPressed = false;
-    for (const Grip& grip : grips()) {
+    for (const Grip& grip : setup.hands.empty() ? grips() : setup.hands) {
         for (const Hold& hold : shape.holds) {
             for (const double speed : {30.0, 200.0}) {
                 const auto script =
@@ -133,7 +133,7 @@ Cost controllerCost(const Shape& shape, double stiffness_N_per_mm, const Setup& 
     std::vector<double> percents;
     double largest_N = 0.0;
     std::vector<std::pair<double, double>> ticks; // force of the model and the force added by the controller
-    for (const Grip& grip : grips()) {
+    for (const Grip& grip : setup.hands.empty() ? grips() : setup.hands) {
         for (const Hold& hold : shape.holds) {
             const double depth_mm = push_N(setup.preset) / grip.stiffness_N_per_mm;
             auto script = pressing(hold, depth_mm, 100.0, setup.settle_s);

@@ -63,6 +63,7 @@ struct Setup
     double tissueDamping_Ns_per_mm = 0.0;
     bool isControlled = true; ///< with the passivity controller
     double settle_s = 1.0;    ///< settling time of the hand
+    std::vector<Grip> hands;  ///< grips that hold the device; empty: grips()
 };
 
 /// Largest peak-to-peak motion of the tip along any axis in the half second that starts `settle_s` after the hand has

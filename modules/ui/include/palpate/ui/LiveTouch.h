@@ -34,6 +34,8 @@ class PALPATE_EXPORT LiveTouch : public QObject
     /// Switches to another device; null: the pointer. Fails while a recording runs; otherwise as `start`.
     core::Status useDevice(std::unique_ptr<device::HapticDevice> device);
     [[nodiscard]] bool usesPointer() const noexcept { return m_device == nullptr; }
+    /// The device, for other uses between `stop` and `start`; null: the pointer.
+    [[nodiscard]] device::HapticDevice* device() noexcept { return m_device.get(); }
     [[nodiscard]] device::DeviceReport deviceReport() const;
     core::Status calibrate();
     /// Restores the force after a fault with a ramp.

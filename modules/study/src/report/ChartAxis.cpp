@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/ChartAxis.h"
+#include "palpate/study/ChartAxis.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace palpate::evaluation {
+namespace palpate::study {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::vector<double> ChartAxis::ticks() const
     return result;
 }
 
-} // namespace palpate::evaluation
+} // namespace palpate::study

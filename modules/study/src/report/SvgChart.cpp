@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/SvgChart.h"
+#include "palpate/study/SvgChart.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
-namespace palpate::evaluation {
+namespace palpate::study {
 
 namespace {
 
 constexpr double kLeft = 74, kRight = 22, kTop = 18, kBottom = 54;
 
 template<class... Args>
-std::string text(const char* format, Args... args)
+std::string svgText(const char* format, Args... args)
 {
     char buffer[1024];
     std::snprintf(buffer, sizeof buffer, format, args...);
@@ -30,19 +30,20 @@ SvgChart::SvgChart(int width, int height, ChartAxis x, ChartAxis y)
 {
     const double right = m_width - kRight, bottom = m_height - kBottom;
     for (const double t : m_x.ticks()) {
-        m_back += text("<line class='grid' x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f'/>", px(t), kTop, px(t), bottom);
-        m_back += text("<text class='tick' x='%.1f' y='%.1f' text-anchor='middle'>", px(t), bottom + 20) +
+        m_back += svgText("<line class='grid' x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f'/>", px(t), kTop, px(t), bottom);
+        m_back += svgText("<text class='tick' x='%.1f' y='%.1f' text-anchor='middle'>", px(t), bottom + 20) +
                   shortNumber(t) + "</text>";
     }
     for (const double t : m_y.ticks()) {
-        m_back += text("<line class='grid' x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f'/>", kLeft, py(t), right, py(t));
-        m_back += text("<text class='tick' x='%.1f' y='%.1f' text-anchor='end'>", kLeft - 8, py(t) + 4) +
+        m_back += svgText("<line class='grid' x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f'/>", kLeft, py(t), right, py(t));
+        m_back += svgText("<text class='tick' x='%.1f' y='%.1f' text-anchor='end'>", kLeft - 8, py(t) + 4) +
                   shortNumber(t) + "</text>";
     }
-    m_back += text("<text class='axis' x='%.1f' y='%.1f' text-anchor='middle'>", (kLeft + right) / 2, m_height - 10.0) +
-              escaped(m_x.title) + "</text>";
-    m_back += text("<text class='axis' transform='translate(16 %.1f) rotate(-90)' text-anchor='middle'>",
-                   (kTop + bottom) / 2) +
+    m_back +=
+        svgText("<text class='axis' x='%.1f' y='%.1f' text-anchor='middle'>", (kLeft + right) / 2, m_height - 10.0) +
+        escaped(m_x.title) + "</text>";
+    m_back += svgText("<text class='axis' transform='translate(16 %.1f) rotate(-90)' text-anchor='middle'>",
+                      (kTop + bottom) / 2) +
               escaped(m_y.title) + "</text>";
 }
 
@@ -63,34 +64,36 @@ void SvgChart::add(const Mark& mark)
     m_body += "<g><title>" + escaped(mark.tooltip) + "</title>";
     const double top = py(std::max(mark.y, mark.yEnd)), bottom = py(mark.yLow > 0.0 ? mark.yLow : mark.y);
     if (mark.yEnd > mark.y || (mark.yLow > 0.0 && mark.yLow < mark.y)) {
-        m_body += text("<path d='M%.1f %.1fV%.1fM%.1f %.1fh8M%.1f %.1fh8' stroke='%s' stroke-width='1.2' opacity='0.4' "
-                       "fill='none'/>",
-                       x, bottom, top, x - 4, top, x - 4, bottom, mark.colour.c_str());
+        m_body +=
+            svgText("<path d='M%.1f %.1fV%.1fM%.1f %.1fh8M%.1f %.1fh8' stroke='%s' stroke-width='1.2' opacity='0.4' "
+                    "fill='none'/>",
+                    x, bottom, top, x - 4, top, x - 4, bottom, mark.colour.c_str());
         m_taken.push_back({x - 2, top, 4, bottom - top});
     }
     const double left = px(mark.xLow > 0.0 ? mark.xLow : mark.x), right = px(std::max(mark.x, mark.xEnd));
     if (mark.xEnd > mark.x || (mark.xLow > 0.0 && mark.xLow < mark.x)) {
-        m_body += text("<path d='M%.1f %.1fH%.1fM%.1f %.1fv8M%.1f %.1fv8' stroke='%s' stroke-width='1.2' opacity='0.4' "
-                       "fill='none'/>",
-                       left, y, right, left, y - 4, right, y - 4, mark.colour.c_str());
+        m_body +=
+            svgText("<path d='M%.1f %.1fH%.1fM%.1f %.1fv8M%.1f %.1fv8' stroke='%s' stroke-width='1.2' opacity='0.4' "
+                    "fill='none'/>",
+                    left, y, right, left, y - 4, right, y - 4, mark.colour.c_str());
         m_taken.push_back({left, y - 2, right - left, 4});
     }
-    const std::string style = text("fill='%s' stroke='%s' stroke-width='1.8'", fill.c_str(), mark.colour.c_str());
+    const std::string style = svgText("fill='%s' stroke='%s' stroke-width='1.8'", fill.c_str(), mark.colour.c_str());
     switch (mark.shape) {
     case MarkShape::Circle:
-        m_body += text("<circle cx='%.1f' cy='%.1f' r='%.1f' %s/>", x, y, r, style.c_str());
+        m_body += svgText("<circle cx='%.1f' cy='%.1f' r='%.1f' %s/>", x, y, r, style.c_str());
         break;
     case MarkShape::Square:
-        m_body += text("<rect x='%.1f' y='%.1f' width='%.1f' height='%.1f' %s/>", x - 0.9 * r, y - 0.9 * r, 1.8 * r,
-                       1.8 * r, style.c_str());
+        m_body += svgText("<rect x='%.1f' y='%.1f' width='%.1f' height='%.1f' %s/>", x - 0.9 * r, y - 0.9 * r, 1.8 * r,
+                          1.8 * r, style.c_str());
         break;
     case MarkShape::Diamond:
-        m_body += text("<path d='M%.1f %.1fl%.1f %.1fl%.1f %.1fl%.1f %.1fz' %s/>", x, y - 1.2 * r, 1.2 * r, 1.2 * r,
-                       -1.2 * r, 1.2 * r, -1.2 * r, -1.2 * r, style.c_str());
+        m_body += svgText("<path d='M%.1f %.1fl%.1f %.1fl%.1f %.1fl%.1f %.1fz' %s/>", x, y - 1.2 * r, 1.2 * r, 1.2 * r,
+                          -1.2 * r, 1.2 * r, -1.2 * r, -1.2 * r, style.c_str());
         break;
     case MarkShape::Triangle:
-        m_body += text("<path d='M%.1f %.1fl%.1f %.1fh%.1fz' %s/>", x, y - 1.2 * r, 1.2 * r, 2.1 * r, -2.4 * r,
-                       style.c_str());
+        m_body += svgText("<path d='M%.1f %.1fl%.1f %.1fh%.1fz' %s/>", x, y - 1.2 * r, 1.2 * r, 2.1 * r, -2.4 * r,
+                          style.c_str());
         break;
     }
     m_body += "</g>";
@@ -106,11 +109,11 @@ void SvgChart::addLine(const std::vector<std::array<double, 2>>& points, std::st
     if (points.empty()) {
         return;
     }
-    m_back += "<polyline fill='none' stroke='" + std::string(colour) + text("' stroke-width='%.1f' ", width_px) +
+    m_back += "<polyline fill='none' stroke='" + std::string(colour) + svgText("' stroke-width='%.1f' ", width_px) +
               (isDashed ? "stroke-dasharray='5 4' " : "") + "stroke-linejoin='round' points='";
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double x = px(points[i][0]), y = py(points[i][1]);
-        m_back += text("%.1f,%.1f ", x, y);
+        m_back += svgText("%.1f,%.1f ", x, y);
         if (const double before = i > 0 ? px(points[i - 1][0]) : x; x - before < 60.0) {
             m_taken.push_back({before, y - 2, x - before, 4});
         }
@@ -127,26 +130,27 @@ void SvgChart::addRegion(const std::vector<std::array<double, 2>>& lower,
 {
     std::string corners;
     for (const auto& [x, y] : lower) {
-        corners += text("%.1f,%.1f ", px(x), py(y));
+        corners += svgText("%.1f,%.1f ", px(x), py(y));
     }
     for (auto point = upper.rbegin(); point != upper.rend(); ++point) {
-        corners += text("%.1f,%.1f ", px((*point)[0]), py((*point)[1]));
+        corners += svgText("%.1f,%.1f ", px((*point)[0]), py((*point)[1]));
     }
     m_back.insert(0, "<polygon fill='" + std::string(colour) + "' points='" + corners + "'/>");
 }
 
 void SvgChart::addBand(double yLow, double yHigh, std::string_view colour)
 {
-    m_back.insert(0, text("<rect x='%.1f' y='%.1f' width='%.1f' height='%.1f' fill='%s'/>", kLeft, py(yHigh),
-                          m_width - kLeft - kRight, py(yLow) - py(yHigh), std::string(colour).c_str()));
+    m_back.insert(0, svgText("<rect x='%.1f' y='%.1f' width='%.1f' height='%.1f' fill='%s'/>", kLeft, py(yHigh),
+                             m_width - kLeft - kRight, py(yLow) - py(yHigh), std::string(colour).c_str()));
 }
 
 void SvgChart::addVerticalRule(double x, std::string_view label)
 {
     m_back +=
-        text("<line class='rule' x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f'/>", px(x), kTop, px(x), m_height - kBottom);
-    m_labels += text("<text class='ruleText' x='%.1f' y='%.1f' text-anchor='end'>", px(x) - 6, m_height - kBottom - 8) +
-                escaped(label) + "</text>";
+        svgText("<line class='rule' x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f'/>", px(x), kTop, px(x), m_height - kBottom);
+    m_labels +=
+        svgText("<text class='ruleText' x='%.1f' y='%.1f' text-anchor='end'>", px(x) - 6, m_height - kBottom - 8) +
+        escaped(label) + "</text>";
     m_taken.push_back(
         {px(x) - 6 - 6.4 * double(label.size()), m_height - kBottom - 20, 6.4 * double(label.size()), 16});
     m_taken.push_back({px(x) - 1, kTop, 2, m_height - kTop - kBottom});
@@ -155,19 +159,20 @@ void SvgChart::addVerticalRule(double x, std::string_view label)
 void SvgChart::addHorizontalRule(double y, std::string_view label)
 {
     m_back +=
-        text("<line class='rule' x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f'/>", kLeft, py(y), m_width - kRight, py(y));
+        svgText("<line class='rule' x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f'/>", kLeft, py(y), m_width - kRight, py(y));
     const double width = 6.4 * double(label.size()), right = m_width - kRight - 8;
-    m_labels += text("<text class='ruleText' x='%.1f' y='%.1f' text-anchor='end'>", right, py(y) - 6) + escaped(label) +
-                "</text>";
+    m_labels += svgText("<text class='ruleText' x='%.1f' y='%.1f' text-anchor='end'>", right, py(y) - 6) +
+                escaped(label) + "</text>";
     m_taken.push_back({right - width, py(y) - 18, width, 16});
 }
 
 void SvgChart::addBar(double xLow, double xHigh, double y, std::string_view colour, std::string_view tooltip)
 {
     const double top = py(y), bottom = m_height - kBottom;
-    m_body += text("<rect x='%.1f' y='%.1f' width='%.1f' height='%.1f' fill='%s'>", px(xLow) + 1, top,
-                   std::max(1.0, px(xHigh) - px(xLow) - 2), std::max(0.0, bottom - top), std::string(colour).c_str()) +
-              "<title>" + escaped(tooltip) + "</title></rect>";
+    m_body +=
+        svgText("<rect x='%.1f' y='%.1f' width='%.1f' height='%.1f' fill='%s'>", px(xLow) + 1, top,
+                std::max(1.0, px(xHigh) - px(xLow) - 2), std::max(0.0, bottom - top), std::string(colour).c_str()) +
+        "<title>" + escaped(tooltip) + "</title></rect>";
 }
 
 /// Places a label next to its mark at the first free position, trying positions at increasing distance.
@@ -208,11 +213,12 @@ void SvgChart::placeLabel(double x, double y, const std::string& label, std::str
     m_taken.push_back(best);
     const double cx = std::clamp(x, best.x, best.x + best.w), cy = std::clamp(y, best.y, best.y + best.h);
     if (std::hypot(cx - x, cy - y) > 16.0) {
-        m_labels += text("<line x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f' stroke='%s' stroke-width='0.8' opacity='0.6'/>",
-                         x, y, cx, cy, std::string(colour).c_str());
+        m_labels +=
+            svgText("<line x1='%.1f' y1='%.1f' x2='%.1f' y2='%.1f' stroke='%s' stroke-width='0.8' opacity='0.6'/>", x,
+                    y, cx, cy, std::string(colour).c_str());
     }
-    m_labels += text("<text class='%s' x='%.1f' y='%.1f' fill='%s'>", isStrong ? "label strong" : "label", best.x,
-                     best.y + h - 4, std::string(colour).c_str()) +
+    m_labels += svgText("<text class='%s' x='%.1f' y='%.1f' fill='%s'>", isStrong ? "label strong" : "label", best.x,
+                        best.y + h - 4, std::string(colour).c_str()) +
                 escaped(label) + "</text>";
 }
 
@@ -222,8 +228,9 @@ std::string SvgChart::svg(std::string_view description) const
     for (const Waiting& w : m_waiting) {
         placed.placeLabel(w.x, w.y, w.text, w.colour, w.isStrong);
     }
-    return text("<svg viewBox='0 0 %d %d' role='img' xmlns='http://www.w3.org/2000/svg'><title>", m_width, m_height) +
+    return svgText("<svg viewBox='0 0 %d %d' role='img' xmlns='http://www.w3.org/2000/svg'><title>", m_width,
+                   m_height) +
            escaped(description) + "</title>" + placed.m_back + placed.m_body + placed.m_labels + "</svg>";
 }
 
-} // namespace palpate::evaluation
+} // namespace palpate::study
