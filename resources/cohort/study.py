@@ -18,6 +18,7 @@ import json
 import math
 import os
 import re
+import shutil
 import signal
 import statistics
 import subprocess
@@ -71,11 +72,40 @@ def check_config(config):
         raise StudyError(f"--config scene: found no file {config['scene']}, expected the scene of the recordings")
 
 
-def build_of(palpate):
-    try:
-        return subprocess.run([palpate, "--version"], capture_output=True, text=True, check=True).stdout.strip()
-    except (OSError, subprocess.CalledProcessError) as error:
-        raise StudyError(f"--config palpate: cannot start {palpate}: {error}") from error
+class Build:
+    """The version that a program states. It is kept beside the results as long as the program and its libraries are
+    the same files, because a start of the program takes 0.2 s."""
+
+    def __init__(self, palpate, out):
+        self.file = os.path.join(out, ".build.json")
+        self.program = os.path.realpath(shutil.which(palpate) or palpate)
+        try:
+            kept = json.loads(read(self.file))
+            self.isKept = self.program in kept["files"] and kept["files"] == stamps(kept["files"])
+            self.text = kept["text"]
+        except (OSError, ValueError, KeyError, TypeError):
+            self.isKept = False
+        if not self.isKept:
+            try:
+                self.text = subprocess.run([palpate, "--version"], capture_output=True, text=True,
+                                           check=True).stdout.strip()
+            except (OSError, subprocess.CalledProcessError) as error:
+                raise StudyError(f"--config palpate: cannot start {palpate}: {error}") from error
+
+    def keep(self):
+        """After a run, which has made the folder."""
+        if self.isKept or not os.path.isdir(os.path.dirname(self.file)):
+            return
+        ldd = subprocess.run(["ldd", self.program], capture_output=True, text=True, check=False)
+        if ldd.returncode == 0:  # a script may start any program
+            libraries = re.findall(r"=> (/.*palpate.*) \(0x", ldd.stdout)
+            files = [self.program, *map(os.path.realpath, libraries)]
+            write(self.file, json.dumps({"text": self.text, "files": stamps(files)}) + "\n")
+
+
+def stamps(files):
+    """Time and size of files."""
+    return {file: [os.stat(file).st_mtime_ns, os.stat(file).st_size] for file in files}
 
 
 def measure_options(config):

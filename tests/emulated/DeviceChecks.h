@@ -124,35 +124,61 @@ class PressingHand
     {
     }
 
-    void press()
+    /// Presses, unless the hand was kept by the last row.
+    /// @param starting_s  time that the driver needs before it drives a force
+    void press(double starting_s = 0.0)
     {
+        if (loop != nullptr) {
+            return;
+        }
         device = m_bench.make(m_host);
         QVERIFY(device != nullptr);
         loop = std::make_unique<servo::ServoLoop>();
         loop->setScene(blockScene(0.5));
         const core::Status started = loop->start(*device, {.askRealtime = false});
         QVERIFY2(started.isOk(), started.message().c_str());
+        pass(starting_s);
         liftAndPress();
     }
     /// A contact begins outside of the block.
     void liftAndPress()
     {
-        m_bench.lift(10, 0.3);
-        pass(1.0);
-        m_bench.lift(-10, 0.5);
-        pass(1.5);
+        m_bench.lift(10, 0.12);
+        pass(0.15);
+        m_bench.lift(-10, 0.12);
+        pass(0.45);
         QVERIFY2(!loop->fault().isFaulted(), loop->fault().message.english().c_str());
         QCOMPARE(device->report().condition, device::DeviceCondition::Working);
         QVERIFY2(m_bench.pressure_N() > 2.0, "the hand presses");
     }
     void release()
     {
+        m_keptFor.clear();
         if (loop != nullptr) {
             loop->stop();
         }
         loop.reset();
         device.reset();
         QCOMPARE(m_bench.motors().norm(), 0.0);
+    }
+    /// The hand presses as at the begin of the row, whose faults are over: the next row of the test goes on from here.
+    void keep() { m_keptFor = QTest::currentTestFunction(); }
+    /// At the begin of a row. @return true if the hand was kept by the last row; otherwise the hand is released
+    [[nodiscard]] bool isKept()
+    {
+        const bool isKept = m_keptFor == QTest::currentTestFunction();
+        m_keptFor.clear();
+        if (!isKept) {
+            release();
+        }
+        return isKept;
+    }
+    /// At the end of a row: releases a hand that was not kept, or did not do as it should.
+    void finishRow()
+    {
+        if (m_keptFor.isEmpty() || QTest::currentTestFailed()) {
+            release();
+        }
     }
     /// The force never misses for long: the largest of the next 20 ms.
     [[nodiscard]] double largestForce_N()
@@ -171,6 +197,7 @@ class PressingHand
   private:
     SharedDevices<Bench>& m_bench;
     device::PluginHost& m_host;
+    QByteArray m_keptFor; ///< name of the test
 };
 
 /// The child process of a test that kills it: presses until killed, or calls exit() when `isOver`.

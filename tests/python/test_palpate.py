@@ -73,8 +73,26 @@ def phantom():
 
 
 @functools.lru_cache(maxsize=None)
-def measures_of_session():
-    return json.loads(run_palpate("session", "measure", SESSION, "--json", "-"))
+def small_folder():
+    """Return a folder with the file names of the bundled phantom, a sphere as its scene and a recording of a second.
+
+    Measures take seconds for the surfaces of the phantom."""
+    folder = tempfile.TemporaryDirectory()
+    unittest.addModuleCleanup(folder.cleanup)
+    path = pathlib.Path(folder.name)
+    write_off(path / "ball.off", *sphere())
+    scene = {"version": 1, "structures": [{"mesh": "ball.off", "name": "ball", "stiffness_N_per_mm": 0.3}]}
+    (path / "phantom.palpate.json").write_text(json.dumps(scene), encoding="utf-8")
+    t = np.linspace(0, 1, 1000)
+    write_motion(path / "motion.csv", np.stack([4 * np.sin(5 * t), 8 * np.sin(np.pi * t) - 24, 2 * t], axis=-1))
+    run_palpate("replay", path / "phantom.palpate.json", "--motion", path / "motion.csv", "--record",
+                path / "palpation.palpate")
+    return path
+
+
+@functools.lru_cache(maxsize=None)
+def small_measures():
+    return json.loads(run_palpate("session", "measure", small_folder() / "palpation.palpate", "--json", "-"))
 
 
 def stroke(ticks=1500, radius=20.0):
@@ -474,6 +492,33 @@ class Threads(unittest.TestCase):
         self.assertGreater(count[0], 100)
 
 
+    def test_path_is_read_in_place(self):
+        """A handler that changes the array during the replay changes the rest of the path."""
+        scene, path = scene_of_sphere(), np.repeat(stroke(1500), 100, axis=0)
+        for hips, is_read_in_place in ((path.copy(), True), (np.asfortranarray(path), False)):
+            before = hips.copy()
+            calls = []
+
+            def change(*_, hips=hips, calls=calls):
+                calls.append(1)
+                hips[:] = 0
+
+            old = signal.signal(signal.SIGUSR1, change)
+            try:
+                for _ in range(20 if is_read_in_place else 2):  # a signal may come after the replay
+                    hips[:] = before
+                    calls.clear()
+                    timer = threading.Timer(0.01, lambda: os.kill(os.getpid(), signal.SIGUSR1))
+                    timer.start()
+                    ticks = palpate.replay(scene, hips, layers=False)
+                    timer.join()
+                    if ticks["hip_x"][-1] != before[-1, 0]:
+                        break
+            finally:
+                signal.signal(signal.SIGUSR1, old)
+            self.assertEqual(ticks["hip_x"][-1], 0 if is_read_in_place else before[-1, 0])
+
+
 class Interrupts(unittest.TestCase):
     """Ctrl-C during long calls. The signal comes from a thread that first sees the call running without the GIL."""
 
@@ -602,9 +647,9 @@ class Files(InFolder):
         ticks = recording.ticks()
         with open(out, newline="", encoding="utf-8") as file:
             rows = list(csv.reader(file))
-        self.assertEqual(list(ticks.dtype.names), rows[0][:-1])
+        self.assertEqual(list(ticks.dtype.names), rows[0])
         self.assertEqual(len(ticks), len(rows) - 1)
-        for at, name in enumerate(rows[0][:-1]):
+        for at, name in enumerate(rows[0]):
             column = [row[at] for row in rows[1:]]
             if ticks[name].dtype.kind == "f":
                 expected = np.array([float(cell) if cell else np.nan for cell in column])
@@ -620,9 +665,19 @@ class Files(InFolder):
         with self.assertRaisesRegex(AttributeError, "."):
             recording.path = "x"
 
+    def test_events_of_ticks(self):
+        run_palpate("session", "share", small_folder() / "palpation.palpate", "--out", self.folder / "copy.palpate")
+        recording = palpate.Recording(self.folder / "copy.palpate")
+        texts = recording.ticks()["events"]
+        self.assertEqual({at: text for at, text in enumerate(texts) if text}, {0: "scene", 999: "shared"})
+        for split in (1, 999):
+            parts = [recording.ticks(last=split - 1)["events"], recording.ticks(first=split)["events"]]
+            self.assertEqual(np.concatenate(parts).tolist(), texts.tolist())
+
     def test_measures_and_verify(self):
-        self.assertEqual(palpate.Recording(SESSION).measures(), measures_of_session())
-        self.assertTrue(palpate.Recording(SESSION).verify()["is_within_rounding"])
+        small = palpate.Recording(small_folder() / "palpation.palpate")
+        self.assertEqual(small.measures(), small_measures())
+        self.assertTrue(small.verify()["is_same"])
         damaged = self.folder / "damaged.palpate"
         shutil.copy(SESSION, damaged)
         database = sqlite3.connect(damaged)
@@ -691,8 +746,8 @@ class Page(InFolder):
     EXAMPLES = {heading: code for heading, code in re.findall(
         r"^##+ ([^\n]+)\n(?:(?!^##)(?!```)[^\n]*\n)*?```python\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)}
 
-    def run_example(self, heading):
-        for file in PHANTOM.iterdir():
+    def run_example(self, heading, folder=PHANTOM):
+        for file in folder.iterdir():
             if file.is_file():
                 shutil.copy(file, self.folder)
         before, path = os.getcwd(), os.environ["PATH"]
@@ -708,7 +763,7 @@ class Page(InFolder):
 
     def test_all_are_tried(self):
         self.assertEqual(self.PAGE.count("```python"), len(self.EXAMPLES))
-        tried = re.findall(r"run_example\(\"([^\"]+)\"\)", pathlib.Path(__file__).read_text(encoding="utf-8"))
+        tried = re.findall(r"run_example\(\"([^\"]+)\"[,)]", pathlib.Path(__file__).read_text(encoding="utf-8"))
         self.assertEqual(sorted(tried), sorted(self.EXAMPLES))
 
     def test_first_steps(self):
@@ -733,14 +788,14 @@ class Page(InFolder):
         self.assertLess(names["presses"], 60)
 
     def test_compare(self):
-        names = self.run_example("Compare two sessions")
+        names = self.run_example("Compare two sessions", small_folder())
         rows = {row["measure"]: row for row in names["comparison"]["measures"] if row["structure"] == ""}
-        self.assertEqual(rows["peak_force_N"]["first"], measures_of_session()["peak_force_N"])
+        self.assertEqual(rows["peak_force_N"]["first"], small_measures()["peak_force_N"])
         self.assertGreater(rows["mean_force_N"]["second"], rows["mean_force_N"]["first"])
 
     def test_sqlite(self):
-        names = self.run_example("Without this package")
-        self.assertEqual(names["peak_N"], measures_of_session()["peak_force_N"])
+        names = self.run_example("Without this package", small_folder())
+        self.assertEqual(names["peak_N"], small_measures()["peak_force_N"])
 
 
 if __name__ == "__main__":

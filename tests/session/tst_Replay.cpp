@@ -151,6 +151,49 @@ class Replay : public QObject
         QCOMPARE(result.value().unverified, std::int64_t{0});
     }
 
+    /// A structure is removed under the hand, ticks are lost, and the structure returns with its contact.
+    void doesNotCompareAContactOfBeforeTheLoss()
+    {
+        const auto box = test::boxScene(0.5), again = test::boxScene(0.5);
+        auto structures = box->structures();
+        structures[0].surface = nullptr;
+        const haptics::HapticScene hidden(structures);
+        const std::vector<session::StructureSource> sources{test::palpationScenes()[0].structures[0].source};
+        servo::ServoCore core(servo::GateLimits{}, 1000.0);
+        core.borrowScene(box.get(), 1);
+        session::RecordingInfo info;
+        info.firstGeneration = 1;
+        auto writer = session::RecordingWriter::create(path("l.palpate"), info, session::RecordingWriter::Sync::AtEnd);
+        QVERIFY2(writer.isOk(), writer.status().message().c_str());
+        const haptics::HapticScene* const scenes[] = {box.get(), &hidden, again.get()};
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            QVERIFY(writer.value()->addScene(session::describeScene(i + 1, *scenes[i], sources)).isOk());
+        }
+        bool isRestored = false;
+        for (int i = 0; i < 1500; ++i) {
+            if (i == 300 || i == 400) {
+                core.borrowScene(i == 300 ? &hidden : again.get(), i == 300 ? 2 : 3);
+            }
+            device::DeviceState hand;
+            hand.time_ns = std::int64_t{i} * 1'000'000;
+            hand.isPresent = true;
+            hand.p_D = Vec3(1, 2, 21.0 + 3.0 * std::cos(i * 0.008));
+            servo::TickRecord tick = core.tick(hand, hand.time_ns);
+            isRestored = isRestored || (i == 400 && tick.felt.structure == 0);
+            tick.flags |= i == 320 ? servo::kDroppedBefore : 0;
+            if (i < 310 || i >= 320) {
+                QVERIFY(writer.value()->append(tick).isOk());
+            }
+        }
+        QVERIFY(isRestored);
+        QVERIFY(writer.value()->finish().isOk());
+        const auto result = this->again("l.palpate");
+        QVERIFY2(result.isOk(), result.status().message().c_str());
+        QVERIFY2(result.value().isSame(), result.value().difference.english().c_str());
+        QVERIFY2(result.value().unverified > 10, qPrintable(QString::number(result.value().unverified)));
+        QVERIFY2(result.value().compared > 1200, qPrintable(QString::number(result.value().compared)));
+    }
+
     void findsTheFirstTickThatDiffers_data()
     {
         QTest::addColumn<int>("tick");

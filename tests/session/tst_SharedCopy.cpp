@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../support/Shapes.h"
 #include "Sessions.h"
 #include "TestRunner.h"
 
+#include <palpate/geometry/Repair.h>
+#include <palpate/session/GeometryHash.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/session/RecordingWriter.h>
 #include <palpate/session/Recovery.h>
 #include <palpate/session/SharedCopy.h>
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <string>
+#include <vector>
 
 using namespace palpate;
 using session::RecordingReader;
@@ -123,6 +130,8 @@ class SharedCopy : public QObject
         QVERIFY(!session::shareRecording(path("recordings/r.palpate"), path("c.palpate")).isOk()); // changed
         record("recordings/r.palpate", path("cases/anna/s.palpate.json"), path("cases/anna/box.stl"));
         const std::string note = R"({"text": "harder, 2 N/mm, 5/10 mm"})";
+        const geometry::RepairedMesh box =
+            geometry::repair(test::box(core::Vec3(-20, -20, -20), core::Vec3(20, 20, 20)));
         {
             session::RecordingInfo info;
             info.scene = "../cases/anna/s.palpate.json";
@@ -132,14 +141,18 @@ class SharedCopy : public QObject
             std::filesystem::remove(path("recordings/r.palpate"));
             auto writer = session::RecordingWriter::create(path("recordings/r.palpate"), info);
             for (session::SceneRecord one : test::palpationScenes()) {
-                one.structures[0].source.mesh = "../cases/anna/box.stl";
+                session::StructureSource& source = one.structures[0].source;
+                source.mesh = "../cases/anna/box.stl";
+                source.sha256 = session::geometryHash(box.mesh);
+                source.embed = std::make_shared<const geometry::RepairedMesh>(box);
                 QVERIFY(writer.value()->addScene(one).isOk());
             }
             QVERIFY(writer.value()->addEvent({0, "note", note}).isOk());
-            QVERIFY(
-                writer.value()
-                    ->addEvent({2, "fault", R"({"what": "/home/anna/My cases/log.txt: cannot be read", "n": [0.1]})"})
-                    .isOk());
+            QVERIFY(writer.value()
+                        ->addEvent({2, "fault",
+                                    R"({"what": "/home/anna/My cases/log.txt: cannot be read",)"
+                                    R"( "n": [0.1, "/home/anna/n.txt"], "in": {"file": "/home/anna/f.stl"}})"})
+                        .isOk());
             for (const servo::TickRecord& tick : test::palpationTicks(1000)) {
                 QVERIFY(writer.value()->append(tick).isOk());
             }
@@ -179,7 +192,25 @@ class SharedCopy : public QObject
         QCOMPARE(events.front().json, note); // without a path, byte for byte
         const auto fault =
             std::find_if(events.begin(), events.end(), [](const auto& event) { return event.kind == "fault"; });
-        QCOMPARE(fault->json, std::string(R"({"n":[0.1],"what":"log.txt: cannot be read"})"));
+        QCOMPARE(fault->json,
+                 std::string(R"({"in":{"file":"f.stl"},"n":[0.1,"n.txt"],"what":"log.txt: cannot be read"})"));
+        QCOMPARE(b.value()->embeddedHashes(), std::vector<std::string>{session::geometryHash(box.mesh)});
+        QVERIFY(b.value()->embedded(session::geometryHash(box.mesh)).isOk());
+        const auto original = QCryptographicHash::hash(before, QCryptographicHash::Sha256).toHex();
+        QVERIFY2(events.back().json.find(original.toStdString()) != std::string::npos, events.back().json.c_str());
+    }
+
+    void aCutOffRecordingStaysCutOff()
+    {
+        QVERIFY(test::writeRecording(path("cut.palpate"), test::palpationTicks(300), false));
+        QVERIFY(session::shareRecording(path("cut.palpate"), path("shared.palpate")).isOk());
+        const auto reader = RecordingReader::open(path("shared.palpate"));
+        QVERIFY(reader.isOk() && reader.value()->verify().isOk());
+        QVERIFY(!reader.value()->extent().isComplete);
+        QCOMPARE(reader.value()->scenes().size(), std::size_t{2});
+        QVERIFY(QDir(m_folder.path()).mkpath("folder"));
+        QVERIFY(session::shareRecording(path("cut.palpate"), path("folder")).status().message().find("not a file") !=
+                std::string::npos);
     }
 
     void aDamagedRecordingIsRefused()

@@ -11,8 +11,10 @@ namespace palpate::python {
 
 namespace {
 
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+constexpr int kPlain =
+    py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_; // can be read as a C array
+using Doubles = py::array_t<double, kPlain>;
+using Integers = py::array_t<std::int64_t, kPlain>;
 
 /// @param kinds  accepted numpy.dtype.kind
 py::array arrayOf(const py::handle& object, const char* what, std::string_view kinds, const char* expected)
@@ -90,17 +92,21 @@ std::vector<core::Vec3> pointsFrom(const py::object& array, const char* what)
     return points;
 }
 
-std::vector<core::Vec3> finitePointsFrom(const py::object& array, const char* what)
+Path::Path(const py::object& array, const char* what)
 {
-    std::vector<core::Vec3> points = pointsFrom(array, what);
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    const py::array any = arrayOf(array, what, "fiu", kNumbers);
+    checkRowsOfThree(any, what);
+    const auto rows = converted<Doubles>(any);
+    m_array = rows;
+    static_assert(sizeof(core::Vec3) == 3 * sizeof(double) && alignof(core::Vec3) == alignof(double));
+    m_points = {reinterpret_cast<const core::Vec3*>(rows.data()), static_cast<std::size_t>(rows.shape(0))};
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (!std::isfinite(points[i][axis])) {
-                throwNotFinite(placeText(what, i, static_cast<std::size_t>(axis)), points[i][axis]);
+            if (!std::isfinite(m_points[i][axis])) {
+                throwNotFinite(placeText(what, i, static_cast<std::size_t>(axis)), m_points[i][axis]);
             }
         }
     }
-    return points;
 }
 
 std::vector<geometry::Triangle> trianglesFrom(const py::object& array, const char* what)

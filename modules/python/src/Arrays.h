@@ -11,21 +11,33 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace palpate::python {
 
-// Arrays that come in may have any memory order, byte order and number type, and are copied: the engine's containers
-// own their memory, and other threads may change an array while the GIL is released.
+// Arrays that come in may have any memory order, byte order and number type. Meshes are copied, because the engine's
+// containers own their memory.
 
 /// Converts an (n, 3) array of numbers. @param what  argument name, for messages
 /// @throws TypeError for another type, ValueError for another shape
 [[nodiscard]] std::vector<core::Vec3> pointsFrom(const py::object& array, const char* what);
 
-/// As `pointsFrom`. @throws ValueError also for NaN and infinity, with the place
-[[nodiscard]] std::vector<core::Vec3> finitePointsFrom(const py::object& array, const char* what);
+/// A path of (n, 3) finite positions: the memory of an array of aligned float64 in C order, a converted copy of others.
+class Path
+{
+  public:
+    /// @throws TypeError, ValueError as `pointsFrom`; ValueError also for NaN and infinity, with the place
+    Path(const py::object& array, const char* what);
+    /// Valid for the lifetime of this object.
+    [[nodiscard]] std::span<const core::Vec3> points() const noexcept { return m_points; }
+
+  private:
+    py::array m_array;
+    std::span<const core::Vec3> m_points;
+};
 
 /// Converts an (n, 3) array of whole numbers. @throws ValueError for a number that is no index of a vertex
 [[nodiscard]] std::vector<geometry::Triangle> trianglesFrom(const py::object& array, const char* what);

@@ -23,12 +23,15 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -138,7 +141,20 @@ py::array ticksOf(const Recording& self, std::optional<std::int64_t> first, std:
     }
     throwIfRaised();
     throwUnlessOk(status);
-    return table.toArray();
+    std::span<const session::RecordingEvent> events(self.reader().events()); // by tick, constant
+    const auto firstAfter = [&events](std::int64_t tick) {
+        return static_cast<std::size_t>(
+            std::upper_bound(events.begin(), events.end(), tick,
+                             [](std::int64_t t, const session::RecordingEvent& event) { return t < event.tick; }) -
+            events.begin());
+    };
+    if (last.value_or(extent.lastTick) < extent.lastTick) {
+        events = events.first(firstAfter(*last));
+    }
+    if (first.value_or(extent.firstTick) > extent.firstTick) {
+        events = events.subspan(firstAfter(*first - 1));
+    }
+    return table.toArray(events);
 }
 
 py::array hipsOf(const Recording& self)
@@ -239,10 +255,10 @@ void bindRecording(py::module_& module)
         .def("ticks", &ticksOf, py::kw_only(), arg("first") = py::none(), arg("last") = py::none(),
              arg("layers") = true,
              "Return the ticks from `first` to `last` as a structured array.\n\n"
-             "Fields: the columns of `palpate session export --csv` without `events`, in mm, N, s and ns. Ticks "
-             "without a\n"
-             "hand have NaN and empty texts. Damaged blocks are left out: see `faults`.\n"
-             "layers=False leaves the texts of `layers` empty, which saves time and memory.")
+             "Fields: the columns of `palpate session export --csv`, in mm, N, s and ns. Ticks without a hand have "
+             "NaN and\n"
+             "empty texts. Damaged blocks are left out: see `faults`. `events` has Python objects, str.\n"
+             "layers=False leaves the texts of `layers` empty, which saves memory.")
         .def("hips", &hipsOf,
              "Return the path of the haptic interface point: (n, 3) float64 [mm], one row for each tick with a hand.\n"
              "`replay` takes it. Read-only, without a further copy.")

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TickTable.h"
 
+#include "Errors.h"
+
 #include <palpate/haptics/Contact.h>
 #include <palpate/session/TickCsv.h>
 
@@ -8,21 +10,41 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <string_view>
 
 namespace palpate::python {
 
 namespace {
 
-void appendUtf8(std::u32string& out, std::string_view text)
+bool isAscii(std::string_view text)
 {
-    if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; })) {
-        out.append(text.begin(), text.end());
+    unsigned char bits = 0;
+    for (const char c : text) { // without a branch, so that the compiler takes several bytes at a time
+        bits |= static_cast<unsigned char>(c);
+    }
+    return bits < 0x80;
+}
+
+std::u32string decoded(std::string_view text)
+{
+    const auto characters = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).toUcs4();
+    return {characters.begin(), characters.end()};
+}
+
+/// Writes a text of UTF-8. @pre `out` has room for as many characters as the text has bytes
+void writeText(std::byte* out, std::string_view text)
+{
+    if (!isAscii(text)) {
+        const std::u32string characters = decoded(text);
+        std::memcpy(out, characters.data(), characters.size() * sizeof(char32_t));
         return;
     }
-    for (const char32_t c : QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).toUcs4()) {
-        out += c;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto c = static_cast<char32_t>(text[i]);
+        std::memcpy(out + i * sizeof c, &c, sizeof c);
     }
 }
 
@@ -59,11 +81,16 @@ class TickTable::Layout
         addDouble(z);
         return at;
     }
-    [[nodiscard]] py::array zeros(std::size_t items) const
+    /// References to Python objects, as few ticks have a text and texts can be long.
+    void addObject(const char* name) { add(name, "O", sizeof(PyObject*), alignof(PyObject*)); }
+    /// @return an array that is not filled yet; null pointers are objects
+    [[nodiscard]] py::array empty(std::size_t items) const
     {
         const std::size_t size = (m_size + alignof(double) - 1) / alignof(double) * alignof(double);
         const py::dtype type(m_names, m_formats, m_offsets, static_cast<py::ssize_t>(size));
-        return py::module_::import("numpy").attr("zeros")(items, type).cast<py::array>();
+        auto array = py::module_::import("numpy").attr("empty")(items, type).cast<py::array>();
+        adviseLargePages(array.mutable_data(), static_cast<std::size_t>(array.nbytes()));
+        return array;
     }
 
   private:
@@ -78,7 +105,7 @@ std::uint32_t TickTable::numberOf(std::uint32_t scene, std::int32_t structure, c
     }
     const auto [at, isNew] = m_numbers.try_emplace({scene, structure}, static_cast<std::uint32_t>(m_names.size()));
     if (isNew) {
-        appendUtf8(m_names.emplace_back(), names(static_cast<std::uint32_t>(structure)));
+        m_names.push_back(decoded(names(static_cast<std::uint32_t>(structure))));
     }
     return at->second;
 }
@@ -110,14 +137,36 @@ void TickTable::add(const servo::TickRecord& tick, const session::StructureNames
     row.slides = slidesText(felt.friction());
     row.layers = m_layers.size();
     if (m_hasLayers && felt.contactCount > 0) {
-        appendUtf8(m_layers, session::layersText(felt, names));
+        const std::string text = session::layersText(felt, names);
+        m_layers.append(text.data(), text.size());
         row.length = m_layers.size() - row.layers;
         m_longestLayers = std::max(m_longestLayers, row.length);
     }
     m_rows.push_back(row);
 }
 
-py::array TickTable::toArray() const
+/// Fills the column `events`, with the texts of the CSV.
+void TickTable::putEvents(const py::array& array, std::span<const session::RecordingEvent> events) const
+{
+    const py::object column = array["events"];
+    column[py::ellipsis()] = py::str();
+    if (m_rows.empty()) {
+        return;
+    }
+    while (!events.empty()) {
+        const auto last = std::prev(m_rows.end());
+        const auto row = std::lower_bound(m_rows.begin(), last, events.front().tick,
+                                          [](const Row& one, std::int64_t tick) { return one.tick < tick; });
+        const auto end = row == last ? events.end()
+                                     : std::find_if(events.begin(), events.end(),
+                                                    [row](const auto& event) { return event.tick > row->tick; });
+        const auto count = static_cast<std::size_t>(end - events.begin());
+        column[py::int_(row - m_rows.begin())] = toPython(session::eventsText(events.first(count)));
+        events = events.subspan(count);
+    }
+}
+
+py::array TickTable::toArray(std::span<const session::RecordingEvent> events) const
 {
     std::size_t longestName = 1;
     for (const std::u32string& name : m_names) {
@@ -138,12 +187,16 @@ py::array TickTable::toArray() const
     const std::size_t time = isSession ? layout.addDouble("time_s") : 0;
     const std::size_t sent = isSession ? layout.addVector("sent_x_N", "sent_y_N", "sent_z_N") : 0;
     const std::size_t sizes = isSession ? layout.addVector("force_N", "depth_mm", "felt_N_per_mm") : 0;
+    if (isSession) {
+        layout.addObject("events");
+    }
 
-    py::array array = layout.zeros(m_rows.size());
+    py::array array = layout.empty(m_rows.size());
     auto* item = static_cast<std::byte*>(array.mutable_data());
     const auto step = static_cast<std::size_t>(array.itemsize());
-    const py::gil_scoped_release released; // nobody else has the array yet
+    auto released = std::make_unique<py::gil_scoped_release>(); // nobody else has the array yet
     for (const Row& row : m_rows) {
+        std::memset(item, 0, step);
         const auto put = [item](std::size_t at, const void* from, std::size_t bytes) {
             std::memcpy(item + at, from, bytes);
         };
@@ -156,7 +209,7 @@ py::array TickTable::toArray() const
         put(solve, &row.solve_ns, sizeof row.solve_ns);
         put(normal, row.n_W.data(), sizeof(core::Vec3));
         put(slides, &row.slides, sizeof row.slides);
-        put(layers, m_layers.data() + row.layers, row.length * sizeof(char32_t));
+        writeText(item + layers, std::string_view(m_layers).substr(row.layers, row.length));
         if (isSession) {
             const core::Vec3 values(row.force_N, row.depth_mm, row.stiffness_N_per_mm);
             put(time, &row.time_s, sizeof row.time_s);
@@ -164,6 +217,10 @@ py::array TickTable::toArray() const
             put(sizes, values.data(), sizeof(core::Vec3));
         }
         item += step;
+    }
+    released.reset();
+    if (isSession) {
+        putEvents(array, events);
     }
     return array;
 }

@@ -142,22 +142,21 @@ const char* statusText(const Tick& self)
 
 py::array replay(const Scene& scene, const py::object& hips, double dt_s, bool hasLayers)
 {
-    session::Motion motion;
-    motion.dt_s = periodFrom(dt_s);
-    motion.p_WH = finitePointsFrom(hips, "hips");
-    if (motion.p_WH.empty()) {
+    dt_s = periodFrom(dt_s);
+    const Path path(hips, "hips");
+    if (path.points().empty()) {
         throw py::value_error("hips: found no row, expected at least one position");
     }
     const auto haptic = hapticOf(scene);
     TickTable table(TickTable::Columns::Replay, hasLayers);
     {
         const py::gil_scoped_release released;
-        table.reserve(motion.p_WH.size());
+        table.reserve(path.points().size());
         const session::StructureNames names = [&](std::uint32_t number) -> std::string_view {
             return haptic->structures()[number].name;
         };
         SignalCheck signals;
-        session::replay(*haptic, motion, [&](const servo::TickRecord& tick) {
+        session::replay(*haptic, path.points(), dt_s, [&](const servo::TickRecord& tick) {
             table.add(tick, names);
             return signals.goesOn();
         });
@@ -231,10 +230,12 @@ void bindTouch(py::module_& module)
     module.def("replay", &replay, arg("scene"), arg("hips"), arg("dt") = session::kNominalPeriod_s, py::kw_only(),
                arg("layers") = true,
                "Feel a motion and return a structured array with one item for each row of `hips`.\n\n"
-               "hips: (n, 3) array of positions [mm], copied. dt: time between rows, 1e-5 to 1 [s].\n"
+               "hips: (n, 3) array of positions [mm]. An aligned float64 array in C order is read in place: no other "
+               "thread may\n"
+               "change it meanwhile. dt: time between rows, 1e-5 to 1 [s].\n"
                "Fields: the columns of `palpate replay --out TICKS.csv`, with the same values, in mm, N and ns. Texts\n"
-               "are empty where the CSV is. layers=False leaves the texts of `layers` empty, which saves time and\n"
-               "memory. Other threads continue meanwhile; Ctrl-C stops.");
+               "are empty where the CSV is. layers=False leaves the texts of `layers` empty, which saves memory.\n"
+               "Other threads continue meanwhile; Ctrl-C stops.");
 }
 
 } // namespace palpate::python

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 namespace palpate::session {
 
@@ -40,16 +43,21 @@ servo::TickRecord ReplayHand::step(const Vec3& p_WH, double dt_s) noexcept
 
 void replay(const haptics::HapticScene& scene, const Motion& motion, const TickSink& sink)
 {
+    replay(scene, motion.p_WH, motion.dt_s, sink);
+}
+
+void replay(const haptics::HapticScene& scene, std::span<const Vec3> p_WH, double dt_s, const TickSink& sink)
+{
     // Processes ticks in batches, so that the sink does not evict the solver's data from the caches after every tick.
     constexpr std::size_t kBatch = 4096;
     ReplayHand hand;
     hand.borrowScene(&scene);
     std::vector<servo::TickRecord> batch;
-    batch.reserve(std::min(kBatch, motion.p_WH.size()));
-    for (std::size_t first = 0; first < motion.p_WH.size(); first += kBatch) {
+    batch.reserve(std::min(kBatch, p_WH.size()));
+    for (std::size_t first = 0; first < p_WH.size(); first += kBatch) {
         batch.clear();
-        for (std::size_t tick = first; tick < std::min(first + kBatch, motion.p_WH.size()); ++tick) {
-            batch.push_back(hand.step(motion.p_WH[tick], motion.dt_s));
+        for (const Vec3& hip : p_WH.subspan(first, std::min(kBatch, p_WH.size() - first))) {
+            batch.push_back(hand.step(hip, dt_s));
         }
         for (const servo::TickRecord& record : batch) {
             if (!sink(record)) {

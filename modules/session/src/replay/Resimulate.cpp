@@ -117,15 +117,19 @@ class Resimulator
 
     bool take(const servo::TickRecord& row)
     {
+        const bool isGap = row.tick != std::exchange(m_nextTick, row.tick + 1);
+        if ((isGap || (row.flags & servo::kDroppedBefore) != 0) && (row.flags & servo::kReset) == 0) {
+            lose();
+        }
         if (row.scene != m_generation) {
+            if (m_mayHaveLeft) { // a contact of before may return
+                m_isLost = true;
+            }
+            m_mayHaveLeft = m_mayHaveLeft || m_isLost;
             m_status = useScene(row.scene);
             if (!m_status.isOk()) {
                 return false;
             }
-        }
-        const bool isGap = row.tick != std::exchange(m_nextTick, row.tick + 1);
-        if ((isGap || (row.flags & servo::kDroppedBefore) != 0) && (row.flags & servo::kReset) == 0) {
-            m_isLost = true;
         }
         std::uint16_t flags = row.flags;
         if (m_isLost) {
@@ -134,9 +138,13 @@ class Resimulator
                 ++m_result.unverified;
                 return true;
             }
-            // In free space every god-object is at the HIP, so the state is known again.
+            // In free space every god-object is at the HIP, so the state is known again, except for contacts with
+            // removed structures.
             flags |= servo::kReset;
             m_isLost = false;
+        }
+        if ((row.flags & servo::kReset) != 0) {
+            m_mayHaveLeft = false;
         }
         servo::TickRecord now = row;
         now.flags = flags;
@@ -150,6 +158,15 @@ class Resimulator
             compare(row, now);
         }
         return !m_sink || m_sink(now);
+    }
+
+    /// Ticks are missing.
+    void lose()
+    {
+        m_isLost = true;
+        const auto left = m_palpator.state().left;
+        m_mayHaveLeft = m_mayHaveLeft || std::any_of(left.begin(), left.end(),
+                                                     [](const haptics::LostContact& one) { return one.isKept != 0; });
     }
 
     void compare(const servo::TickRecord& row, const servo::TickRecord& now)
@@ -270,7 +287,8 @@ class Resimulator
     std::int64_t m_nextTick = 0;
     double m_rounding_mm = 0.0; ///< for the current scene
     double m_rounding_N = 0.0;
-    bool m_isLost = false; ///< ticks are missing and the state is still unknown
+    bool m_isLost = false;      ///< ticks are missing and the state is still unknown
+    bool m_mayHaveLeft = false; ///< since ticks were missing: there may be contacts with removed structures
     Status m_status;
     Resimulation m_result;
 };

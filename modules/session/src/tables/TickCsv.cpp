@@ -10,7 +10,9 @@
 #include <QJsonObject>
 
 #include <algorithm>
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -74,15 +76,25 @@ const char* slides(haptics::Friction friction)
 void appendEscaped(std::string& line, std::string_view text, bool isAtStart, std::string_view also = {})
 {
     constexpr char kDigits[] = "0123456789ABCDEF";
-    for (const char c : text) {
+    static constexpr auto kIsSeparator = [] {
+        std::array<bool, 256> is{};
+        for (const unsigned char c : {'%', ';', '=', ',', '"'}) {
+            is[c] = true;
+        }
+        return is;
+    }();
+    std::size_t begin = 0; // of the characters that are not yet appended
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
         const auto byte = static_cast<unsigned char>(c);
-        if (byte < ' ' || (std::exchange(isAtStart, false) && core::looksLikeFormula({&c, 1})) ||
-            std::string_view("%;=,\"").find(c) != std::string_view::npos || also.find(c) != std::string_view::npos) {
+        if (byte < ' ' || (std::exchange(isAtStart, false) && core::looksLikeFormula({&c, 1})) || kIsSeparator[byte] ||
+            also.find(c) != std::string_view::npos) {
+            line += text.substr(begin, i - begin);
             line += {'%', kDigits[byte / 16], kDigits[byte % 16]};
-        } else {
-            line += c;
+            begin = i + 1;
         }
     }
+    line += text.substr(begin);
 }
 
 /// Appends `name=force_N=depth_mm` for each structure in contact.
@@ -192,6 +204,13 @@ std::string layersText(const haptics::TickResult& felt, const StructureNames& na
 {
     std::string text;
     appendLayers(text, felt, names);
+    return text;
+}
+
+std::string eventsText(std::span<const RecordingEvent> events)
+{
+    std::string text;
+    appendEvents(text, events);
     return text;
 }
 

@@ -17,6 +17,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace palpate::session {
@@ -28,6 +29,11 @@ using TickSink = std::function<bool(const servo::TickRecord&)>;
 /// thread. The god-object starts at the first HIP. `fSent_W` is the model force because there is no device.
 /// @par Cost `solve_ns` measures the Palpator's step only, with the monotonic clock.
 PALPATE_EXPORT void replay(const haptics::HapticScene& scene, const Motion& motion, const TickSink& sink);
+/// As above, for a path in memory of the caller.
+/// @param p_WH  one position per tick [mm]. A position that is not finite gives no force
+/// @param dt_s  time between ticks [s], > 0, typically 0.001
+PALPATE_EXPORT void replay(const haptics::HapticScene& scene, std::span<const Vec3> p_WH, double dt_s,
+                           const TickSink& sink);
 
 /// Feels a scene tick by tick with the same code and the same bits as `replay`, for a path that is not known in
 /// advance.

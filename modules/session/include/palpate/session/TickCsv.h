@@ -21,6 +21,9 @@ namespace palpate::session {
 /// docs/recording.md.
 [[nodiscard]] PALPATE_EXPORT std::string layersText(const haptics::TickResult& felt, const StructureNames& names);
 
+/// Returns the text of the column `events`: `kind` or `kind=subject` for each event.
+[[nodiscard]] PALPATE_EXPORT std::string eventsText(std::span<const RecordingEvent> events);
+
 /// Writes ticks as CSV with the columns of docs/recording.md, "As CSV". Numbers have 17 significant digits and read
 /// back bit-exactly. Atomic like core::AtomicFile.
 class PALPATE_EXPORT TickCsv
