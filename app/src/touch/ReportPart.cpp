@@ -70,7 +70,7 @@ void ReportPart::showState(const WindowState& state)
     m_core.actions.at("report").setEnabled(state.hasScene || state.hasRecording);
 }
 
-/// Offers what is missing for a report: a recording, or the end of the running one.
+/// Offers to record, or to end the running recording, where a report cannot be written yet.
 void ReportPart::offerRecording()
 {
     ui::MessageBar& bar = m_core.notices.bar();
