@@ -182,7 +182,9 @@ class ReportWriting : public QObject
     {
         const double force_N = m_desk->window().palpation().lastPress()->reading.force_N;
         QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, m_place);
-        return force_N;
+        const bool isOff = QTest::qWaitFor([this] { return !viewport().view().cursor().state().isInContact; },
+                                           test::kPatience_ms); // a human is slower than the lift
+        return isOff ? force_N : -1.0;
     }
 
   private Q_SLOTS:
