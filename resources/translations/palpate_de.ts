@@ -181,10 +181,6 @@
 <context>
     <name>LumpLayout</name>
     <message>
-        <source>%1: inside %2, %3 × as stiff (%4), felt through %2</source>
-        <translation>%1: in %2, %3-mal so steif (%4), durch %2 hindurch tastbar</translation>
-    </message>
-    <message>
         <source>%1: inside %2, felt as a layer below %2 (%3)</source>
         <translation>%1: in %2, tastbar als Schicht unter %2 (%3)</translation>
     </message>
@@ -215,6 +211,10 @@
     <message>
         <source>same stiffness as %1</source>
         <translation>gleiche Steifigkeit wie %1</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and is felt through it, %3 times as stiff (%4)</source>
+        <translation>%1 liegt in %2 und ist durch %2 hindurch tastbar, %3-mal so steif (%4)</translation>
     </message>
 </context>
 <context>
@@ -700,6 +700,10 @@
     <message>
         <source>End the section</source>
         <translation>Schnitt beenden</translation>
+    </message>
+    <message>
+        <source>Change the window of the image</source>
+        <translation>Fenster des Bildes ändern</translation>
     </message>
 </context>
 <context>
@@ -6912,6 +6916,273 @@
         <source>%1: library: expected the path of %2 in quotes</source>
         <translation>%1: library: Erwartet wurde der Pfad von %2 in Anführungszeichen</translation>
     </message>
+    <message>
+        <source>--check: found &quot;%1&quot;, expected one of %2</source>
+        <translation>--check: &quot;%1&quot; gefunden, erwartet wird eines von %2</translation>
+    </message>
+    <message>
+        <source>the device reports: %1</source>
+        <translation>das Gerät meldet: %1</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>towards you</source>
+        <translation>auf Sie zu</translation>
+    </message>
+    <message>
+        <source>away from you</source>
+        <translation>von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>Move the handle %1 cm to your right and hold it there.</source>
+        <translation>Bewegen Sie den Griff %1 cm nach rechts und halten Sie ihn dort.</translation>
+    </message>
+    <message>
+        <source>Hold the handle still in the middle of its workspace.</source>
+        <translation>Halten Sie den Griff ruhig in der Mitte seines Arbeitsraums.</translation>
+    </message>
+    <message>
+        <source>Move the handle %1 cm away from you and hold it there.</source>
+        <translation>Bewegen Sie den Griff %1 cm von sich weg und halten Sie ihn dort.</translation>
+    </message>
+    <message>
+        <source>Move the handle %1 cm up and hold it there.</source>
+        <translation>Bewegen Sie den Griff %1 cm nach oben und halten Sie ihn dort.</translation>
+    </message>
+    <message>
+        <source>Asked to move %1: the device follows.</source>
+        <translation>Bewegung %1: Das Gerät folgt.</translation>
+    </message>
+    <message>
+        <source>Asked to move %1: the device shows a motion %2. This axis is reversed.</source>
+        <translation>Bewegung %1: Das Gerät zeigt eine Bewegung %2. Diese Achse ist umgekehrt.</translation>
+    </message>
+    <message>
+        <source>Asked to move %1: the device shows a motion %2. This axis is another one.</source>
+        <translation>Bewegung %1: Das Gerät zeigt eine Bewegung %2. Diese Achse ist vertauscht.</translation>
+    </message>
+    <message>
+        <source>Asked to move %1: the device shows a motion between two axes, mostly %2.</source>
+        <translation>Bewegung %1: Das Gerät zeigt eine Bewegung zwischen zwei Achsen, vor allem %2.</translation>
+    </message>
+    <message>
+        <source>Asked to move %1: no such motion within %2 s.</source>
+        <translation>Bewegung %1: keine solche Bewegung innerhalb von %2 s.</translation>
+    </message>
+    <message>
+        <source>Check that %1 is calibrated and that its tooltip in the tool bar reports no problem, then repeat the check.</source>
+        <translation>Prüfen Sie, ob %1 kalibriert ist und der Hinweis in der Werkzeugleiste kein Problem meldet, und wiederholen Sie die Prüfung.</translation>
+    </message>
+    <message>
+        <source>%1 mirrors the motion: an encoder counts backwards. Do not touch with forces. Calibrate the device in its calibration pose; for WoodenHaptics, correct &quot;variant&quot; in woodenhaptics.json. Then repeat the check.</source>
+        <translation>%1 spiegelt die Bewegung: Ein Encoder zählt rückwärts. Tasten Sie nicht mit Kräften. Kalibrieren Sie das Gerät in seiner Kalibrierstellung; korrigieren Sie bei WoodenHaptics &quot;variant&quot; in woodenhaptics.json. Wiederholen Sie dann die Prüfung.</translation>
+    </message>
+    <message>
+        <source>%1 is turned: turn its base so that it faces you, then repeat the check. To align the device with the patient instead of the view, use &quot;Aligned with&quot; in the panel Device.</source>
+        <translation>%1 ist verdreht: Drehen Sie den Sockel so, dass das Gerät zu Ihnen zeigt, und wiederholen Sie die Prüfung. Um das Gerät am Patienten statt an der Ansicht auszurichten, verwenden Sie die Ausrichtung im Bereich Gerät.</translation>
+    </message>
+    <message>
+        <source>Put the handle into the middle of its workspace and let go of it. If it does not stay there by itself, hold it still.</source>
+        <translation>Bringen Sie den Griff in die Mitte seines Arbeitsraums und lassen Sie ihn los. Bleibt er dort nicht von selbst, halten Sie ihn ruhig.</translation>
+    </message>
+    <message>
+        <source>Do not touch the handle. Small forces move it.</source>
+        <translation>Berühren Sie den Griff nicht. Kleine Kräfte bewegen ihn.</translation>
+    </message>
+    <message>
+        <source>Now hold the handle like a pen, in the middle of its workspace, and keep it there.</source>
+        <translation>Halten Sie den Griff jetzt wie einen Stift in der Mitte seines Arbeitsraums, und lassen Sie ihn dort.</translation>
+    </message>
+    <message>
+        <source>Keep your hand in its place. A wall comes towards you, gives way a little and stops, and is a little stiffer each time.</source>
+        <translation>Lassen Sie die Hand an ihrem Platz. Eine Wand kommt auf Sie zu, gibt etwas nach und bleibt stehen; sie ist jedes Mal etwas steifer.</translation>
+    </message>
+    <message>
+        <source>The test was stopped.</source>
+        <translation>Der Test wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The device gave no position inside of its workspace. Put the handle into the middle of the workspace, calibrate the device if it needs to be, and start the test again.</source>
+        <translation>Das Gerät lieferte keine Position innerhalb seines Arbeitsraums. Bringen Sie den Griff in die Mitte des Arbeitsraums, kalibrieren Sie das Gerät, falls nötig, und starten Sie den Test erneut.</translation>
+    </message>
+    <message>
+        <source>The device has no motors, so that only the position at rest was tested.</source>
+        <translation>Das Gerät hat keine Motoren; getestet wurde nur die Position in Ruhe.</translation>
+    </message>
+    <message>
+        <source>The position did not clearly follow the force. Check that the motors have power and that forces are switched on, and start the test again without a hand at the handle until the test asks for one.</source>
+        <translation>Die Position folgte der Kraft nicht eindeutig. Prüfen Sie, ob die Motoren Strom haben und Kräfte eingeschaltet sind, und starten Sie den Test erneut, ohne den Griff zu halten, bis der Test Sie darum bittet.</translation>
+    </message>
+    <message>
+        <source>The handle moved against the force: an axis or a motor is reversed. Do not touch with this device until the settings of its driver are corrected.</source>
+        <translation>Der Griff bewegte sich gegen die Kraft: Eine Achse oder ein Motor ist umgekehrt. Tasten Sie nicht mit diesem Gerät, bis die Einstellungen seines Treibers korrigiert sind.</translation>
+    </message>
+    <message>
+        <source>Nobody held the handle, so that no wall was tested. Start the test again and hold the handle when asked.</source>
+        <translation>Niemand hielt den Griff, daher wurde keine Wand getestet. Starten Sie den Test erneut und halten Sie den Griff, wenn Sie dazu aufgefordert werden.</translation>
+    </message>
+    <message>
+        <source>The hand gave way or let go of the handle. Start the test again and keep the hand in its place.</source>
+        <translation>Die Hand gab nach oder ließ den Griff los. Starten Sie den Test erneut und lassen Sie die Hand an ihrem Platz.</translation>
+    </message>
+    <message>
+        <source>The test took too long and was stopped.</source>
+        <translation>Der Test dauerte zu lange und wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>noise and resolution were not measured</source>
+        <translation>Rauschen und Auflösung wurden nicht gemessen</translation>
+    </message>
+    <message>
+        <source>friction was not measured: the handle did not rest</source>
+        <translation>die Reibung wurde nicht gemessen: Der Griff ruhte nicht</translation>
+    </message>
+    <message>
+        <source>friction was not measured: %1 N did not move the handle</source>
+        <translation>die Reibung wurde nicht gemessen: %1 N bewegten den Griff nicht</translation>
+    </message>
+    <message>
+        <source>the round trip was not measured</source>
+        <translation>die Laufzeit wurde nicht gemessen</translation>
+    </message>
+    <message>
+        <source>the held stiffness was not measured</source>
+        <translation>die gehaltene Steifigkeit wurde nicht gemessen</translation>
+    </message>
+    <message>
+        <source>the test is already running</source>
+        <translation>der Test läuft bereits</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 N/mm</source>
+        <translation>%1 N/mm</translation>
+    </message>
+    <message>
+        <source>less than %1 N/mm</source>
+        <translation>weniger als %1 N/mm</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <translation>Umlaufzeit</translation>
+    </message>
+    <message>
+        <source>%1 ms median, %2 ms 99th percentile</source>
+        <translation>%1 ms Median, %2 ms 99. Perzentil</translation>
+    </message>
+    <message>
+        <source>%1 pulses; from sending a force to seeing it act</source>
+        <translation>%1 Impulse; vom Senden einer Kraft bis zur sichtbaren Wirkung</translation>
+    </message>
+    <message>
+        <source>Mass at the handle</source>
+        <translation>Masse am Griff</translation>
+    </message>
+    <message>
+        <source>%1 g</source>
+        <translation>%1 g</translation>
+    </message>
+    <message>
+        <source>with the hand, if it was held during the pulses</source>
+        <translation>mit der Hand, wenn der Griff während der Impulse gehalten wurde</translation>
+    </message>
+    <message>
+        <source>Answer of the driver</source>
+        <translation>Antwort des Treibers</translation>
+    </message>
+    <message>
+        <source>from receiving a position to sending its force; ticks of the loop: %1</source>
+        <translation>vom Empfang einer Position bis zum Senden ihrer Kraft; Takte der Schleife: %1</translation>
+    </message>
+    <message>
+        <source>%1 new positions per second</source>
+        <translation>%1 neue Positionen pro Sekunde</translation>
+    </message>
+    <message>
+        <source>loop %1 Hz of %2 Hz, late ticks: %3</source>
+        <translation>Schleife %1 Hz von %2 Hz, verspätete Takte: %3</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>the driver states %1 mm</source>
+        <translation>der Treiber gibt %1 mm an</translation>
+    </message>
+    <message>
+        <source>Noise at rest</source>
+        <translation>Rauschen in Ruhe</translation>
+    </message>
+    <message>
+        <source>%1 mm root mean square, %2 mm peak to peak</source>
+        <translation>%1 mm quadratischer Mittelwert, %2 mm von Spitze zu Spitze</translation>
+    </message>
+    <message>
+        <source>deviation from a line over 50 ms</source>
+        <translation>Abweichung von einer Geraden über 50 ms</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 N</source>
+        <translation>%1 ± %2 N</translation>
+    </message>
+    <message>
+        <source>force at which the handle breaks away, in both directions</source>
+        <translation>Kraft, bei der sich der Griff löst, in beiden Richtungen</translation>
+    </message>
+    <message>
+        <source>Held stiffness, without the controller</source>
+        <translation>Gehaltene Steifigkeit ohne Regler</translation>
+    </message>
+    <message>
+        <source>Held stiffness, with the controller</source>
+        <translation>Gehaltene Steifigkeit mit Regler</translation>
+    </message>
+    <message>
+        <source>Palpate renders at most %1 N/mm on this device</source>
+        <translation>Palpate gibt auf diesem Gerät höchstens %1 N/mm wieder</translation>
+    </message>
+    <message>
+        <source>Stiffness stated for the device</source>
+        <translation>Angegebene Steifigkeit des Geräts</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1: %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::AxisCheckDialog</name>
+    <message>
+        <source>Check of the axes</source>
+        <translation>Prüfung der Achsen</translation>
+    </message>
+    <message>
+        <source>All axes follow the hand.</source>
+        <translation>Alle Achsen folgen der Hand.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::ComparisonDialog</name>
@@ -7029,14 +7300,6 @@
         <translation>Mit dem Gerät tasten; O oder L passt den Arbeitsraum an Organ oder Knoten an, C hebt die Hand an</translation>
     </message>
     <message>
-        <source>P palpate, hold to press harder, wheel for the force limit</source>
-        <translation>P tastet, Halten drückt stärker, das Rad stellt die Höchstkraft ein</translation>
-    </message>
-    <message>
-        <source>P palpate, drag to press, wheel for depth</source>
-        <translation>P tastet, Ziehen drückt, das Rad stellt die Tiefe</translation>
-    </message>
-    <message>
         <source>Restore the force</source>
         <translation>Kraft wiederherstellen</translation>
     </message>
@@ -7053,12 +7316,40 @@
         <translation>Beenden Sie die Aufzeichnung, bevor Sie Ihre Schwelle messen.</translation>
     </message>
     <message>
-        <source>Hold to press harder, wheel for the force limit; P turns the view</source>
-        <translation>Halten, um stärker zu drücken, Rad für die Kraftgrenze; P dreht die Ansicht</translation>
+        <source>Test…</source>
+        <translation>Testen…</translation>
     </message>
     <message>
-        <source>Drag to press, wheel for depth; P turns the view</source>
-        <translation>Ziehen zum Drücken, Rad für die Tiefe; P dreht die Ansicht</translation>
+        <source>Measure round trip, noise, friction and the stiffness that the device holds</source>
+        <translation>Laufzeit, Rauschen, Reibung und die Steifigkeit messen, die das Gerät hält</translation>
+    </message>
+    <message>
+        <source>Check the axes…</source>
+        <translation>Achsen prüfen…</translation>
+    </message>
+    <message>
+        <source>Check whether the device moves as the hand does</source>
+        <translation>Prüfen, ob sich das Gerät wie die Hand bewegt</translation>
+    </message>
+    <message>
+        <source>Check once whether %1 moves as your hand does.</source>
+        <translation>Prüfen Sie einmal, ob sich %1 wie Ihre Hand bewegt.</translation>
+    </message>
+    <message>
+        <source>Hold to press harder, wheel for the force limit; then Mark; right drag turns the view</source>
+        <translation>Halten drückt stärker, das Rad stellt die Höchstkraft ein; dann Markieren; Ziehen mit rechts dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Drag to press, wheel for depth; then Mark; right drag turns the view</source>
+        <translation>Ziehen zum Drücken, Rad für die Tiefe; dann Markieren; Ziehen mit rechts dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Palpate (P): hold to press harder, wheel for the force limit</source>
+        <translation>Tasten (P): Halten drückt stärker, das Rad stellt die Höchstkraft ein</translation>
+    </message>
+    <message>
+        <source>Palpate (P): drag to press, wheel for depth</source>
+        <translation>Tasten (P): Ziehen zum Drücken, Rad für die Tiefe</translation>
     </message>
 </context>
 <context>
@@ -7467,16 +7758,8 @@
         <translation>Befund markieren</translation>
     </message>
     <message>
-        <source>Mark the touched place in the scene and in the recording</source>
-        <translation>Die berührte Stelle in Szene und Aufzeichnung markieren</translation>
-    </message>
-    <message>
         <source>Mark a finding and write…</source>
         <translation>Befund markieren und schreiben…</translation>
-    </message>
-    <message>
-        <source>Mark the touched place and write a note on it</source>
-        <translation>Die berührte Stelle markieren und eine Notiz dazu schreiben</translation>
     </message>
     <message>
         <source>Note…</source>
@@ -7542,6 +7825,18 @@
         <source>3D Slicer markups (*.mrk.json *.json);;All files (*)</source>
         <translation>Markups von 3D Slicer (*.mrk.json *.json);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Mark the touched place, or the place pressed last, in the scene and in the recording</source>
+        <translation>Die berührte oder die zuletzt gedrückte Stelle in der Szene und in der Aufzeichnung markieren</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Markieren</translation>
+    </message>
+    <message>
+        <source>Mark the touched place, or the place pressed last, and write a note on it</source>
+        <translation>Die berührte oder die zuletzt gedrückte Stelle markieren und eine Notiz dazu schreiben</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::FingertipPart</name>
@@ -7568,6 +7863,14 @@
     <message>
         <source>fingertip: point ▾</source>
         <translation>Fingerspitze: Punkt ▾</translation>
+    </message>
+    <message>
+        <source>%1 mm ▾</source>
+        <translation>%1 mm ▾</translation>
+    </message>
+    <message>
+        <source>point ▾</source>
+        <translation>Punkt ▾</translation>
     </message>
 </context>
 <context>
@@ -7898,10 +8201,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>%1 can be played, but its meshes were not found. Open them to see what was touched.</source>
-        <translation>%1 lässt sich abspielen, aber die zugehörigen Netze wurden nicht gefunden. Öffnen Sie sie, um zu sehen, was berührt wurde.</translation>
-    </message>
-    <message>
         <source>Recording %1</source>
         <translation>Aufzeichnung %1</translation>
     </message>
@@ -7952,6 +8251,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>%1: a recording names what was touched. Open it after the exercise.</source>
         <translation>%1: Eine Aufzeichnung benennt, was berührt wurde. Öffnen Sie sie nach der Übung.</translation>
+    </message>
+    <message>
+        <source>%1 can be played, but its meshes were not found: only the path of the hand is shown. Open the meshes to see what was touched.</source>
+        <translation>%1 kann abgespielt werden, aber die Netze wurden nicht gefunden: Nur der Weg der Hand wird gezeigt. Öffnen Sie die Netze, um zu sehen, was berührt wurde.</translation>
     </message>
 </context>
 <context>
@@ -8018,6 +8321,37 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Report written to %1; it lists the missing parts</source>
         <translation>Bericht nach %1 geschrieben; er nennt, was fehlt</translation>
+    </message>
+    <message>
+        <source>The report describes a finished recording.</source>
+        <translation>Der Bericht beschreibt eine beendete Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Stop and report…</source>
+        <translation>Beenden und berichten…</translation>
+    </message>
+    <message>
+        <source>The report describes a recording: record, press, mark findings and stop. Then choose Report again.</source>
+        <translation>Der Bericht beschreibt eine Aufzeichnung: aufnehmen, drücken, Befunde markieren und beenden. Dann erneut Bericht wählen.</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Report written to %1, without %n finding(s) marked outside of the recording</source>
+        <translation>
+            <numerusform>Bericht nach %1 geschrieben, ohne %n Befund, der außerhalb der Aufzeichnung markiert wurde</numerusform>
+            <numerusform>Bericht nach %1 geschrieben, ohne %n Befunde, die außerhalb der Aufzeichnung markiert wurden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open the report</source>
+        <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>No program was found that opens %1.</source>
+        <translation>Es wurde kein Programm gefunden, das %1 öffnet.</translation>
     </message>
 </context>
 <context>
@@ -8350,6 +8684,37 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     </message>
 </context>
 <context>
+    <name>palpate::app::SelfTestDialog</name>
+    <message>
+        <source>Device test</source>
+        <translation>Gerätetest</translation>
+    </message>
+    <message>
+        <source>For about one minute, small forces move the handle, and virtual walls of rising stiffness press against your hand with up to %1 N. The test measures round trip, noise, friction and the stiffness that %2 holds without vibrating. Clear the space around the handle. You can stop the test at any time; the wall is withdrawn at the first sign of instability.</source>
+        <translation>Etwa eine Minute lang bewegen kleine Kräfte den Griff, und virtuelle Wände steigender Steifigkeit drücken mit bis zu %1 N gegen Ihre Hand. Der Test misst Laufzeit, Rauschen, Reibung und die Steifigkeit, die %2 ohne Vibrieren hält. Halten Sie den Raum um den Griff frei. Sie können den Test jederzeit abbrechen; beim ersten Zeichen von Instabilität wird die Wand zurückgezogen.</translation>
+    </message>
+    <message>
+        <source>Progress of the test</source>
+        <translation>Fortschritt des Tests</translation>
+    </message>
+    <message>
+        <source>Start the test</source>
+        <translation>Test starten</translation>
+    </message>
+    <message>
+        <source>Save the page…</source>
+        <translation>Seite speichern…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Folder for the page</source>
+        <translation>Ordner für die Seite</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::ShareDialog</name>
     <message>
         <source>Not encrypted and without a password: everyone in this network can read the touch and the findings.</source>
@@ -8489,10 +8854,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <translation>Die Liste enthält alle Strukturen. Das Auge zeigt oder verbirgt eine Struktur; die Hand macht sie tastbar oder nicht. Unter der Liste wird eingestellt, wie sie sich anfühlt.</translation>
     </message>
     <message>
-        <source>Press P, then drag on the anatomy to press and slide; the wheel sets the depth. With the keyboard: Ctrl and the arrow keys move the press point, Enter presses, Page Down goes deeper. Esc releases.</source>
-        <translation>P drücken, dann auf der Anatomie ziehen, um zu drücken und zu gleiten; das Rad stellt die Tiefe. Mit der Tastatur: Strg und die Pfeiltasten verschieben die Druckstelle, Eingabe drückt, Bild ab geht tiefer. Esc lässt los.</translation>
-    </message>
-    <message>
         <source>Force in newtons, touched structure, depth in millimetres and a chart of the last ten seconds. At the same depth, stiffer tissue pushes back harder.</source>
         <translation>Kraft in Newton, berührte Struktur, Tiefe in Millimetern und ein Diagramm der letzten zehn Sekunden. Bei gleicher Tiefe drückt steiferes Gewebe stärker zurück.</translation>
     </message>
@@ -8501,8 +8862,12 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <translation>Aufzeichnung und Befunde</translation>
     </message>
     <message>
-        <source>R starts and stops a recording. M marks the touched place as a finding, listed here with force and depth; F2 renames the finding. File › Export findings… saves the list.</source>
-        <translation>R startet und beendet eine Aufzeichnung. M markiert die berührte Stelle als Befund, der hier mit Kraft und Tiefe steht; F2 benennt ihn um. Datei › Befunde exportieren… sichert die Liste.</translation>
+        <source>Click Palpate (P), then drag on the anatomy to press and slide; the wheel sets the depth. With the keyboard: Ctrl and the arrow keys move the press point, Enter presses, Page Down goes deeper. Esc releases.</source>
+        <translation>Auf Tasten (P) klicken, dann auf der Anatomie ziehen, um zu drücken und zu gleiten; das Rad stellt die Tiefe. Mit der Tastatur: Strg und die Pfeiltasten verschieben die Druckstelle, Eingabe drückt, Bild ab geht tiefer. Esc lässt los.</translation>
+    </message>
+    <message>
+        <source>Record (R) starts and stops a recording. Mark (M) marks the touched place, or the place pressed last, as a finding with force and depth, listed here; F2 renames the finding. File › Report… writes a recording with findings, distances and margins as PDF.</source>
+        <translation>Aufnehmen (R) startet und beendet eine Aufzeichnung. Markieren (M) markiert die berührte oder die zuletzt gedrückte Stelle als Befund mit Kraft und Tiefe, der hier steht; F2 benennt ihn um. Datei › Bericht… schreibt eine Aufzeichnung mit Befunden, Abständen und Sicherheitsabständen als PDF.</translation>
     </message>
 </context>
 <context>
@@ -8915,14 +9280,141 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     </message>
 </context>
 <context>
+    <name>palpate::ui::ConnectedDevices</name>
+    <message>
+        <source>3D Systems Touch, Phantom</source>
+        <translation>3D Systems Touch, Phantom</translation>
+    </message>
+    <message>
+        <source>Force Dimension omega, delta, sigma, lambda</source>
+        <translation>Force Dimension omega, delta, sigma, lambda</translation>
+    </message>
+    <message>
+        <source>Haply Inverse3, Minverse</source>
+        <translation>Haply Inverse3, Minverse</translation>
+    </message>
+    <message>
+        <source>WoodenHaptics, Polhem</source>
+        <translation>WoodenHaptics, Polhem</translation>
+    </message>
+    <message>
+        <source>SpaceMouse (input only)</source>
+        <translation>SpaceMouse (nur Eingabe)</translation>
+    </message>
+    <message>
+        <source>Tracked hand by OpenIGTLink (input only)</source>
+        <translation>Verfolgte Hand über OpenIGTLink (nur Eingabe)</translation>
+    </message>
+    <message>
+        <source>driver not usable</source>
+        <translation>Treiber nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>connected: %1</source>
+        <translation>angeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>Choose Device › %1.</source>
+        <translation>Wählen Sie Gerät › %1.</translation>
+    </message>
+    <message>
+        <source>not ready</source>
+        <translation>nicht bereit</translation>
+    </message>
+    <message>
+        <source>connected, not ready: %1</source>
+        <translation>angeschlossen, nicht bereit: %1</translation>
+    </message>
+    <message>
+        <source>It needs %1.</source>
+        <translation>Es braucht %1.</translation>
+    </message>
+    <message>
+        <source>supported; the maker&apos;s library is missing</source>
+        <translation>unterstützt; die Bibliothek des Herstellers fehlt</translation>
+    </message>
+    <message>
+        <source>driver cannot start</source>
+        <translation>Treiber kann nicht starten</translation>
+    </message>
+    <message>
+        <source>supported; none is connected</source>
+        <translation>unterstützt; keines ist angeschlossen</translation>
+    </message>
+    <message>
+        <source>driver not installed</source>
+        <translation>Treiber nicht installiert</translation>
+    </message>
+    <message>
+        <source>Install the plugin “%1”, a part of Palpate.</source>
+        <translation>Installieren Sie das Plug-in „%1“, einen Teil von Palpate.</translation>
+    </message>
+    <message>
+        <source>driver skipped</source>
+        <translation>Treiber übersprungen</translation>
+    </message>
+    <message>
+        <source>Install the maker&apos;s Touch driver and OpenHaptics 3, connect the arm, run Touch_Setup.</source>
+        <translation>Installieren Sie den Touch-Treiber und OpenHaptics 3 des Herstellers, schließen Sie den Arm an, starten Sie Touch_Setup.</translation>
+    </message>
+    <message>
+        <source>Install the maker&apos;s Force Dimension SDK 3, connect the arm, switch it on.</source>
+        <translation>Installieren Sie das Force Dimension SDK 3 des Herstellers, schließen Sie den Arm an, schalten Sie ihn ein.</translation>
+    </message>
+    <message>
+        <source>Start the maker&apos;s Inverse Service (3.1 or later), connect the arm, calibrate it in the Haply Hub.</source>
+        <translation>Starten Sie den Inverse Service des Herstellers (ab 3.1), schließen Sie den Arm an, kalibrieren Sie ihn im Haply Hub.</translation>
+    </message>
+    <message>
+        <source>Connect the arm by USB, choose it in the menu Device, then Device › Calibrate.</source>
+        <translation>Schließen Sie den Arm über USB an, wählen Sie ihn im Menü Gerät, dann Gerät › Kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Connect it by USB. It has no motors: it moves the hand or the view, or sets the force.</source>
+        <translation>Schließen Sie sie über USB an. Sie hat keine Motoren: Sie bewegt die Hand oder die Ansicht oder stellt die Kraft ein.</translation>
+    </message>
+    <message>
+        <source>Start the program that sends the tracked tool, such as 3D Slicer, at port 18944. There is no force on the hand.</source>
+        <translation>Starten Sie das Programm, das das verfolgte Werkzeug sendet, etwa 3D Slicer, an Port 18944. Auf die Hand wirkt keine Kraft.</translation>
+    </message>
+    <message>
+        <source>connected, not supported yet</source>
+        <translation>angeschlossen, noch nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>The drivers were tested against emulated hardware only. The mouse and the simulated hand need no device. The page “devices” of the documentation (Help menu) describes each installation.</source>
+        <translation>Die Treiber wurden nur gegen emulierte Hardware getestet. Maus und simulierte Hand brauchen kein Gerät. Die Seite „devices“ der Dokumentation (Menü Hilfe) beschreibt jede Installation.</translation>
+    </message>
+    <message>
+        <source>Search again</source>
+        <translation>Erneut suchen</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::DeviceChoice</name>
     <message>
         <source>Mouse</source>
         <translation>Maus</translation>
-    </message>
-    <message>
-        <source>Simulated hand</source>
-        <translation>Simulierte Hand</translation>
     </message>
     <message>
         <source>%1 (skipped)</source>
@@ -8949,10 +9441,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <translation>Bis %1 N und %2 N/mm</translation>
     </message>
     <message>
-        <source>Devices</source>
-        <translation>Geräte</translation>
-    </message>
-    <message>
         <source>mouse</source>
         <translation>Maus</translation>
     </message>
@@ -8967,10 +9455,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Mouse pointer over the view; the force is displayed, not felt</source>
         <translation>Mauszeiger über der Ansicht; die Kraft wird angezeigt, nicht gefühlt</translation>
-    </message>
-    <message>
-        <source>Virtual hand that palpates the centre of the view and responds to the force</source>
-        <translation>Virtuelle Hand, die die Mitte der Ansicht palpiert und auf die Kraft reagiert</translation>
     </message>
     <message>
         <source>Replay with current tissue</source>
@@ -9009,20 +9493,12 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <translation>Keine Kraftrückkopplung: Kräfte bis %1 N werden nur angezeigt.</translation>
     </message>
     <message>
-        <source>%1: requires %2.</source>
-        <translation>%1: erfordert %2.</translation>
+        <source>Simulated hand (no device)</source>
+        <translation>Simulierte Hand (ohne Gerät)</translation>
     </message>
     <message>
-        <source>No haptic device or 6-axis mouse is connected.</source>
-        <translation>Weder ein haptisches Gerät noch eine 6-Achsen-Maus ist angeschlossen.</translation>
-    </message>
-    <message>
-        <source>Supported: %1.</source>
-        <translation>Unterstützt: %1.</translation>
-    </message>
-    <message>
-        <source>Not supported yet: 3D Systems Touch, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
-        <translation>Noch nicht unterstützt: 3D Systems Touch, Novint Falcon. Ein Geräte-Plugin bindet einen solchen Arm an; die Seite „device-plugin“ der Dokumentation beschreibt, wie man eines schreibt.</translation>
+        <source>Computed hand that palpates the centre of the view and responds to the force</source>
+        <translation>Berechnete Hand, die die Mitte der Ansicht palpiert und auf die Kraft reagiert</translation>
     </message>
 </context>
 <context>
@@ -9712,10 +10188,6 @@ sonst „Beliebig“ wählen.</translation>
         <translation>Neue Notiz ohne Stelle</translation>
     </message>
     <message>
-        <source>No findings yet. Press on a place and mark a finding with M; N adds a note without a place.</source>
-        <translation>Noch keine Befunde. Auf eine Stelle drücken und mit M einen Befund markieren; N fügt eine Notiz ohne Stelle hinzu.</translation>
-    </message>
-    <message>
         <source>Write a note (N), Enter saves</source>
         <translation>Notiz schreiben (N), Enter sichert</translation>
     </message>
@@ -9746,6 +10218,10 @@ sonst „Beliebig“ wählen.</translation>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>No findings yet. Press on a place, then click Mark or press M.</source>
+        <translation>Noch keine Befunde. Auf eine Stelle drücken, dann auf Markieren klicken oder M drücken.</translation>
     </message>
 </context>
 <context>
@@ -10055,6 +10531,22 @@ Kraft: überall gleich stark; eine steife Stelle gibt weniger nach. Die Kraft w�
     <message>
         <source>Maximum</source>
         <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Computed hand, no device: it presses what is in the middle of the view. Force and stiffness have the limits of the chosen device.</source>
+        <translation>Berechnete Hand, kein Gerät: Sie drückt auf das, was in der Mitte der Ansicht ist. Kraft und Steifigkeit haben die Grenzen des gewählten Geräts.</translation>
+    </message>
+    <message>
+        <source>Limits of</source>
+        <translation>Grenzen von</translation>
+    </message>
+    <message>
+        <source>Shows how tissue feels at a device that is not here: force, stiffness and damping are bounded as by this device</source>
+        <translation>Zeigt, wie sich Gewebe an einem Gerät anfühlt, das nicht hier ist: Kraft, Steifigkeit und Dämpfung sind begrenzt wie bei diesem Gerät</translation>
+    </message>
+    <message>
+        <source>Simulated hand</source>
+        <translation>Simulierte Hand</translation>
     </message>
 </context>
 <context>
@@ -10786,6 +11278,14 @@ Anteil der Fläche</translation>
     <message>
         <source>%1: opened together with another scene; not imported: %2</source>
         <translation>%1: zusammen mit einer anderen Szene geöffnet; nicht übernommen: %2</translation>
+    </message>
+    <message>
+        <source>Finding structures inside others</source>
+        <translation>Enthaltene Strukturen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Drawing the scene</source>
+        <translation>Szene wird gezeichnet</translation>
     </message>
 </context>
 <context>
@@ -12013,16 +12513,16 @@ Gesamtkraft gemessen, und Tiefe der Hand in jeder Schicht [mm]</translation>
         <translation>Netz- oder Szenendateien öffnen (Strg+O)</translation>
     </message>
     <message>
-        <source>Then press P, drag to press, and set the depth with the wheel. Press ? for all keys.</source>
-        <translation>Dann P drücken, zum Drücken ziehen und die Tiefe mit dem Rad stellen. ? zeigt alle Tasten.</translation>
-    </message>
-    <message>
         <source>or</source>
         <translation>oder</translation>
     </message>
     <message>
         <source>Open the bundled phantom: a liver with two lumps and a recorded palpation</source>
         <translation>Das mitgelieferte Phantom öffnen: eine Leber mit zwei Knoten und eine aufgezeichnete Palpation</translation>
+    </message>
+    <message>
+        <source>Then click Palpate and drag on the anatomy to press; the wheel sets the depth. Press ? for all keys.</source>
+        <translation>Dann auf Tasten klicken und auf der Anatomie ziehen, um zu drücken; das Rad stellt die Tiefe. ? zeigt alle Tasten.</translation>
     </message>
 </context>
 </TS>

@@ -60,6 +60,16 @@
     </message>
 </context>
 <context>
+    <name>palpate::app::ReportPart</name>
+    <message numerus="yes">
+        <source>Report written to %1, without %n finding(s) marked outside of the recording</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::SceneChanges</name>
     <message numerus="yes">
         <source>%n note(s) on hidden targets are withheld</source>

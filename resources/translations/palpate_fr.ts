@@ -181,10 +181,6 @@
 <context>
     <name>LumpLayout</name>
     <message>
-        <source>%1: inside %2, %3 × as stiff (%4), felt through %2</source>
-        <translation>%1&#x202f;: dans %2, %3 × plus raide (%4), palpable à travers %2</translation>
-    </message>
-    <message>
         <source>%1: inside %2, felt as a layer below %2 (%3)</source>
         <translation>%1&#x202f;: dans %2, palpable comme une couche sous %2 (%3)</translation>
     </message>
@@ -215,6 +211,10 @@
     <message>
         <source>same stiffness as %1</source>
         <translation>même raideur que %1</translation>
+    </message>
+    <message>
+        <source>%1 lies in %2 and is felt through it, %3 times as stiff (%4)</source>
+        <translation>%1 se trouve dans %2 et est palpable à travers, %3 fois plus raide (%4)</translation>
     </message>
 </context>
 <context>
@@ -375,11 +375,11 @@
     </message>
     <message>
         <source>for your hand: felt</source>
-        <translation>pour votre main : palpable</translation>
+        <translation>pour votre main&#x202f;: palpable</translation>
     </message>
     <message>
         <source>for your hand: not felt</source>
-        <translation>pour votre main : non palpable</translation>
+        <translation>pour votre main&#x202f;: non palpable</translation>
     </message>
 </context>
 <context>
@@ -700,6 +700,10 @@
     <message>
         <source>End the section</source>
         <translation>Terminer la coupe</translation>
+    </message>
+    <message>
+        <source>Change the window of the image</source>
+        <translation>Modifier la fenêtre de l’image</translation>
     </message>
 </context>
 <context>
@@ -6550,35 +6554,35 @@
     </message>
     <message>
         <source>nothing written: found no recording that can be measured, expected at least one</source>
-        <translation>rien n’a été écrit : aucun enregistrement mesurable trouvé, au moins un était attendu</translation>
+        <translation>rien n’a été écrit&#x202f;: aucun enregistrement mesurable trouvé, au moins un était attendu</translation>
     </message>
     <message>
         <source>session measure: found several recordings or a folder, expected --csv or --findings for their tables</source>
-        <translation>session measure : plusieurs enregistrements ou un dossier trouvés, --csv ou --findings attendu pour leurs tableaux</translation>
+        <translation>session measure&#x202f;: plusieurs enregistrements ou un dossier trouvés, --csv ou --findings attendu pour leurs tableaux</translation>
     </message>
     <message>
         <source>session measure: found --json with --csv or --findings, expected one form</source>
-        <translation>session measure : --json trouvé avec --csv ou --findings, une seule forme attendue</translation>
+        <translation>session measure&#x202f;: --json trouvé avec --csv ou --findings, une seule forme attendue</translation>
     </message>
     <message>
         <source>--columns: found no --csv, expected the file with these columns</source>
-        <translation>--columns : aucun --csv trouvé, le fichier de ces colonnes était attendu</translation>
+        <translation>--columns&#x202f;: aucun --csv trouvé, le fichier de ces colonnes était attendu</translation>
     </message>
     <message>
         <source>%1: found no visible surface, expected one to draw</source>
-        <translation>%1 : aucune surface visible trouvée, il en faut une à dessiner</translation>
+        <translation>%1&#x202f;: aucune surface visible trouvée, il en faut une à dessiner</translation>
     </message>
     <message>
         <source>%1: found %2 bytes, expected %3</source>
-        <translation>%1 : %2 octets trouvés, %3 attendus</translation>
+        <translation>%1&#x202f;: %2 octets trouvés, %3 attendus</translation>
     </message>
     <message>
         <source>POSITION: expected finite numbers within 1,000,000 mm and a unit quaternion</source>
-        <translation>POSITION : nombres finis jusqu’à 1 000 000 mm et quaternion unitaire attendus</translation>
+        <translation>POSITION&#x202f;: nombres finis jusqu’à 1 000 000 mm et quaternion unitaire attendus</translation>
     </message>
     <message>
         <source>TDATA: found %1 bytes, expected a multiple of %2</source>
-        <translation>TDATA : %1 octets trouvés, multiple de %2 attendu</translation>
+        <translation>TDATA&#x202f;: %1 octets trouvés, multiple de %2 attendu</translation>
     </message>
     <message>
         <source>found the host %1, expected localhost or a numeric address such as 192.168.0.10</source>
@@ -6586,7 +6590,7 @@
     </message>
     <message>
         <source>nothing answers at %1, port %2: %3</source>
-        <translation>aucune réponse de %1, port %2 : %3</translation>
+        <translation>aucune réponse de %1, port %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>found the address %1, expected a numeric address such as 127.0.0.1</source>
@@ -6598,23 +6602,23 @@
     </message>
     <message>
         <source>%1, port %2: %3</source>
-        <translation>%1, port %2 : %3</translation>
+        <translation>%1, port %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>POLYDATA: %1: found %2 bytes for %3 cells</source>
-        <translation>POLYDATA : %1 : %2 octets trouvés pour %3 cellules</translation>
+        <translation>POLYDATA&#x202f;: %1&#x202f;: %2 octets trouvés pour %3 cellules</translation>
     </message>
     <message>
         <source>POLYDATA: %1: cell %2 has point %3, expected less than %4</source>
-        <translation>POLYDATA : %1 : la cellule %2 a le point %3, moins de %4 attendu</translation>
+        <translation>POLYDATA&#x202f;: %1&#x202f;: la cellule %2 a le point %3, moins de %4 attendu</translation>
     </message>
     <message>
         <source>POLYDATA: point %1: expected numbers within 1,000,000 mm</source>
-        <translation>POLYDATA : point %1 : nombres jusqu’à 1 000 000 mm attendus</translation>
+        <translation>POLYDATA&#x202f;: point %1&#x202f;: nombres jusqu’à 1 000 000 mm attendus</translation>
     </message>
     <message>
         <source>POLYDATA: found no triangle</source>
-        <translation>POLYDATA : aucun triangle trouvé</translation>
+        <translation>POLYDATA&#x202f;: aucun triangle trouvé</translation>
     </message>
     <message>
         <source>no direction</source>
@@ -6626,15 +6630,15 @@
     </message>
     <message>
         <source>%1; copy the readable parts with `palpate session recover` first, then share the copy</source>
-        <translation>%1 ; copiez d’abord les parties lisibles avec `palpate session recover`, puis partagez cette copie</translation>
+        <translation>%1&#x202f;; copiez d’abord les parties lisibles avec `palpate session recover`, puis partagez cette copie</translation>
     </message>
     <message>
         <source>--columns: found &quot;%1&quot;, expected some of %2</source>
-        <translation>--columns : « %1 » trouvé, un choix parmi %2 attendu</translation>
+        <translation>--columns&#x202f;: «&#x202f;%1&#x202f;» trouvé, un choix parmi %2 attendu</translation>
     </message>
     <message>
         <source>--columns: found &quot;%1&quot; twice, expected each column once</source>
-        <translation>--columns : « %1 » trouvé deux fois, chaque colonne attendue une fois</translation>
+        <translation>--columns&#x202f;: «&#x202f;%1&#x202f;» trouvé deux fois, chaque colonne attendue une fois</translation>
     </message>
     <message>
         <source>found</source>
@@ -6654,7 +6658,7 @@
     </message>
     <message>
         <source>not counted: a landmark or a place to keep away from</source>
-        <translation>non compté : un repère ou un endroit à éviter</translation>
+        <translation>non compté&#x202f;: un repère ou un endroit à éviter</translation>
     </message>
     <message>
         <source>Examinee</source>
@@ -6662,15 +6666,15 @@
     </message>
     <message>
         <source>Targets found: %1 of %2. Missed: %3. False alarms: %4.</source>
-        <translation>Cibles trouvées : %1 sur %2. Manquées : %3. Fausses alertes : %4.</translation>
+        <translation>Cibles trouvées&#x202f;: %1 sur %2. Manquées&#x202f;: %3. Fausses alertes&#x202f;: %4.</translation>
     </message>
     <message>
         <source>No coverage of %1: its surface is missing or another one now.</source>
-        <translation>Pas de couverture de %1 : sa surface manque ou a changé.</translation>
+        <translation>Pas de couverture de %1&#x202f;: sa surface manque ou a changé.</translation>
     </message>
     <message>
         <source>Ticks lost while recording: %1.</source>
-        <translation>Pas perdus pendant l’enregistrement : %1.</translation>
+        <translation>Pas perdus pendant l’enregistrement&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Targets</source>
@@ -6762,15 +6766,15 @@
     </message>
     <message>
         <source>The ball around a target has its centre in the centroid of the surface and reaches to the farthest vertex. Landmarks and places to keep away from do not count. Times are counted from the first tick of the recording. The same numbers are printed by: palpate session exercise. No grade is given.</source>
-        <translation>La sphère autour d’une cible a son centre au centroïde de la surface et va jusqu’au sommet le plus éloigné. Les repères et les endroits à éviter ne comptent pas. Les temps sont comptés depuis le premier pas de l’enregistrement. Les mêmes nombres sont affichés par : palpate session exercise. Aucune note n’est donnée.</translation>
+        <translation>La sphère autour d’une cible a son centre au centroïde de la surface et va jusqu’au sommet le plus éloigné. Les repères et les endroits à éviter ne comptent pas. Les temps sont comptés depuis le premier pas de l’enregistrement. Les mêmes nombres sont affichés par&#x202f;: palpate session exercise. Aucune note n’est donnée.</translation>
     </message>
     <message>
         <source>%1: found no recording, expected files named *.palpate</source>
-        <translation>%1 : aucun enregistrement trouvé, des fichiers nommés *.palpate étaient attendus</translation>
+        <translation>%1&#x202f;: aucun enregistrement trouvé, des fichiers nommés *.palpate étaient attendus</translation>
     </message>
     <message>
         <source>%1: the folder cannot be read: %2</source>
-        <translation>%1 : le dossier ne peut pas être lu : %2</translation>
+        <translation>%1&#x202f;: le dossier ne peut pas être lu&#x202f;: %2</translation>
     </message>
     <message>
         <source>stop the recording first</source>
@@ -6778,47 +6782,47 @@
     </message>
     <message>
         <source>This device is calibrated by its maker&apos;s service: attach its grip, and calibrate it as Haply Hub shows.</source>
-        <translation>Cet appareil est étalonné par le service de son fabricant : fixez sa poignée et étalonnez-le comme l’indique Haply Hub.</translation>
+        <translation>Cet appareil est étalonné par le service de son fabricant&#x202f;: fixez sa poignée et étalonnez-le comme l’indique Haply Hub.</translation>
     </message>
     <message>
         <source>haply: found version %1.%2 of the Inverse Service, expected 3.1 to 3.x; install version 3.5 with Haply Hub</source>
-        <translation>haply : la version %1.%2 de l’Inverse Service a été trouvée, 3.1 à 3.x était attendue ; installez la version 3.5 avec Haply Hub</translation>
+        <translation>haply&#x202f;: la version %1.%2 de l’Inverse Service a été trouvée, 3.1 à 3.x était attendue&#x202f;; installez la version 3.5 avec Haply Hub</translation>
     </message>
     <message>
         <source>haply: the program at port %1 sends no list of devices as the Inverse Service does; set &quot;port&quot; in ~/.config/Palpate/haply.json to the service&apos;s websocket port</source>
-        <translation>haply : le programme au port %1 n’envoie pas de liste d’appareils comme l’Inverse Service ; donnez à « port » dans ~/.config/Palpate/haply.json le port WebSocket du service</translation>
+        <translation>haply&#x202f;: le programme au port %1 n’envoie pas de liste d’appareils comme l’Inverse Service&#x202f;; donnez à «&#x202f;port&#x202f;» dans ~/.config/Palpate/haply.json le port WebSocket du service</translation>
     </message>
     <message>
         <source>haply: the Inverse Service has no device: connect its USB cable and its power supply, and switch it on</source>
-        <translation>haply : l’Inverse Service n’a pas d’appareil : branchez son câble USB et son alimentation, et allumez-le</translation>
+        <translation>haply&#x202f;: l’Inverse Service n’a pas d’appareil&#x202f;: branchez son câble USB et son alimentation, et allumez-le</translation>
     </message>
     <message>
         <source>haply: %1 devices are connected, expected one: choose by &quot;device_id&quot; in ~/.config/Palpate/haply.json; &quot;palpate devices&quot; lists the identifiers</source>
-        <translation>haply : %1 appareils sont branchés, un seul était attendu : choisissez par « device_id » dans ~/.config/Palpate/haply.json ; « palpate devices » donne les identifiants</translation>
+        <translation>haply&#x202f;: %1 appareils sont branchés, un seul était attendu&#x202f;: choisissez par «&#x202f;device_id&#x202f;» dans ~/.config/Palpate/haply.json&#x202f;; «&#x202f;palpate devices&#x202f;» donne les identifiants</translation>
     </message>
     <message>
         <source>haply: found no device %1, but %2; &quot;palpate devices&quot; lists the identifiers</source>
-        <translation>haply : l’appareil %1 n’a pas été trouvé, mais %2 ; « palpate devices » donne les identifiants</translation>
+        <translation>haply&#x202f;: l’appareil %1 n’a pas été trouvé, mais %2&#x202f;; «&#x202f;palpate devices&#x202f;» donne les identifiants</translation>
     </message>
     <message>
         <source>haply: the device %1 is already in use by this program</source>
-        <translation>haply : l’appareil %1 est déjà utilisé par ce programme</translation>
+        <translation>haply&#x202f;: l’appareil %1 est déjà utilisé par ce programme</translation>
     </message>
     <message>
         <source>%1: %2: expected an identifier in quotes, as &quot;049D&quot;</source>
-        <translation>%1 : %2 : un identifiant entre guillemets était attendu, comme &quot;049D&quot;</translation>
+        <translation>%1&#x202f;: %2&#x202f;: un identifiant entre guillemets était attendu, comme &quot;049D&quot;</translation>
     </message>
     <message>
         <source>haply: the Inverse Service does not answer at port %1: install it, or start it with Haply Hub or &quot;sudo systemctl start haply-inverse-service&quot;</source>
-        <translation>haply : l’Inverse Service ne répond pas au port %1 : installez-le, ou démarrez-le avec Haply Hub ou « sudo systemctl start haply-inverse-service »</translation>
+        <translation>haply&#x202f;: l’Inverse Service ne répond pas au port %1&#x202f;: installez-le, ou démarrez-le avec Haply Hub ou «&#x202f;sudo systemctl start haply-inverse-service&#x202f;»</translation>
     </message>
     <message>
         <source>haply: found a program at port %1 that does not answer like the Inverse Service; set &quot;port&quot; in ~/.config/Palpate/haply.json to the service&apos;s websocket port</source>
-        <translation>haply : le programme au port %1 ne répond pas comme l’Inverse Service ; donnez à « port » dans ~/.config/Palpate/haply.json le port WebSocket du service</translation>
+        <translation>haply&#x202f;: le programme au port %1 ne répond pas comme l’Inverse Service&#x202f;; donnez à «&#x202f;port&#x202f;» dans ~/.config/Palpate/haply.json le port WebSocket du service</translation>
     </message>
     <message>
         <source>haply: found &quot;%1&quot; at port %2, expected a WebSocket; set &quot;port&quot; in ~/.config/Palpate/haply.json to the service&apos;s websocket port</source>
-        <translation>haply : « %1 » a été trouvé au port %2, un WebSocket était attendu ; donnez à « port » dans ~/.config/Palpate/haply.json le port WebSocket du service</translation>
+        <translation>haply&#x202f;: «&#x202f;%1&#x202f;» a été trouvé au port %2, un WebSocket était attendu&#x202f;; donnez à «&#x202f;port&#x202f;» dans ~/.config/Palpate/haply.json le port WebSocket du service</translation>
     </message>
     <message>
         <source>The device is not connected.</source>
@@ -6826,67 +6830,67 @@
     </message>
     <message>
         <source>This device is calibrated in its inkwell: put the stylus into it, wait two seconds, and take it out.</source>
-        <translation>Cet appareil s’étalonne dans son encrier : placez-y le stylet, attendez deux secondes et retirez-le.</translation>
+        <translation>Cet appareil s’étalonne dans son encrier&#x202f;: placez-y le stylet, attendez deux secondes et retirez-le.</translation>
     </message>
     <message>
         <source>install OpenHaptics and the Touch driver of 3D Systems, or set &quot;library&quot; in ~/.config/Palpate/openhaptics.json to the path of libHD.so.3.4; see the page &quot;devices&quot; of the documentation</source>
-        <translation>installez OpenHaptics et le pilote Touch de 3D Systems, ou donnez à « library » dans ~/.config/Palpate/openhaptics.json le chemin de libHD.so.3.4 ; voir la page « devices » de la documentation</translation>
+        <translation>installez OpenHaptics et le pilote Touch de 3D Systems, ou donnez à «&#x202f;library&#x202f;» dans ~/.config/Palpate/openhaptics.json le chemin de libHD.so.3.4&#x202f;; voir la page «&#x202f;devices&#x202f;» de la documentation</translation>
     </message>
     <message>
         <source>openhaptics: libHD is version %1, expected version 3; %2</source>
-        <translation>openhaptics : libHD est en version %1, la version 3 était attendue ; %2</translation>
+        <translation>openhaptics&#x202f;: libHD est en version %1, la version 3 était attendue&#x202f;; %2</translation>
     </message>
     <message>
         <source>the licence of OpenHaptics is missing or has expired: install the licence with the maker&apos;s tools</source>
-        <translation>la licence d’OpenHaptics manque ou a expiré : installez-la avec les outils du fabricant</translation>
+        <translation>la licence d’OpenHaptics manque ou a expiré&#x202f;: installez-la avec les outils du fabricant</translation>
     </message>
     <message>
         <source>it does not answer: connect its cable and its power supply, install Palpate&apos;s udev rule (in lib/udev/rules.d), and plug it in again</source>
-        <translation>il ne répond pas : branchez son câble et son alimentation, installez la règle udev de Palpate (dans lib/udev/rules.d) et rebranchez-le</translation>
+        <translation>il ne répond pas&#x202f;: branchez son câble et son alimentation, installez la règle udev de Palpate (dans lib/udev/rules.d) et rebranchez-le</translation>
     </message>
     <message>
         <source>its configuration does not fit: run the maker&apos;s Touch_Setup; configurations are read from %1</source>
-        <translation>sa configuration ne convient pas : lancez Touch_Setup du fabricant ; les configurations sont lues dans %1</translation>
+        <translation>sa configuration ne convient pas&#x202f;: lancez Touch_Setup du fabricant&#x202f;; les configurations sont lues dans %1</translation>
     </message>
     <message>
         <source>it reports a fault: disconnect its power supply, wait five seconds, and connect it again</source>
-        <translation>il signale une panne : débranchez son alimentation, attendez cinq secondes et rebranchez-la</translation>
+        <translation>il signale une panne&#x202f;: débranchez son alimentation, attendez cinq secondes et rebranchez-la</translation>
     </message>
     <message>
         <source>error %1 of libHD (%2): run the maker&apos;s Touch_Diagnostic; configurations are read from %3</source>
-        <translation>erreur %1 de libHD (%2) : lancez Touch_Diagnostic du fabricant ; les configurations sont lues dans %3</translation>
+        <translation>erreur %1 de libHD (%2)&#x202f;: lancez Touch_Diagnostic du fabricant&#x202f;; les configurations sont lues dans %3</translation>
     </message>
     <message>
         <source>%1: the device is already in use by this program</source>
-        <translation>%1 : l’appareil est déjà utilisé par ce programme</translation>
+        <translation>%1&#x202f;: l’appareil est déjà utilisé par ce programme</translation>
     </message>
     <message>
         <source>openhaptics: libHD does not answer: switch the device off and on, and start Palpate again</source>
-        <translation>openhaptics : libHD ne répond pas : éteignez et rallumez l’appareil, puis relancez Palpate</translation>
+        <translation>openhaptics&#x202f;: libHD ne répond pas&#x202f;: éteignez et rallumez l’appareil, puis relancez Palpate</translation>
     </message>
     <message>
         <source>openhaptics: %1 devices are configured, expected one: choose by &quot;device&quot; in ~/.config/Palpate/openhaptics.json; &quot;palpate devices&quot; lists the names and the serial numbers</source>
-        <translation>openhaptics : %1 appareils sont configurés, un seul était attendu : choisissez par « device » dans ~/.config/Palpate/openhaptics.json ; « palpate devices » liste les noms et les numéros de série</translation>
+        <translation>openhaptics&#x202f;: %1 appareils sont configurés, un seul était attendu&#x202f;: choisissez par «&#x202f;device&#x202f;» dans ~/.config/Palpate/openhaptics.json&#x202f;; «&#x202f;palpate devices&#x202f;» liste les noms et les numéros de série</translation>
     </message>
     <message>
         <source>openhaptics: no device has the name or the serial number &quot;%1&quot;: run the maker&apos;s Touch_Setup; configurations are read from %2</source>
-        <translation>openhaptics : aucun appareil n’a le nom ou le numéro de série « %1 » : lancez Touch_Setup du fabricant ; les configurations sont lues dans %2</translation>
+        <translation>openhaptics&#x202f;: aucun appareil n’a le nom ou le numéro de série «&#x202f;%1&#x202f;»&#x202f;: lancez Touch_Setup du fabricant&#x202f;; les configurations sont lues dans %2</translation>
     </message>
     <message>
         <source>openhaptics: the device &quot;%1&quot; could not be opened: %2</source>
-        <translation>openhaptics : impossible d’ouvrir l’appareil « %1 » : %2</translation>
+        <translation>openhaptics&#x202f;: impossible d’ouvrir l’appareil «&#x202f;%1&#x202f;»&#x202f;: %2</translation>
     </message>
     <message>
         <source>openhaptics: %1 devices are in use, no more are possible</source>
-        <translation>openhaptics : %1 appareils sont utilisés, le maximum possible</translation>
+        <translation>openhaptics&#x202f;: %1 appareils sont utilisés, le maximum possible</translation>
     </message>
     <message>
         <source>openhaptics: the device was opened but gives no position; switch it off and on</source>
-        <translation>openhaptics : l’appareil a été ouvert mais ne donne aucune position ; éteignez-le et rallumez-le</translation>
+        <translation>openhaptics&#x202f;: l’appareil a été ouvert mais ne donne aucune position&#x202f;; éteignez-le et rallumez-le</translation>
     </message>
     <message>
         <source>%1: device: expected the name of a configuration, or a serial number, in quotes</source>
-        <translation>%1 : device : le nom d’une configuration ou un numéro de série, entre guillemets, était attendu</translation>
+        <translation>%1&#x202f;: device&#x202f;: le nom d’une configuration ou un numéro de série, entre guillemets, était attendu</translation>
     </message>
     <message>
         <source>%1. Start the server there, or set host and port in openigtlink.json.</source>
@@ -6898,19 +6902,286 @@
     </message>
     <message>
         <source>%1: found a matrix that is singular, scaled, mirrored or out of reach, expected a rotation and a position in mm</source>
-        <translation>%1 : matrice singulière, mise à l’échelle, inversée ou trop éloignée trouvée, rotation et position en mm attendues</translation>
+        <translation>%1&#x202f;: matrice singulière, mise à l’échelle, inversée ou trop éloignée trouvée, rotation et position en mm attendues</translation>
     </message>
     <message>
         <source>%1: %2: expected a text of at most %3 bytes in quotes</source>
-        <translation>%1 : %2 : texte d’au plus %3 octets entre guillemets attendu</translation>
+        <translation>%1&#x202f;: %2&#x202f;: texte d’au plus %3 octets entre guillemets attendu</translation>
     </message>
     <message>
         <source>%1: %2: found &quot;%3&quot;, expected &quot;RAS&quot; or &quot;LPS&quot;</source>
-        <translation>%1 : %2 : « %3 » trouvé, « RAS » ou « LPS » attendu</translation>
+        <translation>%1&#x202f;: %2&#x202f;: «&#x202f;%3&#x202f;» trouvé, «&#x202f;RAS&#x202f;» ou «&#x202f;LPS&#x202f;» attendu</translation>
     </message>
     <message>
         <source>%1: library: expected the path of %2 in quotes</source>
-        <translation>%1 : library : le chemin de %2 entre guillemets était attendu</translation>
+        <translation>%1&#x202f;: library&#x202f;: le chemin de %2 entre guillemets était attendu</translation>
+    </message>
+    <message>
+        <source>--check: found &quot;%1&quot;, expected one of %2</source>
+        <translation>--check : « %1 » trouvé, l’un des suivants est attendu : %2</translation>
+    </message>
+    <message>
+        <source>the device reports: %1</source>
+        <translation>l’appareil signale : %1</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>vers la droite</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>vers la gauche</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>vers le haut</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>vers le bas</translation>
+    </message>
+    <message>
+        <source>towards you</source>
+        <translation>vers vous</translation>
+    </message>
+    <message>
+        <source>away from you</source>
+        <translation>en s’éloignant de vous</translation>
+    </message>
+    <message>
+        <source>Move the handle %1 cm to your right and hold it there.</source>
+        <translation>Déplacez la poignée de %1 cm vers votre droite et maintenez-la à cet endroit.</translation>
+    </message>
+    <message>
+        <source>Hold the handle still in the middle of its workspace.</source>
+        <translation>Maintenez la poignée immobile au milieu de son espace de travail.</translation>
+    </message>
+    <message>
+        <source>Move the handle %1 cm away from you and hold it there.</source>
+        <translation>Éloignez la poignée de vous de %1 cm et maintenez-la à cet endroit.</translation>
+    </message>
+    <message>
+        <source>Move the handle %1 cm up and hold it there.</source>
+        <translation>Déplacez la poignée de %1 cm vers le haut et maintenez-la à cet endroit.</translation>
+    </message>
+    <message>
+        <source>Asked to move %1: the device follows.</source>
+        <translation>Mouvement %1 : l’appareil suit.</translation>
+    </message>
+    <message>
+        <source>Asked to move %1: the device shows a motion %2. This axis is reversed.</source>
+        <translation>Mouvement %1 : l’appareil indique un mouvement %2. Cet axe est inversé.</translation>
+    </message>
+    <message>
+        <source>Asked to move %1: the device shows a motion %2. This axis is another one.</source>
+        <translation>Mouvement %1 : l’appareil indique un mouvement %2. Cet axe est permuté.</translation>
+    </message>
+    <message>
+        <source>Asked to move %1: the device shows a motion between two axes, mostly %2.</source>
+        <translation>Mouvement %1 : l’appareil indique un mouvement entre deux axes, surtout %2.</translation>
+    </message>
+    <message>
+        <source>Asked to move %1: no such motion within %2 s.</source>
+        <translation>Mouvement %1 : aucun mouvement de ce genre en %2 s.</translation>
+    </message>
+    <message>
+        <source>Check that %1 is calibrated and that its tooltip in the tool bar reports no problem, then repeat the check.</source>
+        <translation>Vérifiez que %1 est étalonné et que son infobulle dans la barre d’outils ne signale aucun problème, puis répétez la vérification.</translation>
+    </message>
+    <message>
+        <source>%1 mirrors the motion: an encoder counts backwards. Do not touch with forces. Calibrate the device in its calibration pose; for WoodenHaptics, correct &quot;variant&quot; in woodenhaptics.json. Then repeat the check.</source>
+        <translation>%1 inverse le mouvement comme un miroir : un codeur compte à rebours. Ne palpez pas avec des forces. Étalonnez l’appareil dans sa position d’étalonnage ; pour WoodenHaptics, corrigez &quot;variant&quot; dans woodenhaptics.json. Répétez ensuite la vérification.</translation>
+    </message>
+    <message>
+        <source>%1 is turned: turn its base so that it faces you, then repeat the check. To align the device with the patient instead of the view, use &quot;Aligned with&quot; in the panel Device.</source>
+        <translation>%1 est tourné : orientez son socle vers vous, puis répétez la vérification. Pour aligner l’appareil sur le patient plutôt que sur la vue, utilisez l’alignement du panneau Appareil.</translation>
+    </message>
+    <message>
+        <source>Put the handle into the middle of its workspace and let go of it. If it does not stay there by itself, hold it still.</source>
+        <translation>Placez la poignée au milieu de son espace de travail et lâchez-la. Si elle n’y reste pas d’elle-même, maintenez-la immobile.</translation>
+    </message>
+    <message>
+        <source>Do not touch the handle. Small forces move it.</source>
+        <translation>Ne touchez pas la poignée. De petites forces la déplacent.</translation>
+    </message>
+    <message>
+        <source>Now hold the handle like a pen, in the middle of its workspace, and keep it there.</source>
+        <translation>Tenez maintenant la poignée comme un stylo, au milieu de son espace de travail, et gardez-la à cet endroit.</translation>
+    </message>
+    <message>
+        <source>Keep your hand in its place. A wall comes towards you, gives way a little and stops, and is a little stiffer each time.</source>
+        <translation>Gardez la main en place. Une paroi vient vers vous, cède un peu et s’arrête ; elle est chaque fois un peu plus raide.</translation>
+    </message>
+    <message>
+        <source>The test was stopped.</source>
+        <translation>Le test a été interrompu.</translation>
+    </message>
+    <message>
+        <source>The device gave no position inside of its workspace. Put the handle into the middle of the workspace, calibrate the device if it needs to be, and start the test again.</source>
+        <translation>L’appareil n’a donné aucune position dans son espace de travail. Placez la poignée au milieu de l’espace de travail, étalonnez l’appareil si nécessaire et relancez le test.</translation>
+    </message>
+    <message>
+        <source>The device has no motors, so that only the position at rest was tested.</source>
+        <translation>L’appareil n’a pas de moteurs ; seule la position au repos a été testée.</translation>
+    </message>
+    <message>
+        <source>The position did not clearly follow the force. Check that the motors have power and that forces are switched on, and start the test again without a hand at the handle until the test asks for one.</source>
+        <translation>La position n’a pas suivi nettement la force. Vérifiez que les moteurs sont alimentés et que les forces sont activées, puis relancez le test sans tenir la poignée tant que le test ne le demande pas.</translation>
+    </message>
+    <message>
+        <source>The handle moved against the force: an axis or a motor is reversed. Do not touch with this device until the settings of its driver are corrected.</source>
+        <translation>La poignée s’est déplacée contre la force : un axe ou un moteur est inversé. Ne palpez pas avec cet appareil avant d’avoir corrigé les réglages de son pilote.</translation>
+    </message>
+    <message>
+        <source>Nobody held the handle, so that no wall was tested. Start the test again and hold the handle when asked.</source>
+        <translation>Personne ne tenait la poignée, aucune paroi n’a donc été testée. Relancez le test et tenez la poignée lorsque cela est demandé.</translation>
+    </message>
+    <message>
+        <source>The hand gave way or let go of the handle. Start the test again and keep the hand in its place.</source>
+        <translation>La main a cédé ou a lâché la poignée. Relancez le test et gardez la main en place.</translation>
+    </message>
+    <message>
+        <source>The test took too long and was stopped.</source>
+        <translation>Le test a duré trop longtemps et a été interrompu.</translation>
+    </message>
+    <message>
+        <source>noise and resolution were not measured</source>
+        <translation>le bruit et la résolution n’ont pas été mesurés</translation>
+    </message>
+    <message>
+        <source>friction was not measured: the handle did not rest</source>
+        <translation>le frottement n’a pas été mesuré : la poignée n’était pas au repos</translation>
+    </message>
+    <message>
+        <source>friction was not measured: %1 N did not move the handle</source>
+        <translation>le frottement n’a pas été mesuré : %1 N n’ont pas déplacé la poignée</translation>
+    </message>
+    <message>
+        <source>the round trip was not measured</source>
+        <translation>le temps d’aller-retour n’a pas été mesuré</translation>
+    </message>
+    <message>
+        <source>the held stiffness was not measured</source>
+        <translation>la raideur tenue n’a pas été mesurée</translation>
+    </message>
+    <message>
+        <source>the test is already running</source>
+        <translation>le test est déjà en cours</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
+    </message>
+    <message>
+        <source>%1 N/mm</source>
+        <translation>%1 N/mm</translation>
+    </message>
+    <message>
+        <source>less than %1 N/mm</source>
+        <translation>moins de %1 N/mm</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <translation>Temps aller-retour</translation>
+    </message>
+    <message>
+        <source>%1 ms median, %2 ms 99th percentile</source>
+        <translation>médiane %1 ms, 99ᵉ centile %2 ms</translation>
+    </message>
+    <message>
+        <source>%1 pulses; from sending a force to seeing it act</source>
+        <translation>%1 impulsions ; de l’envoi d’une force à son effet visible</translation>
+    </message>
+    <message>
+        <source>Mass at the handle</source>
+        <translation>Masse à la poignée</translation>
+    </message>
+    <message>
+        <source>%1 g</source>
+        <translation>%1 g</translation>
+    </message>
+    <message>
+        <source>with the hand, if it was held during the pulses</source>
+        <translation>avec la main, si la poignée était tenue pendant les impulsions</translation>
+    </message>
+    <message>
+        <source>Answer of the driver</source>
+        <translation>Réponse du pilote</translation>
+    </message>
+    <message>
+        <source>from receiving a position to sending its force; ticks of the loop: %1</source>
+        <translation>de la réception d’une position à l’envoi de sa force ; cycles de la boucle : %1</translation>
+    </message>
+    <message>
+        <source>%1 new positions per second</source>
+        <translation>%1 nouvelles positions par seconde</translation>
+    </message>
+    <message>
+        <source>loop %1 Hz of %2 Hz, late ticks: %3</source>
+        <translation>boucle %1 Hz sur %2 Hz, cycles en retard : %3</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>the driver states %1 mm</source>
+        <translation>le pilote indique %1 mm</translation>
+    </message>
+    <message>
+        <source>Noise at rest</source>
+        <translation>Bruit au repos</translation>
+    </message>
+    <message>
+        <source>%1 mm root mean square, %2 mm peak to peak</source>
+        <translation>%1 mm en moyenne quadratique, %2 mm de crête à crête</translation>
+    </message>
+    <message>
+        <source>deviation from a line over 50 ms</source>
+        <translation>écart à une droite sur 50 ms</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Frottement</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 N</source>
+        <translation>%1 ± %2 N</translation>
+    </message>
+    <message>
+        <source>force at which the handle breaks away, in both directions</source>
+        <translation>force à laquelle la poignée se met en mouvement, dans les deux sens</translation>
+    </message>
+    <message>
+        <source>Held stiffness, without the controller</source>
+        <translation>Raideur tenue, sans le régulateur</translation>
+    </message>
+    <message>
+        <source>Held stiffness, with the controller</source>
+        <translation>Raideur tenue, avec le régulateur</translation>
+    </message>
+    <message>
+        <source>Palpate renders at most %1 N/mm on this device</source>
+        <translation>Palpate restitue au plus %1 N/mm sur cet appareil</translation>
+    </message>
+    <message>
+        <source>Stiffness stated for the device</source>
+        <translation>Raideur annoncée pour l’appareil</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1 : %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::app::AxisCheckDialog</name>
+    <message>
+        <source>Check of the axes</source>
+        <translation>Vérification des axes</translation>
+    </message>
+    <message>
+        <source>All axes follow the hand.</source>
+        <translation>Tous les axes suivent la main.</translation>
     </message>
 </context>
 <context>
@@ -7029,14 +7300,6 @@
         <translation>Toucher avec l’appareil&#x202f;; O ou L ajuste l’espace de travail à l’organe ou au nodule, C lève la main</translation>
     </message>
     <message>
-        <source>P palpate, hold to press harder, wheel for the force limit</source>
-        <translation>P palpe, maintenir appuie plus fort, la molette règle la force maximale</translation>
-    </message>
-    <message>
-        <source>P palpate, drag to press, wheel for depth</source>
-        <translation>P palpe, glisser pour appuyer, molette pour la profondeur</translation>
-    </message>
-    <message>
         <source>Restore the force</source>
         <translation>Rétablir la force</translation>
     </message>
@@ -7053,12 +7316,40 @@
         <translation>Arrêtez l’enregistrement avant de mesurer votre seuil.</translation>
     </message>
     <message>
-        <source>Hold to press harder, wheel for the force limit; P turns the view</source>
-        <translation>Maintenir pour appuyer plus fort, molette pour la limite de force ; P tourne la vue</translation>
+        <source>Test…</source>
+        <translation>Tester…</translation>
     </message>
     <message>
-        <source>Drag to press, wheel for depth; P turns the view</source>
-        <translation>Glisser pour appuyer, molette pour la profondeur ; P tourne la vue</translation>
+        <source>Measure round trip, noise, friction and the stiffness that the device holds</source>
+        <translation>Mesurer le temps d’aller-retour, le bruit, le frottement et la raideur que l’appareil tient</translation>
+    </message>
+    <message>
+        <source>Check the axes…</source>
+        <translation>Vérifier les axes…</translation>
+    </message>
+    <message>
+        <source>Check whether the device moves as the hand does</source>
+        <translation>Vérifier si l’appareil se déplace comme la main</translation>
+    </message>
+    <message>
+        <source>Check once whether %1 moves as your hand does.</source>
+        <translation>Vérifiez une fois que %1 bouge comme votre main.</translation>
+    </message>
+    <message>
+        <source>Hold to press harder, wheel for the force limit; then Mark; right drag turns the view</source>
+        <translation>Maintenir appuie plus fort, la molette règle la force maximale ; puis Marquer ; glisser avec le bouton droit tourne la vue</translation>
+    </message>
+    <message>
+        <source>Drag to press, wheel for depth; then Mark; right drag turns the view</source>
+        <translation>Glisser pour appuyer, molette pour la profondeur ; puis Marquer ; glisser avec le bouton droit tourne la vue</translation>
+    </message>
+    <message>
+        <source>Palpate (P): hold to press harder, wheel for the force limit</source>
+        <translation>Palper (P) : maintenir appuie plus fort, la molette règle la force maximale</translation>
+    </message>
+    <message>
+        <source>Palpate (P): drag to press, wheel for depth</source>
+        <translation>Palper (P) : glisser pour appuyer, molette pour la profondeur</translation>
     </message>
 </context>
 <context>
@@ -7289,7 +7580,7 @@
     </message>
     <message>
         <source>Nothing was written: %1 must end in .pdf, .html or .json.</source>
-        <translation>Rien n’a été écrit : %1 doit se terminer par .pdf, .html ou .json.</translation>
+        <translation>Rien n’a été écrit&#x202f;: %1 doit se terminer par .pdf, .html ou .json.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -7300,7 +7591,7 @@
     <name>palpate::app::ExercisePart</name>
     <message>
         <source>Search for the hidden targets: records the hand until the end</source>
-        <translation>Chercher les cibles cachées : enregistre la main jusqu’à la fin</translation>
+        <translation>Chercher les cibles cachées&#x202f;: enregistre la main jusqu’à la fin</translation>
     </message>
     <message>
         <source>Start the exercise</source>
@@ -7344,7 +7635,7 @@
     </message>
     <message>
         <source>This scene is an exercise: find the hidden targets by touch. Start it in the view or in the Session menu.</source>
-        <translation>Cette scène est un exercice : trouvez les cibles cachées par le toucher. Commencez-le dans la vue ou dans le menu Session.</translation>
+        <translation>Cette scène est un exercice&#x202f;: trouvez les cibles cachées par le toucher. Commencez-le dans la vue ou dans le menu Session.</translation>
     </message>
     <message>
         <source>Stop the recording before you start the exercise.</source>
@@ -7356,7 +7647,7 @@
     </message>
     <message>
         <source>Show the targets without a search? Whoever has seen them cannot search for them any more.</source>
-        <translation>Montrer les cibles sans recherche ? Qui les a vues ne peut plus les chercher.</translation>
+        <translation>Montrer les cibles sans recherche&#x202f;? Qui les a vues ne peut plus les chercher.</translation>
     </message>
     <message>
         <source>Show the targets</source>
@@ -7398,7 +7689,7 @@
     </message>
     <message>
         <source>%1 N: above the ceiling of %2 N</source>
-        <translation>%1 N : au-dessus du plafond de %2 N</translation>
+        <translation>%1 N&#x202f;: au-dessus du plafond de %2 N</translation>
     </message>
     <message>
         <source>%1 N, ceiling %2 N</source>
@@ -7411,8 +7702,8 @@
     <message numerus="yes">
         <source>Exercise: %n hidden target(s)</source>
         <translation>
-            <numerusform>Exercice : %n cible cachée</numerusform>
-            <numerusform>Exercice : %n cibles cachées</numerusform>
+            <numerusform>Exercice&#x202f;: %n cible cachée</numerusform>
+            <numerusform>Exercice&#x202f;: %n cibles cachées</numerusform>
         </translation>
     </message>
     <message>
@@ -7425,15 +7716,15 @@
     </message>
     <message>
         <source>Exercise: the targets are shown</source>
-        <translation>Exercice : les cibles sont montrées</translation>
+        <translation>Exercice&#x202f;: les cibles sont montrées</translation>
     </message>
     <message>
         <source>%1: found after %2 s</source>
-        <translation>%1 : trouvée après %2 s</translation>
+        <translation>%1&#x202f;: trouvée après %2 s</translation>
     </message>
     <message>
         <source>%1: missed</source>
-        <translation>%1 : manquée</translation>
+        <translation>%1&#x202f;: manquée</translation>
     </message>
 </context>
 <context>
@@ -7467,16 +7758,8 @@
         <translation>Marquer un point</translation>
     </message>
     <message>
-        <source>Mark the touched place in the scene and in the recording</source>
-        <translation>Marquer l’endroit touché, dans la scène et dans l’enregistrement</translation>
-    </message>
-    <message>
         <source>Mark a finding and write…</source>
         <translation>Marquer un point et écrire…</translation>
-    </message>
-    <message>
-        <source>Mark the touched place and write a note on it</source>
-        <translation>Marquer l’endroit touché et écrire une note à son sujet</translation>
     </message>
     <message>
         <source>Note…</source>
@@ -7542,6 +7825,18 @@
         <source>3D Slicer markups (*.mrk.json *.json);;All files (*)</source>
         <translation>Annotations 3D Slicer (*.mrk.json *.json);;Tous les fichiers (*)</translation>
     </message>
+    <message>
+        <source>Mark the touched place, or the place pressed last, in the scene and in the recording</source>
+        <translation>Marquer l’endroit touché, ou le dernier endroit où l’on a appuyé, dans la scène et dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Marquer</translation>
+    </message>
+    <message>
+        <source>Mark the touched place, or the place pressed last, and write a note on it</source>
+        <translation>Marquer l’endroit touché, ou le dernier endroit où l’on a appuyé, et y écrire une note</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::FingertipPart</name>
@@ -7568,6 +7863,14 @@
     <message>
         <source>fingertip: point ▾</source>
         <translation>bout du doigt&#x202f;: point ▾</translation>
+    </message>
+    <message>
+        <source>%1 mm ▾</source>
+        <translation>%1 mm ▾</translation>
+    </message>
+    <message>
+        <source>point ▾</source>
+        <translation>point ▾</translation>
     </message>
 </context>
 <context>
@@ -7848,7 +8151,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>A surface was not received: several others are still being stored. Send it again.</source>
-        <translation>Une surface n’a pas été reçue : plusieurs autres sont encore en cours d’enregistrement. Envoyez-la de nouveau.</translation>
+        <translation>Une surface n’a pas été reçue&#x202f;: plusieurs autres sont encore en cours d’enregistrement. Envoyez-la de nouveau.</translation>
     </message>
     <message>
         <source>%1 surfaces were received. Further ones are ignored until Palpate is started again.</source>
@@ -7896,10 +8199,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Stop</source>
         <translation>Arrêter</translation>
-    </message>
-    <message>
-        <source>%1 can be played, but its meshes were not found. Open them to see what was touched.</source>
-        <translation>%1 peut être lu, mais ses maillages sont introuvables. Ouvrez-les pour voir ce qui a été touché.</translation>
     </message>
     <message>
         <source>Recording %1</source>
@@ -7951,7 +8250,11 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>%1: a recording names what was touched. Open it after the exercise.</source>
-        <translation>%1 : un enregistrement nomme ce qui a été touché. Ouvrez-le après l’exercice.</translation>
+        <translation>%1&#x202f;: un enregistrement nomme ce qui a été touché. Ouvrez-le après l’exercice.</translation>
+    </message>
+    <message>
+        <source>%1 can be played, but its meshes were not found: only the path of the hand is shown. Open the meshes to see what was touched.</source>
+        <translation>%1 peut être lu, mais ses maillages n’ont pas été trouvés : seul le trajet de la main est affiché. Ouvrez les maillages pour voir ce qui a été touché.</translation>
     </message>
 </context>
 <context>
@@ -8018,6 +8321,37 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Report written to %1; it lists the missing parts</source>
         <translation>Rapport écrit dans %1&#x202f;; il indique ce qui manque</translation>
+    </message>
+    <message>
+        <source>The report describes a finished recording.</source>
+        <translation>Le rapport décrit un enregistrement terminé.</translation>
+    </message>
+    <message>
+        <source>Stop and report…</source>
+        <translation>Arrêter et rapporter…</translation>
+    </message>
+    <message>
+        <source>The report describes a recording: record, press, mark findings and stop. Then choose Report again.</source>
+        <translation>Le rapport décrit un enregistrement : enregistrer, appuyer, marquer des points et arrêter. Choisir ensuite Rapport de nouveau.</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message numerus="yes">
+        <source>Report written to %1, without %n finding(s) marked outside of the recording</source>
+        <translation>
+            <numerusform>Rapport écrit dans %1, sans %n point marqué hors de l’enregistrement</numerusform>
+            <numerusform>Rapport écrit dans %1, sans %n points marqués hors de l’enregistrement</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open the report</source>
+        <translation>Ouvrir le rapport</translation>
+    </message>
+    <message>
+        <source>No program was found that opens %1.</source>
+        <translation>Aucun programme capable d’ouvrir %1 n’a été trouvé.</translation>
     </message>
 </context>
 <context>
@@ -8350,10 +8684,41 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
 </context>
 <context>
+    <name>palpate::app::SelfTestDialog</name>
+    <message>
+        <source>Device test</source>
+        <translation>Test de l’appareil</translation>
+    </message>
+    <message>
+        <source>For about one minute, small forces move the handle, and virtual walls of rising stiffness press against your hand with up to %1 N. The test measures round trip, noise, friction and the stiffness that %2 holds without vibrating. Clear the space around the handle. You can stop the test at any time; the wall is withdrawn at the first sign of instability.</source>
+        <translation>Pendant environ une minute, de petites forces déplacent la poignée et des parois virtuelles de raideur croissante appuient contre votre main avec au plus %1 N. Le test mesure le temps d’aller-retour, le bruit, le frottement et la raideur que %2 tient sans vibrer. Dégagez l’espace autour de la poignée. Vous pouvez interrompre le test à tout moment ; la paroi est retirée au premier signe d’instabilité.</translation>
+    </message>
+    <message>
+        <source>Progress of the test</source>
+        <translation>Avancement du test</translation>
+    </message>
+    <message>
+        <source>Start the test</source>
+        <translation>Démarrer le test</translation>
+    </message>
+    <message>
+        <source>Save the page…</source>
+        <translation>Enregistrer la page…</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Interrompre</translation>
+    </message>
+    <message>
+        <source>Folder for the page</source>
+        <translation>Dossier pour la page</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::ShareDialog</name>
     <message>
         <source>Not encrypted and without a password: everyone in this network can read the touch and the findings.</source>
-        <translation>Ni chiffrement ni mot de passe : tout le monde sur ce réseau peut lire le toucher et les observations.</translation>
+        <translation>Ni chiffrement ni mot de passe&#x202f;: tout le monde sur ce réseau peut lire le toucher et les observations.</translation>
     </message>
     <message>
         <source>&amp;Add surfaces that 3D Slicer sends to the scene</source>
@@ -8381,7 +8746,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Sends the hand, the touched point, the force and the findings by OpenIGTLink. In 3D Slicer, open the module OpenIGTLinkIF, add a connector of type Client with this port and the host name localhost (on another computer: the address of this one), and activate it.</source>
-        <translation>Envoie la main, le point touché, la force et les observations par OpenIGTLink. Dans 3D Slicer, ouvrez le module OpenIGTLinkIF, ajoutez un connecteur de type Client avec ce port et le nom d’hôte localhost (sur un autre ordinateur : l’adresse de celui-ci), puis activez-le.</translation>
+        <translation>Envoie la main, le point touché, la force et les observations par OpenIGTLink. Dans 3D Slicer, ouvrez le module OpenIGTLinkIF, ajoutez un connecteur de type Client avec ce port et le nom d’hôte localhost (sur un autre ordinateur&#x202f;: l’adresse de celui-ci), puis activez-le.</translation>
     </message>
     <message>
         <source>&amp;Reachable from</source>
@@ -8405,7 +8770,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Connected: %1</source>
-        <translation>Connecté : %1</translation>
+        <translation>Connecté&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 messages a second</source>
@@ -8420,7 +8785,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Latest error: %1</source>
-        <translation>Dernière erreur : %1</translation>
+        <translation>Dernière erreur&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -8447,7 +8812,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>OpenIGTLink server at port %1. To stop it: Device › Share with 3D Slicer…</source>
-        <translation>Serveur OpenIGTLink sur le port %1. Pour l’arrêter : Périphérique › Partager avec 3D Slicer…</translation>
+        <translation>Serveur OpenIGTLink sur le port %1. Pour l’arrêter&#x202f;: Périphérique › Partager avec 3D Slicer…</translation>
     </message>
     <message>
         <source>%1 was received from 3D Slicer.</source>
@@ -8489,10 +8854,6 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <translation>La liste contient toutes les structures. L’œil affiche ou masque une structure&#x202f;; la main la rend palpable ou non. Sous la liste, on règle comment la structure se sent.</translation>
     </message>
     <message>
-        <source>Press P, then drag on the anatomy to press and slide; the wheel sets the depth. With the keyboard: Ctrl and the arrow keys move the press point, Enter presses, Page Down goes deeper. Esc releases.</source>
-        <translation>Taper P, puis glisser sur l’anatomie pour appuyer et glisser&#x202f;; la molette règle la profondeur. Au clavier&#x202f;: Ctrl et les flèches déplacent le point d’appui, Entrée appuie, Page suivante va plus profond. Échap relâche.</translation>
-    </message>
-    <message>
         <source>Force in newtons, touched structure, depth in millimetres and a chart of the last ten seconds. At the same depth, stiffer tissue pushes back harder.</source>
         <translation>Force en newtons, structure touchée, profondeur en millimètres et courbe des dix dernières secondes. À profondeur égale, un tissu plus raide repousse plus fort.</translation>
     </message>
@@ -8501,8 +8862,12 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <translation>Enregistrement et points repérés</translation>
     </message>
     <message>
-        <source>R starts and stops a recording. M marks the touched place as a finding, listed here with force and depth; F2 renames the finding. File › Export findings… saves the list.</source>
-        <translation>R démarre et arrête un enregistrement. M marque l’endroit touché comme point repéré, listé ici avec force et profondeur&#x202f;; F2 le renomme. Fichier › Exporter les points repérés… enregistre la liste.</translation>
+        <source>Click Palpate (P), then drag on the anatomy to press and slide; the wheel sets the depth. With the keyboard: Ctrl and the arrow keys move the press point, Enter presses, Page Down goes deeper. Esc releases.</source>
+        <translation>Cliquer sur Palper (P), puis glisser sur l’anatomie pour appuyer et glisser ; la molette règle la profondeur. Au clavier : Ctrl et les flèches déplacent le point d’appui, Entrée appuie, Page suivante va plus profond. Échap relâche.</translation>
+    </message>
+    <message>
+        <source>Record (R) starts and stops a recording. Mark (M) marks the touched place, or the place pressed last, as a finding with force and depth, listed here; F2 renames the finding. File › Report… writes a recording with findings, distances and margins as PDF.</source>
+        <translation>Enregistrer (R) démarre et arrête un enregistrement. Marquer (M) marque l’endroit touché, ou le dernier endroit où l’on a appuyé, comme point repéré avec force et profondeur, listé ici ; F2 le renomme. Fichier › Rapport… écrit un enregistrement avec points repérés, distances et marges en PDF.</translation>
     </message>
 </context>
 <context>
@@ -8646,11 +9011,11 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>After “plainly felt”, “felt by a trained hand” and “too little for a trained hand”: whether the change of stiffness is above the stored threshold</source>
-        <translation>Après « nettement palpable », « palpable par une main exercée » et « trop peu pour une main exercée » : si le changement de rigidité dépasse le seuil enregistré</translation>
+        <translation>Après «&#x202f;nettement palpable&#x202f;», «&#x202f;palpable par une main exercée&#x202f;» et «&#x202f;trop peu pour une main exercée&#x202f;»&#x202f;: si le changement de rigidité dépasse le seuil enregistré</translation>
     </message>
     <message>
         <source>Interrupted after %1 trials. An estimate needs at least %2; nothing was changed.</source>
-        <translation>Interrompu après %1 essais. Une estimation en demande au moins %2 ; rien n’a été changé.</translation>
+        <translation>Interrompu après %1 essais. Une estimation en demande au moins %2&#x202f;; rien n’a été changé.</translation>
     </message>
     <message>
         <source>Done. Your threshold is below.</source>
@@ -8666,27 +9031,27 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Which of two presses is stiffer? In each of 60 trials you press an invisible wall twice and tell which press was stiffer. The difference becomes smaller until you can only guess. It takes about 8 minutes.</source>
-        <translation>Laquelle de deux pressions est plus rigide ? À chacun des 60 essais, vous appuyez deux fois sur un mur invisible et indiquez quelle pression était plus rigide. La différence diminue jusqu’à ce que vous ne puissiez que deviner. Cela dure environ 8 minutes.</translation>
+        <translation>Laquelle de deux pressions est plus rigide&#x202f;? À chacun des 60 essais, vous appuyez deux fois sur un mur invisible et indiquez quelle pression était plus rigide. La différence diminue jusqu’à ce que vous ne puissiez que deviner. Cela dure environ 8 minutes.</translation>
     </message>
     <message>
         <source>This needs a device that renders force, with an open scene: with the mouse nothing is felt. Choose one in the menu Device.</source>
-        <translation>Il faut un appareil qui rend la force et une scène ouverte : avec la souris, on ne sent rien. Choisissez-en un dans le menu Appareil.</translation>
+        <translation>Il faut un appareil qui rend la force et une scène ouverte&#x202f;: avec la souris, on ne sent rien. Choisissez-en un dans le menu Appareil.</translation>
     </message>
     <message>
         <source>First press: push away from you onto the wall, then move back.</source>
-        <translation>Première pression : poussez le mur loin de vous, puis revenez.</translation>
+        <translation>Première pression&#x202f;: poussez le mur loin de vous, puis revenez.</translation>
     </message>
     <message>
         <source>Second press: push onto the wall again, then move back.</source>
-        <translation>Seconde pression : poussez de nouveau le mur, puis revenez.</translation>
+        <translation>Seconde pression&#x202f;: poussez de nouveau le mur, puis revenez.</translation>
     </message>
     <message>
         <source>Which press was stiffer? Guess if you are not sure.</source>
-        <translation>Quelle pression était plus rigide ? Devinez si vous n’êtes pas sûr.</translation>
+        <translation>Quelle pression était plus rigide&#x202f;? Devinez si vous n’êtes pas sûr.</translation>
     </message>
     <message>
         <source>Your threshold: Weber fraction %1 (95 % interval %2 to %3 %), from %4 trials with %5. This increase of stiffness is told apart in 71 % of the trials.</source>
-        <translation>Votre seuil : fraction de Weber %1 (intervalle à 95 % : %2 à %3 %), d’après %4 essais avec %5. Cette augmentation de rigidité est reconnue dans 71 % des essais.</translation>
+        <translation>Votre seuil&#x202f;: fraction de Weber %1 (intervalle à 95 %&#x202f;: %2 à %3 %), d’après %4 essais avec %5. Cette augmentation de rigidité est reconnue dans 71 % des essais.</translation>
     </message>
     <message>
         <source>No threshold of your own is stored.</source>
@@ -8915,14 +9280,141 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
 </context>
 <context>
+    <name>palpate::ui::ConnectedDevices</name>
+    <message>
+        <source>3D Systems Touch, Phantom</source>
+        <translation>3D Systems Touch, Phantom</translation>
+    </message>
+    <message>
+        <source>Force Dimension omega, delta, sigma, lambda</source>
+        <translation>Force Dimension omega, delta, sigma, lambda</translation>
+    </message>
+    <message>
+        <source>Haply Inverse3, Minverse</source>
+        <translation>Haply Inverse3, Minverse</translation>
+    </message>
+    <message>
+        <source>WoodenHaptics, Polhem</source>
+        <translation>WoodenHaptics, Polhem</translation>
+    </message>
+    <message>
+        <source>SpaceMouse (input only)</source>
+        <translation>SpaceMouse (entrée seule)</translation>
+    </message>
+    <message>
+        <source>Tracked hand by OpenIGTLink (input only)</source>
+        <translation>Main suivie par OpenIGTLink (entrée seule)</translation>
+    </message>
+    <message>
+        <source>driver not usable</source>
+        <translation>pilote inutilisable</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>connected: %1</source>
+        <translation>branché : %1</translation>
+    </message>
+    <message>
+        <source>Choose Device › %1.</source>
+        <translation>Choisissez Appareil › %1.</translation>
+    </message>
+    <message>
+        <source>not ready</source>
+        <translation>pas prêt</translation>
+    </message>
+    <message>
+        <source>connected, not ready: %1</source>
+        <translation>branché, pas prêt : %1</translation>
+    </message>
+    <message>
+        <source>It needs %1.</source>
+        <translation>Il lui faut %1.</translation>
+    </message>
+    <message>
+        <source>supported; the maker&apos;s library is missing</source>
+        <translation>pris en charge ; la bibliothèque du fabricant manque</translation>
+    </message>
+    <message>
+        <source>driver cannot start</source>
+        <translation>le pilote ne peut pas démarrer</translation>
+    </message>
+    <message>
+        <source>supported; none is connected</source>
+        <translation>pris en charge ; aucun n’est branché</translation>
+    </message>
+    <message>
+        <source>driver not installed</source>
+        <translation>pilote non installé</translation>
+    </message>
+    <message>
+        <source>Install the plugin “%1”, a part of Palpate.</source>
+        <translation>Installez le greffon « %1 », une partie de Palpate.</translation>
+    </message>
+    <message>
+        <source>driver skipped</source>
+        <translation>pilote ignoré</translation>
+    </message>
+    <message>
+        <source>Install the maker&apos;s Touch driver and OpenHaptics 3, connect the arm, run Touch_Setup.</source>
+        <translation>Installez le pilote Touch et OpenHaptics 3 du fabricant, branchez le bras, lancez Touch_Setup.</translation>
+    </message>
+    <message>
+        <source>Install the maker&apos;s Force Dimension SDK 3, connect the arm, switch it on.</source>
+        <translation>Installez le Force Dimension SDK 3 du fabricant, branchez le bras, allumez-le.</translation>
+    </message>
+    <message>
+        <source>Start the maker&apos;s Inverse Service (3.1 or later), connect the arm, calibrate it in the Haply Hub.</source>
+        <translation>Démarrez l’Inverse Service du fabricant (3.1 ou plus récent), branchez le bras, étalonnez-le dans le Haply Hub.</translation>
+    </message>
+    <message>
+        <source>Connect the arm by USB, choose it in the menu Device, then Device › Calibrate.</source>
+        <translation>Branchez le bras par USB, choisissez-le dans le menu Appareil, puis Appareil › Étalonner.</translation>
+    </message>
+    <message>
+        <source>Connect it by USB. It has no motors: it moves the hand or the view, or sets the force.</source>
+        <translation>Branchez-la par USB. Elle n’a pas de moteurs : elle déplace la main ou la vue, ou règle la force.</translation>
+    </message>
+    <message>
+        <source>Start the program that sends the tracked tool, such as 3D Slicer, at port 18944. There is no force on the hand.</source>
+        <translation>Démarrez le programme qui envoie l’outil suivi, comme 3D Slicer, au port 18944. Aucune force n’agit sur la main.</translation>
+    </message>
+    <message>
+        <source>connected, not supported yet</source>
+        <translation>branché, pas encore pris en charge</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Appareils</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Appareil</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Étape suivante</translation>
+    </message>
+    <message>
+        <source>The drivers were tested against emulated hardware only. The mouse and the simulated hand need no device. The page “devices” of the documentation (Help menu) describes each installation.</source>
+        <translation>Les pilotes n’ont été testés que contre du matériel émulé. La souris et la main simulée n’ont besoin d’aucun appareil. La page « devices » de la documentation (menu Aide) décrit chaque installation.</translation>
+    </message>
+    <message>
+        <source>Search again</source>
+        <translation>Chercher à nouveau</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::DeviceChoice</name>
     <message>
         <source>Mouse</source>
         <translation>Souris</translation>
-    </message>
-    <message>
-        <source>Simulated hand</source>
-        <translation>Main simulée</translation>
     </message>
     <message>
         <source>%1 (skipped)</source>
@@ -8957,20 +9449,12 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <translation>Jusqu’à %1&#xa0;N et %2&#xa0;N/mm</translation>
     </message>
     <message>
-        <source>Devices</source>
-        <translation>Appareils</translation>
-    </message>
-    <message>
         <source>SpaceMouse presses</source>
         <translation>La SpaceMouse appuie</translation>
     </message>
     <message>
         <source>Mouse pointer over the view; the force is displayed, not felt</source>
         <translation>Pointeur de la souris sur la vue&#x202f;; la force est affichée, non sentie</translation>
-    </message>
-    <message>
-        <source>Virtual hand that palpates the centre of the view and responds to the force</source>
-        <translation>Main virtuelle qui palpe le centre de la vue et réagit à la force</translation>
     </message>
     <message>
         <source>Replay with current tissue</source>
@@ -9009,20 +9493,12 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <translation>Sans retour d’effort&#x202f;: les forces sont seulement affichées, jusqu’à %1 N.</translation>
     </message>
     <message>
-        <source>%1: requires %2.</source>
-        <translation>%1&#x202f;: nécessite %2.</translation>
+        <source>Simulated hand (no device)</source>
+        <translation>Main simulée (sans appareil)</translation>
     </message>
     <message>
-        <source>No haptic device or 6-axis mouse is connected.</source>
-        <translation>Aucun appareil haptique ni souris à 6 axes n’est branché.</translation>
-    </message>
-    <message>
-        <source>Supported: %1.</source>
-        <translation>Pris en charge&#x202f;: %1.</translation>
-    </message>
-    <message>
-        <source>Not supported yet: 3D Systems Touch, Novint Falcon. A device plugin connects such an arm; the page “device-plugin” of the documentation describes how to write one.</source>
-        <translation>Pas encore pris en charge : 3D Systems Touch, Novint Falcon. Un greffon de périphérique relie un tel bras ; la page « device-plugin » de la documentation décrit comment en écrire un.</translation>
+        <source>Computed hand that palpates the centre of the view and responds to the force</source>
+        <translation>Main calculée qui palpe le centre de la vue et réagit à la force</translation>
     </message>
 </context>
 <context>
@@ -9712,10 +10188,6 @@ sinon choisir «&#x202f;Libre&#x202f;».</translation>
         <translation>Nouvelle note sans endroit</translation>
     </message>
     <message>
-        <source>No findings yet. Press on a place and mark a finding with M; N adds a note without a place.</source>
-        <translation>Aucun point repéré. Appuyer à un endroit et marquer un point par M&#x202f;; N ajoute une note sans endroit.</translation>
-    </message>
-    <message>
         <source>Write a note (N), Enter saves</source>
         <translation>Écrire une note (N), Entrée enregistre</translation>
     </message>
@@ -9747,6 +10219,10 @@ sinon choisir «&#x202f;Libre&#x202f;».</translation>
         <source>Delete</source>
         <translation>Supprimer</translation>
     </message>
+    <message>
+        <source>No findings yet. Press on a place, then click Mark or press M.</source>
+        <translation>Aucun point repéré. Appuyer à un endroit, puis cliquer sur Marquer ou taper M.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::FingerInset</name>
@@ -9760,7 +10236,7 @@ sinon choisir «&#x202f;Libre&#x202f;».</translation>
     </message>
     <message>
         <source>Along the finger: touch a structure</source>
-        <translation>Le long du doigt : toucher une structure</translation>
+        <translation>Le long du doigt&#x202f;: toucher une structure</translation>
     </message>
     <message>
         <source>Along the finger</source>
@@ -10055,6 +10531,22 @@ Force&#x202f;: la même partout&#x202f;; un endroit raide cède moins. La force 
     <message>
         <source>Maximum</source>
         <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Computed hand, no device: it presses what is in the middle of the view. Force and stiffness have the limits of the chosen device.</source>
+        <translation>Main calculée, sans appareil : elle presse ce qui est au milieu de la vue. Force et raideur ont les limites de l’appareil choisi.</translation>
+    </message>
+    <message>
+        <source>Limits of</source>
+        <translation>Limites de</translation>
+    </message>
+    <message>
+        <source>Shows how tissue feels at a device that is not here: force, stiffness and damping are bounded as by this device</source>
+        <translation>Montre ce que l’on sentirait avec un appareil absent : force, raideur et amortissement sont limités comme avec cet appareil</translation>
+    </message>
+    <message>
+        <source>Simulated hand</source>
+        <translation>Main simulée</translation>
     </message>
 </context>
 <context>
@@ -10713,7 +11205,7 @@ part de sa surface</translation>
     <name>palpate::ui::PointedStructure</name>
     <message>
         <source>image: %1</source>
-        <translation>image : %1</translation>
+        <translation>image&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -10786,6 +11278,14 @@ part de sa surface</translation>
     <message>
         <source>%1: opened together with another scene; not imported: %2</source>
         <translation>%1&#x202f;: ouvert avec une autre scène&#x202f;; non repris&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>Finding structures inside others</source>
+        <translation>Recherche des structures contenues dans d’autres</translation>
+    </message>
+    <message>
+        <source>Drawing the scene</source>
+        <translation>Dessin de la scène</translation>
     </message>
 </context>
 <context>
@@ -12013,16 +12513,16 @@ de celle-ci, et profondeur de la main dans chaque couche [mm]</translation>
         <translation>Ouvrir maillages ou scène (Ctrl+O)</translation>
     </message>
     <message>
-        <source>Then press P, drag to press, and set the depth with the wheel. Press ? for all keys.</source>
-        <translation>Puis taper P, glisser pour appuyer, et régler la profondeur à la molette.&#x202f;? affiche les raccourcis.</translation>
-    </message>
-    <message>
         <source>or</source>
         <translation>ou</translation>
     </message>
     <message>
         <source>Open the bundled phantom: a liver with two lumps and a recorded palpation</source>
         <translation>Ouvrir le fantôme fourni&#x202f;: un foie avec deux nodules et une palpation enregistrée</translation>
+    </message>
+    <message>
+        <source>Then click Palpate and drag on the anatomy to press; the wheel sets the depth. Press ? for all keys.</source>
+        <translation>Cliquer ensuite sur Palper et glisser sur l’anatomie pour appuyer ; la molette règle la profondeur. ? affiche les raccourcis.</translation>
     </message>
 </context>
 </TS>
