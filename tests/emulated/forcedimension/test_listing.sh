@@ -28,10 +28,10 @@ grep -F 'libdhd.so.3 was not found; install' "$work/error.txt"
 # Tests the emulated device in virtual time, and refuses others.
 (
     export LD_LIBRARY_PATH=$folder LD_PRELOAD=$standin PALPATE_STANDIN_VIRTUAL=1
-    "$palpate" devices --check forcedimension --rate 250 --out "$work/check" >"$work/check.txt"
+    "$palpate" devices --check forcedimension --out "$work/check" >"$work/check.txt"
 )
 grep -F 'Held stiffness, with the controller: ' "$work/check.txt"
-grep -F 'compare with: palpate stability --device omega --rate 250 --delay' "$work/check.txt"
+grep -F 'compare with: palpate stability --device omega --rate 1000 --delay' "$work/check.txt"
 grep -F '</html>' "$work/check/selftest.html" >/dev/null
 grep -F '"complete": true' "$work/check/selftest.json"
 status=0
