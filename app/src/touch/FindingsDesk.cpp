@@ -71,9 +71,9 @@ core::Finding FindingsDesk::markedAt(std::int64_t tick) const
             core::RecordedMoment{m_recording.string(), {}, tick, std::max(0.0, recording.duration_s - ago_s)};
     } else if (played != nullptr && (m_parts.playback.isPlaying() || !isLiveHand)) {
         const double time_s = m_parts.playback.position_s();
-        const auto tick = played->at(time_s);
+        const auto shown = played->at(time_s);
         const std::filesystem::path file = std::filesystem::absolute(played->path());
-        now.recording = core::RecordedMoment{file.string(), hashOf(file), tick ? tick->tick : 0, time_s};
+        now.recording = core::RecordedMoment{file.string(), hashOf(file), shown ? shown->tick : 0, time_s};
     }
     return now;
 }

@@ -37,9 +37,10 @@ RecordedLook lookIn(const QJsonObject& json)
     if (colour.size() != 3 || !std::all_of(colour.begin(), colour.end(), isShare) || !isShare(json["opacity"])) {
         return {};
     }
-    RecordedLook look{json["name"].toString().toStdString(),
-                      {colour[0].toDouble(), colour[1].toDouble(), colour[2].toDouble()},
-                      json["opacity"].toDouble()};
+    RecordedLook look;
+    look.name = json["name"].toString().toStdString();
+    look.colour = {colour[0].toDouble(), colour[1].toDouble(), colour[2].toDouble()};
+    look.opacity = json["opacity"].toDouble();
     look.outwards = json["outwards"].toBool();
     look.closeHoles_mm = std::clamp(json["close_holes_mm"].toDouble(), 0.0, geometry::kMostCoordinate_mm);
     for (const auto kind :

@@ -25,8 +25,8 @@ struct RecordedLook
     double smoothing = meshio::kDefaultSmoothing;
     double crease_deg = meshio::kDefaultCrease_deg;
     double closeHoles_mm = 0.0; ///< [mm]
-    std::string inside;         ///< name of the organ; empty: not a lump, or not named
-    std::optional<double> youngRatio, young_kPa, feltContactRadius_mm; ///< see meshio::SceneStructure
+    std::string inside{};       ///< name of the organ; empty: not a lump, or not named
+    std::optional<double> youngRatio{}, young_kPa{}, feltContactRadius_mm{}; ///< see meshio::SceneStructure
 };
 
 /// Serializes looks for RecordingInfo::looks, in the order of the recording's structures. See
