@@ -29,7 +29,8 @@ class TouchMapPart : public WindowPart
     ~TouchMapPart() override;
     void addActions() override;
     void showState(const WindowState& state) override;
-    /// Shows the places touched by the two hands of the player. @param distance_mm  distance that counts as touched in both
+    /// Shows the places touched by the two hands of the player. @param distance_mm  distance that counts as touched in
+    /// both
     void compare(double distance_mm);
 
   private:

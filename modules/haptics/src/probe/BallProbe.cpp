@@ -31,8 +31,8 @@ inline double firstRoot(const Vec3& w, const Vec3& u, double r) noexcept
     return beside2 <= r * r * u2 ? std::max(0.0, (nearest - std::sqrt(r * r * u2 - beside2)) / u2) : kNotReached;
 }
 
-/// Returns the distance along the move x + s u at which the distance from the triangle falls to `r` [mm]; kNotReached if it
-/// stays larger, or if that happens beyond `limit`.
+/// Returns the distance along the move x + s u at which the distance from the triangle falls to `r` [mm]; kNotReached
+/// if it stays larger, or if that happens beyond `limit`.
 /// @param u  unit direction
 /// @pre the distance at x exceeds r, and r > 0
 double entry(const Facet& facet, double side, const Vec3& x, const Vec3& u, double r, double limit) noexcept

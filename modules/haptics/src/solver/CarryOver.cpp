@@ -20,7 +20,7 @@ namespace {
 constexpr double kFarthest_mm = 1.0; // maximum distance that a god-object is moved off a surface
 constexpr std::uint32_t kMaxTriangles = 4096;
 constexpr std::uint32_t kSearched = 512; // search range in the index, before and after the previous position
-constexpr int kMaxRounds = 4;               // over all surfaces
+constexpr int kMaxRounds = 4;            // over all surfaces
 constexpr std::size_t kPlanes = 4;       // that constrainedPoint takes
 constexpr double kAbove = 2.0;           // skins: just out of contact
 constexpr double kTurned = 0.5;          // cosine of the maximum turn

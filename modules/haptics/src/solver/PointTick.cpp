@@ -13,8 +13,8 @@ namespace palpate::haptics::internal {
 namespace {
 
 constexpr std::uint32_t kPointPatience = 32; // moves that must gain a skin in total
-constexpr std::size_t kMostHeld = 3;    // maximum number of contacts at the end of a tick
-constexpr int kRounds = 3;              // cycles over a convex edge that must gain a skin in total
+constexpr std::size_t kMostHeld = 3;         // maximum number of contacts at the end of a tick
+constexpr int kRounds = 3;                   // cycles over a convex edge that must gain a skin in total
 
 } // namespace
 
@@ -40,8 +40,8 @@ std::uint32_t PointTick::moveUntilDone(std::uint32_t limit) noexcept
     std::uint32_t i = 0;
     for (; i + m_walked < limit && !m_near.work().isSpent(); ++i) {
         if (i % kPointPatience == kPointPatience - 1) {
-            // Nearly coplanar planes may alternate forever. A god-object that gains less than a skin in kPointPatience moves
-            // has arrived.
+            // Nearly coplanar planes may alternate forever. A god-object that gains less than a skin in kPointPatience
+            // moves has arrived.
             const double last = std::exchange(spring, (m_hip - m_god).norm());
             if (spring > last - m_skin_mm && !takeEscape()) {
                 return i + 1 + m_walked;
