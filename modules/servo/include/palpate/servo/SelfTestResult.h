@@ -58,9 +58,9 @@ struct SelfTestResult : SelfTestFacts
     double limit_N_per_mm = 0.0;   ///< in the window, for this device, rate and delay
 
     /// Every quantity was measured.
-    [[nodiscard]] bool isComplete() const noexcept;
+    [[nodiscard]] PALPATE_EXPORT bool isComplete() const noexcept;
     /// The test ended by a fault of the device or by the user: no page is written.
-    [[nodiscard]] bool isFailed() const noexcept;
+    [[nodiscard]] PALPATE_EXPORT bool isFailed() const noexcept;
 };
 
 /// Evaluates a finished test. Not on the servo thread.
