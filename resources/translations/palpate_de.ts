@@ -214,7 +214,7 @@
     </message>
     <message>
         <source>%1 lies in %2 and is felt through it, %3 times as stiff (%4)</source>
-        <translation>%1 liegt in %2 und ist durch %2 hindurch tastbar, %3-mal so steif (%4)</translation>
+        <translation>%1 liegt in %2 und ist durch dieses Gewebe hindurch tastbar, %3-mal so steif (%4)</translation>
     </message>
 </context>
 <context>

@@ -63,9 +63,9 @@
     <name>palpate::app::ReportPart</name>
     <message numerus="yes">
         <source>Report written to %1, without %n finding(s) marked outside of the recording</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Report written to %1, without %n finding marked outside of the recording</numerusform>
+            <numerusform>Report written to %1, without %n findings marked outside of the recording</numerusform>
         </translation>
     </message>
 </context>
