@@ -2,10 +2,13 @@
 #include "Balls.h"
 #include "TestRunner.h"
 
+#include <palpate/view/CoarseSurface.h>
 #include <palpate/view/SceneView.h>
 #include <palpate/view/SurfaceMesh.h>
 
+#include <vtkDataArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -244,6 +247,29 @@ class SceneView : public QObject
             }
             QVERIFY(
                 image.save(QStringLiteral("%1/%2.png").arg(QString::fromLocal8Bit(folder), QString::fromLatin1(name))));
+        }
+    }
+
+    /// A fifth of the triangles, one point for each cluster of the ball's points.
+    void theCoarsePictureOfABallIsABall()
+    {
+        const auto fine = view::makeSurface(geometry::repair(test::ball(20.0, 6)));
+        const auto coarse = view::coarseSurface(*fine);
+        const double share =
+            static_cast<double>(coarse->GetNumberOfPolys()) / static_cast<double>(fine->GetNumberOfPolys());
+        QVERIFY2(share > 0.1 && share < 0.3, qPrintable(QString::number(share)));
+        QCOMPARE(coarse->GetPointData()->GetNormals()->GetNumberOfTuples(), coarse->GetNumberOfPoints());
+        // A cell is sqrt(2 * 5 * area / triangles) wide. Points of a sphere in it are at most its diagonal d apart, so
+        // their mean is at most d^2 / (8 r) below the sphere.
+        constexpr double kRadius_mm = 20.0, kPi = 3.14159265358979;
+        const double width2_mm2 =
+            10.0 * 4.0 * kPi * kRadius_mm * kRadius_mm / static_cast<double>(fine->GetNumberOfPolys());
+        const double sag_mm = 3.0 * width2_mm2 / (8.0 * kRadius_mm);
+        for (vtkIdType i = 0; i < coarse->GetNumberOfPoints(); ++i) {
+            const Vec3 p(coarse->GetPoint(i)), n(coarse->GetPointData()->GetNormals()->GetTuple3(i));
+            QVERIFY2(p.norm() < kRadius_mm + 1e-5 && p.norm() > kRadius_mm - sag_mm,
+                     qPrintable(QString::number(p.norm())));
+            QVERIFY(n.dot(p) > 0.95 * p.norm()); // the same mean, but for the facets' normals
         }
     }
 
