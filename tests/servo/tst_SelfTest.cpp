@@ -233,6 +233,12 @@ class SelfTest : public QObject
         QVERIFY(std::abs(result.rest->states_per_s - 1000.0) < 1.0);
         QVERIFY(std::abs(result.roundTrip->median_ms - delay) < 0.5);
         QVERIFY(std::abs(result.roundTrip->mass_kg - bench.mass_kg) < 0.2 * bench.mass_kg);
+        // The mean response to a forward pulse is a forward motion.
+        double way_mm = 0.0;
+        for (const auto& [t_ms, x_mm] : result.roundTrip->response_mm) {
+            way_mm = t_ms < 24.0 ? x_mm : way_mm;
+        }
+        QVERIFY2(way_mm > 0.0, qPrintable(QString::number(way_mm)));
         QVERIFY(!result.held_N_per_mm && !result.heldControlled_N_per_mm && !result.isComplete());
         QVERIFY(bench.largest_N <= 1.3); // no wall
         QCOMPARE(bench.last, Vec3(Vec3::Zero()));
