@@ -20,4 +20,4 @@ if [[ $# -gt 0 && $1 != -* ]]; then
 elif [[ "$*" == *nightly* ]]; then
     filter=()
 fi
-headless ctest --test-dir "$palpate_root/build/$palpate_preset" --output-on-failure -j 2 "${filter[@]}" "$@"
+headless ctest --test-dir "$palpate_root/build/$palpate_preset" --output-on-failure -j 3 "${filter[@]}" "$@"
