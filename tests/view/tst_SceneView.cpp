@@ -250,11 +250,11 @@ class SceneView : public QObject
         }
     }
 
-    /// A fifth of the triangles, one point for each cluster of the ball's points.
+    /// One point for each cluster of the ball's points.
     void theCoarsePictureOfABallIsABall()
     {
         const auto fine = view::makeSurface(geometry::repair(test::ball(20.0, 6)));
-        const auto coarse = view::coarseSurface(*fine);
+        const auto coarse = view::coarseSurface(*fine, 5.0);
         const double share =
             static_cast<double>(coarse->GetNumberOfPolys()) / static_cast<double>(fine->GetNumberOfPolys());
         QVERIFY2(share > 0.1 && share < 0.3, qPrintable(QString::number(share)));
@@ -271,6 +271,40 @@ class SceneView : public QObject
                      qPrintable(QString::number(p.norm())));
             QVERIFY(n.dot(p) > 0.95 * p.norm()); // the same mean, but for the facets' normals
         }
+    }
+
+    /// The two sides of a plate thinner than a cell stay apart: else they would share points, with holes between them.
+    void theCoarsePictureOfAThinPlateHasTwoSides()
+    {
+        constexpr int kSide = 40;
+        constexpr double kThickness_mm = 0.01;
+        geometry::TriangleMesh plate;
+        const auto number = [](int side, int i, int j) {
+            return static_cast<std::uint32_t>((side * (kSide + 1) + i) * (kSide + 1) + j);
+        };
+        for (int side = 0; side < 2; ++side) {
+            for (int i = 0; i <= kSide; ++i) {
+                for (int j = 0; j <= kSide; ++j) {
+                    plate.vertices.emplace_back(i, j, side * kThickness_mm);
+                }
+            }
+            for (int i = 0; i < kSide; ++i) {
+                for (int j = 0; j < kSide; ++j) {
+                    const std::uint32_t a = number(side, i, j), b = number(side, i + 1, j), c = number(side, i, j + 1),
+                                        d = number(side, i + 1, j + 1);
+                    plate.triangles.push_back(side == 1 ? geometry::Triangle{a, b, d} : geometry::Triangle{a, d, b});
+                    plate.triangles.push_back(side == 1 ? geometry::Triangle{a, d, c} : geometry::Triangle{a, c, d});
+                }
+            }
+        }
+        const auto coarse = view::coarseSurface(*view::makeSurface(geometry::repair(plate)), 5.0);
+        int above = 0, below = 0;
+        for (vtkIdType i = 0; i < coarse->GetNumberOfPoints(); ++i) {
+            const double normal = coarse->GetPointData()->GetNormals()->GetTuple3(i)[2];
+            QVERIFY2(std::abs(std::abs(normal) - 1.0) < 1e-5, qPrintable(QString::number(normal)));
+            ++(normal > 0.0 ? above : below);
+        }
+        QVERIFY2(above == below && above > 100, qPrintable(QStringLiteral("%1 %2").arg(above).arg(below)));
     }
 
   private:

@@ -23,6 +23,7 @@ core::Box boxOf(vtkActor* actor)
 }
 
 constexpr int kPeels = 4, kCoarsePeels = 1; // layers of translucent tissue that are sorted
+constexpr double kLeastDivisor = 1.5;       // a coarse picture with more of the triangles saves too little
 
 /// Opacity up to which a structure is meant to be looked through, so that its cut face must not hide others.
 constexpr double kLeastFilled = 0.25;
@@ -380,21 +381,31 @@ void SceneView::bendTissue(const ViewFrame& frame)
     }
 }
 
+void SceneView::setSmoothEdges(bool isOn)
+{
+    m_hasSmoothEdges = isOn;
+    m_solid->SetUseFXAA(isOn && !m_isCoarse);
+}
+
 void SceneView::setCoarse(bool isOn)
 {
     m_isCoarse = isOn;
+    m_solid->SetUseFXAA(m_hasSmoothEdges && !isOn);
     if (!isOn || m_coarse.isBusy()) {
         return;
     }
+    double triangles = 0.0;
     std::vector<vtkSmartPointer<vtkPolyData>> without;
     for (const ViewStructure& one : m_structures) {
+        triangles += static_cast<double>(one.picture.picture()->GetNumberOfPolys());
         if (!one.picture.hasCoarsePicture() &&
             one.picture.picture()->GetNumberOfPolys() >= CoarseSurfaces::kLeastTriangles) {
             without.emplace_back(one.picture.picture());
         }
     }
-    if (!without.empty()) {
-        m_coarse.start(without);
+    const double divisor = triangles / CoarseSurfaces::kTriangles;
+    if (!without.empty() && divisor > kLeastDivisor) {
+        m_coarse.start(without, divisor);
     }
 }
 

@@ -26,7 +26,6 @@ namespace {
 
 using core::Vec3;
 
-constexpr double kShare = 5.0; // one of so many triangles stays
 constexpr double kLargestGrid = 1 << 20;
 
 /// Cluster of the points in a cell.
@@ -53,7 +52,7 @@ double areaOf(vtkPolyData& surface)
     return area;
 }
 
-/// Numbers the cells of a grid that have points. @return cluster of each point
+/// Numbers the cells of a grid that have points, once for each octant of the normals. @return cluster of each point
 std::vector<std::int32_t> clustersOf(vtkPolyData& surface, double width, std::vector<Cluster>& clusters)
 {
     vtkPoints& points = *surface.GetPoints();
@@ -74,6 +73,10 @@ std::vector<std::int32_t> clustersOf(vtkPolyData& surface, double width, std::ve
             const double at = std::clamp((p[axis] - low[axis]) / width, 0.0, kLargestGrid - 1.0);
             cell = (cell << 20U) | static_cast<std::uint64_t>(at);
         }
+        // By octant of the normal too: the two sides of a thin bone would become one, with holes and without a normal.
+        for (const double component : n) {
+            cell = (cell << 1U) | static_cast<std::uint64_t>(component < 0.0);
+        }
         const auto [number, isNew] = numbers.emplace(cell, static_cast<std::int32_t>(clusters.size()));
         if (isNew) {
             clusters.emplace_back();
@@ -89,7 +92,7 @@ std::vector<std::int32_t> clustersOf(vtkPolyData& surface, double width, std::ve
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> coarseSurface(vtkPolyData& surface)
+vtkSmartPointer<vtkPolyData> coarseSurface(vtkPolyData& surface, double divisor)
 {
     auto coarse = vtkSmartPointer<vtkPolyData>::New();
     const vtkIdType triangles = surface.GetNumberOfPolys();
@@ -100,7 +103,7 @@ vtkSmartPointer<vtkPolyData> coarseSurface(vtkPolyData& surface)
     // A surface has about two triangles for each cell that it passes.
     std::vector<Cluster> clusters;
     const std::vector<std::int32_t> of =
-        clustersOf(surface, std::sqrt(2.0 * kShare * area / static_cast<double>(triangles)), clusters);
+        clustersOf(surface, std::sqrt(2.0 * divisor * area / static_cast<double>(triangles)), clusters);
     vtkNew<vtkPoints> points;
     vtkNew<vtkFloatArray> normals;
     normals->SetName("Normals");
@@ -129,7 +132,7 @@ vtkSmartPointer<vtkPolyData> coarseSurface(vtkPolyData& surface)
     return coarse;
 }
 
-void CoarseSurfaces::start(const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces)
+void CoarseSurfaces::start(const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces, double divisor)
 {
     if (isBusy()) {
         return;
@@ -143,9 +146,9 @@ void CoarseSurfaces::start(const std::vector<vtkSmartPointer<vtkPolyData>>& surf
             jobs.emplace_back(surface, copy);
         }
     }
-    m_made = std::async(std::launch::async, [jobs = std::move(jobs)]() mutable {
+    m_made = std::async(std::launch::async, [jobs = std::move(jobs), divisor]() mutable {
         for (Pair& job : jobs) {
-            job.second = coarseSurface(*job.second);
+            job.second = coarseSurface(*job.second, divisor);
         }
         return std::move(jobs);
     });

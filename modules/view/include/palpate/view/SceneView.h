@@ -144,15 +144,17 @@ class PALPATE_EXPORT SceneView
     void prepareFrame(double pixelRatio);
     /// Draws the dent under the hand where the touch state allows: see `Dimple`.
     void setBending(bool isOn) { m_bends = isOn; }
-    /// Turns antialiasing (FXAA) on. Cheap on a graphics card, expensive with software rendering.
-    void setSmoothEdges(bool isOn) { m_solid->SetUseFXAA(isOn); }
+    /// Turns antialiasing (FXAA) on, except for coarse frames. Cheap on a graphics card, expensive with software
+    /// rendering.
+    void setSmoothEdges(bool isOn);
     /// Sorts translucent surfaces by depth peeling. When off, a single translucent structure is drawn without
     /// sorting: half the time and the same colours except where the surface folds over itself. Several structures are
     /// always sorted.
     void setSortedTransparency(bool isOn) { m_isSorted = isOn; }
-    /// Draws large structures with fewer triangles, for frames while the view turns. Their coarse pictures are made on
-    /// another thread at the first call; until then, and for structures with a dent, colours or a motion, nothing
-    /// changes.
+    /// For frames while the view turns: without antialiasing, and large structures of a large scene with fewer
+    /// triangles
+    /// (`CoarseSurfaces`). Their coarse pictures are made on another thread at the first call; until then, structures
+    /// are drawn as they are, and always those with a dent, colours or a motion.
     void setCoarse(bool isOn);
     /// Turns ambient occlusion on. For graphics cards only: a frame takes many times longer.
     void setAmbientOcclusion(bool isOn) { m_hasOcclusion = isOn; }
@@ -213,6 +215,7 @@ class PALPATE_EXPORT SceneView
     bool m_hasOcclusion = false;
     bool m_isSorted = true;
     bool m_isCoarse = false;
+    bool m_hasSmoothEdges = false;
     CoarseSurfaces m_coarse;
     bool m_bends = true;
 };
