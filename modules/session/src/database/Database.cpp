@@ -248,8 +248,11 @@ void Database::startWork() const
 
 core::Status Database::execute(const std::string& sql)
 {
-    return sqlite3_exec(m_database.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK ? core::Status()
-                                                                                               : cannotWrite();
+    if (sqlite3_exec(m_database.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK) {
+        return core::Status();
+    }
+    const bool isReadOnly = m_files != nullptr;
+    return isReadOnly ? cannotRead() : cannotWrite();
 }
 
 Statement Database::prepare(const char* sql) const
