@@ -156,9 +156,11 @@ void slide(benchmark::State& state, int n, double bump, double distance_mm, doub
     haptics::Palpator palpator;
     palpator.borrowScene(&sphere);
     double arc = 0.0;
+    const double start_mm =
+        10.0 + fingertip_mm;        // from outside: a ball placed nearer than its radius moves as a smaller one
     for (int i = 0; i < 300; ++i) { // approach
         const double share = std::min(1.0, i / 200.0);
-        (void)palpator.step(direction(0.0) * (kRadius_mm + 10 + (distance_mm - 10) * share), 1e-3);
+        (void)palpator.step(direction(0.0) * (kRadius_mm + start_mm + (distance_mm - start_mm) * share), 1e-3);
     }
     Ticks ticks;
     for (auto _ : state) {

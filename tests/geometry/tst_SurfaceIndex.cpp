@@ -57,6 +57,22 @@ class SurfaceIndexTest : public QObject
         QCOMPARE(twoSided, std::size_t{18});
     }
 
+    void numbersTheConnectedParts()
+    {
+        geometry::TriangleMesh two = box(Vec3(0, 0, 0), Vec3(1, 1, 1), 2);
+        QVERIFY(!indexed(two)->hasSeveralParts());
+        QCOMPARE(indexed(two)->part(3), 0U);
+        append(two, box(Vec3(0.5, 0.5, 0.5), Vec3(3, 3, 3), 2));
+        const auto index = indexed(two);
+        QVERIFY(index->hasSeveralParts());
+        const std::uint32_t first = index->part(0);
+        const bool isFirstBox = index->sourceTriangle(0) < 48;
+        for (std::uint32_t i = 0; i < index->triangleCount(); ++i) {
+            QVERIFY(index->part(i) <= 1);
+            QCOMPARE(index->part(i) == first, (index->sourceTriangle(i) < 48) == isFirstBox);
+        }
+    }
+
     void costsAtMost64BytesATriangle()
     {
         const auto index = indexed(sphere(64, 50.0));

@@ -405,7 +405,8 @@ class Fingertip : public QObject
                 (void)feel.at(at);
                 const TickResult r = feel.at(at + Vec3(0, 0, way));
                 QCOMPARE(r.status, TickStatus::Converged);
-                QVERIFY2(r.iterations < 8, qPrintable(QString::number(r.iterations)));
+                // The faces push against each other until a tick has made 16 moves without a gain.
+                QVERIFY2(r.iterations < 20, qPrintable(QString::number(r.iterations)));
                 QVERIFY(r.constraints > 0 || r.p_WG == at + Vec3(0, 0, way));
             }
         }

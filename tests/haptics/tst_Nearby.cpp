@@ -258,8 +258,8 @@ class Nearby : public QObject
         BallCrossing crossing, crossingOfFresh;
         prepared.beginTick();
         fresh.beginTick();
-        const Sweep sweep = prepared.sweep(layer, x, y - Vec3(1.0, 0.0, 0.0), work, crossing);
-        QCOMPARE(fresh.sweep(layer, x, y - Vec3(1.0, 0.0, 0.0), workOfFresh, crossingOfFresh), sweep);
+        const Sweep sweep = prepared.sweep(layer, nullptr, x, y - Vec3(1.0, 0.0, 0.0), work, crossing);
+        QCOMPARE(fresh.sweep(layer, nullptr, x, y - Vec3(1.0, 0.0, 0.0), workOfFresh, crossingOfFresh), sweep);
         QCOMPARE(sweep, Sweep::Blocked);
         QCOMPARE(crossing.stop, crossingOfFresh.stop);
         QCOMPARE(crossing.facet.triangle, crossingOfFresh.facet.triangle);

@@ -59,7 +59,8 @@ geometry::TriangleMesh icosphere(double radius_mm, const Vec3& centre, int divis
 } // namespace
 
 std::shared_ptr<const haptics::HapticScene> sphereScene(double radius_mm, double stiffness_N_per_mm,
-                                                        double damping_Ns_per_mm, const Vec3& centre)
+                                                        double damping_Ns_per_mm, const Vec3& centre,
+                                                        double fingertip_mm)
 {
     haptics::HapticStructure structure;
     structure.name = "sphere";
@@ -67,7 +68,7 @@ std::shared_ptr<const haptics::HapticScene> sphereScene(double radius_mm, double
         geometry::SurfaceIndex::build(geometry::repair(icosphere(radius_mm, centre, 4))));
     structure.tissue.stiffness_N_per_mm = stiffness_N_per_mm;
     structure.tissue.damping_Ns_per_mm = damping_Ns_per_mm;
-    return std::make_shared<const haptics::HapticScene>(std::vector<haptics::HapticStructure>{structure});
+    return std::make_shared<const haptics::HapticScene>(std::vector<haptics::HapticStructure>{structure}, fingertip_mm);
 }
 
 std::vector<Vec3> palpatingMotion(int ticks)

@@ -317,6 +317,66 @@ class ServoCore : public QObject
         QVERIFY(std::abs(record.fSent_W.z() - (isKept ? 0.5 * (30.0 - z) : 0.0)) < 0.02);
     }
 
+    /// A device that appears, or is centred, where its fingertip does not fit: 2 mm off a sphere with a radius of 8 mm.
+    /// The god-object must follow the hand around the sphere, before and after the clutch, instead of being held where
+    /// it was placed. The facets have edges of less than 0.08 rad and a circumradius of less than 0.046 rad. At the
+    /// start, the distance is therefore at most 2 mm + 30 mm (1 - cos 0.046) = 2.04 mm. Pressed to 26 mm from the
+    /// centre, the ball is on a facet within an edge of the hand: the spring is at most
+    /// 30 mm + 2.04 mm - 26 mm cos 0.08 long.
+    void aHandThatAppearsTooNearIsNotHeld()
+    {
+        constexpr double kStiffness_N_per_mm = 0.5, kMost_N = kStiffness_N_per_mm * (32.04 - 26.0 * 0.9968);
+        const auto scene = palpate::test::sphereScene(30.0, kStiffness_N_per_mm, 0.0, Vec3::Zero(), 8.0);
+        Core core(limitsOf("omega"), 1000.0);
+        core.borrowScene(scene.get(), 1);
+        palpate::servo::MapSettings map;
+        map.isDirect = false;
+        std::int64_t i = 0;
+        Vec3 p_D = Vec3::Zero(), shift = Vec3::Zero(); // of the HIP from the device
+        const auto tick = [&](const Vec3& hip) {
+            core.setMap(map);
+            p_D = hip - shift;
+            const TickRecord record = core.tick(hand(p_D, timeOf(i)), timeOf(i));
+            ++i;
+            return record;
+        };
+        for (const double latitude : {0.3, -0.2}) {
+            const auto at = [latitude](double radius_mm, double longitude) {
+                return Vec3(radius_mm * Vec3(std::cos(latitude) * std::cos(longitude),
+                                             std::cos(latitude) * std::sin(longitude), std::sin(latitude)));
+            };
+            const auto isFelt = [&](const TickRecord& record) {
+                return record.felt.f_W.norm() <= kMost_N && record.fSent_W.norm() <= kMost_N;
+            };
+            shift = map.centre_W = at(32.0, 0.0) - p_D;
+            ++map.centreRequest;
+            TickRecord record = tick(at(32.0, 0.0));
+            QVERIFY((record.flags & palpate::servo::kReset) != 0 && record.felt.f_W.isZero(0.0));
+            double longitude = 0.0;
+            for (int k = 1; k <= 600; ++k) {
+                record = tick(at(32.0 - 0.01 * k, 0.0));
+                QVERIFY(isFelt(record));
+            }
+            for (int k = 0; k < 2000; ++k) {
+                record = tick(at(26.0, longitude += 0.0002));
+                QVERIFY2(isFelt(record), qPrintable(QString("tick %1: %2 N").arg(i).arg(record.felt.f_W.norm())));
+            }
+            QVERIFY(record.felt.f_W.norm() > 0.9 * kMost_N);
+            map.isClutched = true;
+            for (int k = 0; k < 200; ++k) {
+                QVERIFY(tick(at(26.0 + 0.1 * k, longitude)).fSent_W.norm() <= kMost_N);
+            }
+            map.isClutched = false;
+            shift = at(26.0, longitude) - p_D; // the HIP stayed
+            for (int k = 0; k < 2000; ++k) {
+                record = tick(at(26.0, longitude += 0.0002));
+                QVERIFY2(isFelt(record), qPrintable(QString("tick %1: %2 N").arg(i).arg(record.felt.f_W.norm())));
+            }
+            QVERIFY(record.fSent_W.norm() > 0.9 * kMost_N); // eased in
+            QCOMPARE((record.flags & palpate::servo::kReset), 0);
+        }
+    }
+
     /// While a fault is latched the contact is kept until the loop is re-armed, however long that takes.
     void aRearmedDeviceKeepsItsContact()
     {

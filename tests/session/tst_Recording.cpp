@@ -85,6 +85,7 @@ class Recording : public QObject
         info.start.layers[1].p_WG = core::Vec3(0.1, -0.0, 1e300);
         info.start.layers[1].side[2] = -1;
         info.start.layers[1].constraints = 3;
+        info.start.layers[1].placed = haptics::GodObjectState::kTight;
         info.start.started = 1;
         {
             auto writer = session::RecordingWriter::create(path("b.palpate"), info);
@@ -105,6 +106,7 @@ class Recording : public QObject
         QVERIFY(std::signbit(reader.info().start.layers[1].p_WG.y()));
         QCOMPARE(reader.info().start.layers[1].p_WG, info.start.layers[1].p_WG);
         QCOMPARE(reader.info().start.layers[1].side[2], std::int8_t{-1});
+        QCOMPARE(reader.info().start.layers[1].placed, haptics::GodObjectState::kTight);
         QCOMPARE(reader.info().start.started, 1u);
         QCOMPARE(reader.scenes().size(), std::size_t{2});
         QCOMPARE(reader.scene(2)->structures.at(0).name, std::string("box"));

@@ -40,7 +40,7 @@ bool hasOddCrossings(const SurfaceIndex& surface, const Vec3& p, const Vec3& d, 
 
 } // namespace
 
-double distanceAlongRay(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, const Vec3& d)
+double distanceAlongRay(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p, const Vec3& d) noexcept
 {
     const double kMiss = std::numeric_limits<double>::infinity();
     const Vec3 u = b - a;

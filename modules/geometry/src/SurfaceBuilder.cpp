@@ -108,6 +108,34 @@ void SurfaceBuilder::reorder(const core::LargeArray<BoxedItem>& items, SurfaceIn
     index.m_vertices.push_back(Vec3::Zero());
 }
 
+void SurfaceBuilder::findParts(SurfaceIndex& index)
+{
+    constexpr std::uint32_t kUnseen = 0xffffffffu;
+    std::vector<std::uint32_t> parts(index.m_triangles.size(), kUnseen), reached;
+    std::uint32_t count = 0;
+    for (std::uint32_t seed = 0; seed < parts.size(); ++seed) {
+        if (parts[seed] != kUnseen) {
+            continue;
+        }
+        parts[seed] = count;
+        for (reached.assign(1, seed); !reached.empty();) {
+            const std::uint32_t i = reached.back();
+            reached.pop_back();
+            for (const std::uint32_t beyond : index.m_neighbours[i]) {
+                const std::uint32_t next = beyond >> 2;
+                if (next != SurfaceIndex::kNoNeighbour && parts[next] == kUnseen) {
+                    parts[next] = count;
+                    reached.push_back(next);
+                }
+            }
+        }
+        ++count;
+    }
+    if (count > 1) {
+        index.m_parts = std::move(parts);
+    }
+}
+
 void SurfaceBuilder::flag(const std::vector<std::uint8_t>& isClear, SurfaceIndex& index) const
 {
     constexpr std::uint32_t kFlagBit = SurfaceIndex::kFlagBit;
@@ -138,6 +166,7 @@ SurfaceIndex SurfaceBuilder::build()
     index.m_hierarchy = BoxHierarchy::build(items, index.m_bounds.center(), m_threads);
     reorder(items, index);
     index.m_neighbours = findNeighbours(index.m_triangles, index.m_vertexCount, m_threads);
+    findParts(index);
     std::vector<std::uint8_t> isClear;
     // With a skin below the rounding error of distances, no triangle can be proven clear.
     if (scale.isSkinAboveRounding) {

@@ -31,6 +31,8 @@ class SurfaceBuilder
     [[nodiscard]] Scale measure(const Box& bounds, core::LargeArray<BoxedItem>& items) const;
     /// Sorts triangles and vertices into leaf order. @param items  as sorted by BoxHierarchy::build
     void reorder(const core::LargeArray<BoxedItem>& items, SurfaceIndex& index) const;
+    /// Numbers the connected parts.
+    static void findParts(SurfaceIndex& index);
     /// Sets the flag bits of the index.
     void flag(const std::vector<std::uint8_t>& isClear, SurfaceIndex& index) const;
 

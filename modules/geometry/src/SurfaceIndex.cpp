@@ -27,7 +27,7 @@ std::size_t SurfaceIndex::byteSize() const noexcept
 {
     return m_vertices.capacity() * sizeof(Vec3) + m_triangles.capacity() * sizeof(Triangle) +
            m_sources.capacity() * sizeof(std::uint32_t) + m_neighbours.capacity() * sizeof(Triangle) +
-           m_hierarchy.byteSize();
+           m_parts.capacity() * sizeof(std::uint32_t) + m_hierarchy.byteSize();
 }
 
 } // namespace palpate::geometry

@@ -266,7 +266,7 @@ void Palpator::Impl::giveBack(LostContact& one, std::size_t layer) noexcept
 {
     GodObjectState god;
     god.p_WG = one.p_WG;
-    god.placed = 1;
+    god.placed = GodObjectState::kTight; // other surfaces may have come since
     gods[layer].restore(god);
     one = {};
 }
@@ -362,7 +362,8 @@ bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noex
 {
     Impl& me = *m_impl;
     // Contacts follow structures from this scene; setting the same scene again moves nothing.
-    const bool keeps = continuity == Continuity::Contacts && me.scene != scene;
+    const bool isOther = me.scene != scene;
+    const bool keeps = continuity == Continuity::Contacts && isOther;
     const HapticScene* const old = keeps ? me.scene : nullptr;
     const HapticScene* const before = continuity == Continuity::Contacts ? me.scene : nullptr;
     if (old != nullptr) {
@@ -386,8 +387,11 @@ bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noex
                 kept = last.layers[*j];
                 hip = numbers[*j].isMoving ? last.p_RH[*j] : hip;
             }
-            if (old != nullptr && kept.placed != 0) {
+            if (old != nullptr && kept.placed != GodObjectState::kNotPlaced) {
                 kept.p_WG = internal::carryOverPosition(*old, *scene, layer, kept, hip);
+            }
+            if (kept.placed != GodObjectState::kNotPlaced && isOther && me.isBall) {
+                kept.placed = GodObjectState::kTight;
             }
             if (layer.motion != nullptr) {
                 me.p_RH[i] = hip;

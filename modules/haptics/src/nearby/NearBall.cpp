@@ -54,6 +54,7 @@ struct NearBall::First
     const Vec3& x;
     const Vec3& y;
     double radius_mm;
+    const TightRoom* room; ///< may be null
     BallCrossing& best;
     double limit;
     bool found = false;
@@ -83,8 +84,9 @@ struct NearBall::First
         const geometry::SurfaceIndex& surface = layer.surface(structure);
         BallCrossing crossing;
         const double least = found && best.key == 0.0 ? best.closing_mm : 0.0;
+        const double kept_mm = room == nullptr ? radius_mm : room->radiusOff(layer, structure, triangle);
         const bool isBlocked =
-            blocksBall(Facet::of(surface, structure, triangle), x, y, radius_mm, limit, crossing, least);
+            blocksBall(Facet::of(surface, structure, triangle), x, y, kept_mm, limit, crossing, least);
         price += crossing.isTimed ? kTimed : 0;
         if (!isBlocked) {
             return;
@@ -274,7 +276,7 @@ void NearBall::prepare(const HapticLayer& layer, const Vec3& x, const Vec3& y, T
     (void)m_cells.at(layer, y, work);
 }
 
-Sweep NearBall::sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, TickWork& work,
+Sweep NearBall::sweep(const HapticLayer& layer, const TightRoom* room, const Vec3& x, const Vec3& y, TickWork& work,
                       BallCrossing& best) noexcept
 {
     best.stop = 0.0;
@@ -286,7 +288,7 @@ Sweep NearBall::sweep(const HapticLayer& layer, const Vec3& x, const Vec3& y, Ti
         return Sweep::Free;
     }
     work.spend(kSweep);
-    First first{x, y, layer.fingertip_mm, best, 1.0};
+    First first{x, y, layer.fingertip_mm, room, best, 1.0};
     const double length = (y - x).cwiseAbs().maxCoeff();
     double done = 0.0; // fraction of the move known to be free
     for (int piece = 0; piece < kMostPieces; ++piece) {

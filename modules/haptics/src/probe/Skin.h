@@ -34,6 +34,9 @@ inline constexpr double kTouching = 1.5;
 
 inline constexpr double kSupporting = 2.0; ///< maximum height at which a facet supports a god-object
 
+/// A ball that penetrates deeper was placed there rather than pressed in: it may leave, but is not pushed out.
+inline constexpr double kMaxPressedDepth = 4.0;
+
 inline constexpr double kEdgeTolerance = 8.0; ///< maximum distance outside an edge that still counts as at the edge
 
 inline constexpr double kLeastGain = 16.0; ///< minimum gain towards the HIP of an escape from a corner

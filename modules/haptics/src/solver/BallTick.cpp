@@ -51,10 +51,6 @@ constexpr double kMaxIdleTravel =
 // Radii; maximum distance to the next facet that counts as contact when the work budget is spent.
 constexpr double kAtFacet = 0.01;
 
-// Skins. A ball that penetrates deeper was placed inside the tissue rather than pressed in; the ball may leave, but is
-// not pushed out.
-constexpr double kMaxPressedDepth = 4.0;
-
 /// The line along which two contacts leave the ball free to move.
 struct Trough
 {
@@ -106,6 +102,7 @@ void BallTick::touch(const Facet& facet, int side) noexcept
     BallContact& contact = m_active.add();
     contact.facet = facet;
     contact.side = side;
+    contact.radius_mm = radiusOff(m_room, m_layer, facet.structure, facet.triangle);
     contact.updateFrom(m_god);
     keepThinnest(facet.skin_mm);
 }
@@ -153,7 +150,7 @@ bool BallTick::rollOn(BallContact& contact) const noexcept
             break; // above the edge itself
         }
     }
-    const double radius = m_layer.fingertip_mm;
+    const double radius = contact.radius_mm;
     return contact.distance_mm > radius && contact.distance_mm < (1.0 + kMaxRollGap) * radius;
 }
 
@@ -163,9 +160,8 @@ Vec3 BallTick::nextMove() noexcept
     if (m_active.isEmpty()) {
         return wanted;
     }
-    const double radius = m_layer.fingertip_mm;
-    const Vec3 u = m_active.constrain(wanted, [radius](const BallContact& c) {
-        const double missing = radius + c.facet.skin_mm - c.distance_mm;
+    const Vec3 u = m_active.constrain(wanted, [](const BallContact& c) {
+        const double missing = c.radius_mm + c.facet.skin_mm - c.distance_mm;
         return HalfSpace{c.n, missing <= kMaxPressedDepth * c.facet.skin_mm ? missing : 0.0};
     });
     if (m_active.isEmpty()) {
@@ -332,7 +328,7 @@ bool BallTick::tryAside() noexcept
         const double aside = m_nudges++ % 2 == 0 ? kAside : -kAside;
         const Vec3 target = m_god + aside * m_layer.fingertip_mm * m_aside;
         BallCrossing crossing;
-        if (m_near.sweep(m_layer, m_god, target, m_work, crossing) == Sweep::Free) {
+        if (m_near.sweep(m_layer, m_room, m_god, target, m_work, crossing) == Sweep::Free) {
             m_god = target;
             (void)updateContacts();
             m_since = 0;
@@ -382,8 +378,10 @@ void BallTick::dropUntouched() noexcept
     }
     // A contact that prevents a last insignificant gain is as near as it will get. Friction needs this contact, so it
     // is kept.
-    const double near_mm = m_friction != nullptr ? m_layer.fingertip_mm + slight((m_hip - m_god).norm()) : 0.0;
-    const auto isParted = [&](const BallContact& c) { return !isTouched(c) && !(c.distance_mm <= near_mm); };
+    const double gain_mm = slight((m_hip - m_god).norm());
+    const auto isParted = [&](const BallContact& c) {
+        return !isTouched(c) && !(m_friction != nullptr && c.distance_mm <= c.radius_mm + gain_mm);
+    };
     if (!std::all_of(m_active.begin(), m_active.end(), isParted)) {
         m_active.release(isParted);
     }
@@ -394,18 +392,19 @@ void BallTick::dropUntouched() noexcept
 bool BallTick::touchesHip(double spring_mm) const noexcept
 {
     const double enough = 0.5 * slight(spring_mm);
-    return !isDeep() && spring_mm <= m_layer.fingertip_mm + kSeparationGap * m_skin_mm + enough &&
-           std::any_of(m_active.begin(), m_active.end(),
-                       [&](const BallContact& c) { return (m_hip - c.nearest.q).norm() <= enough; });
+    return !isDeep() && std::any_of(m_active.begin(), m_active.end(), [&](const BallContact& c) {
+        return spring_mm <= c.radius_mm + kSeparationGap * m_skin_mm + enough && (m_hip - c.nearest.q).norm() <= enough;
+    });
 }
 
 /// Returns true if no legal position is significantly nearer to the HIP: the ball keeps its radius from every point of
 /// the touched facets, including the point nearest to the HIP.
 bool BallTick::isNearest(double spring_mm) const noexcept
 {
-    const double most = m_layer.fingertip_mm + slight(spring_mm) - spring_mm;
-    return std::any_of(m_active.begin(), m_active.end(),
-                       [&](const BallContact& c) { return (m_hip - nearestOn(c.facet, m_hip).q).norm() <= most; });
+    const double gain_mm = slight(spring_mm);
+    return std::any_of(m_active.begin(), m_active.end(), [&](const BallContact& c) {
+        return (m_hip - nearestOn(c.facet, m_hip).q).norm() <= c.radius_mm + gain_mm - spring_mm;
+    });
 }
 
 /// Returns the smallest significant gain at this distance from the HIP [mm].
@@ -443,7 +442,7 @@ bool BallTick::makeMove() noexcept
     const bool isLong = m_trialMoves == kTrial;
     const Vec3 target = m_active.isEmpty() ? m_hip : Vec3(m_god + u);
     BallCrossing crossing;
-    switch (m_near.sweep(m_layer, m_god, target, m_work, crossing)) {
+    switch (m_near.sweep(m_layer, m_room, m_god, target, m_work, crossing)) {
     case Sweep::Free:
         return moveTo(target, isLong);
     case Sweep::Blocked:
@@ -514,7 +513,7 @@ bool BallTick::isTouched(const BallContact& contact) const noexcept
     const double skin = contact.facet.skin_mm;
     // A one-sided facet does not hold a ball behind its plane.
     return contact.distance_mm >= -kPlaneTolerance * skin &&
-           contact.distance_mm <= m_layer.fingertip_mm + kSeparationGap * skin;
+           contact.distance_mm <= contact.radius_mm + kSeparationGap * skin;
 }
 
 /// Returns true if the ball is nearer to a contact than its radius: the ball was placed there, and each move must
@@ -522,7 +521,7 @@ bool BallTick::isTouched(const BallContact& contact) const noexcept
 bool BallTick::isDeep() const noexcept
 {
     return std::any_of(m_active.begin(), m_active.end(), [&](const BallContact& c) {
-        return m_layer.fingertip_mm + c.facet.skin_mm - c.distance_mm > kMaxPressedDepth * c.facet.skin_mm;
+        return c.radius_mm + c.facet.skin_mm - c.distance_mm > kMaxPressedDepth * c.facet.skin_mm;
     });
 }
 

@@ -18,6 +18,7 @@ struct BallContact
     Facet facet;
     int side = 1;
     Vec3 n = Vec3::Zero();    ///< unit contact normal, from the contact point to the centre
+    double radius_mm = 0.0;   ///< distance that the centre keeps: the fingertip's radius, or less, see TightRoom
     double distance_mm = 0.0; ///< distance of the centre from the facet
     Nearest nearest;          ///< contact point: on an edge or a corner the ball rolls around it
 
@@ -40,11 +41,13 @@ struct BallContact
 class BallTick
 {
   public:
+    /// @param room  distances that the ball keeps where it was placed too near; null: its radius everywhere
     /// @param friction  friction of the layer in this tick; null: frictionless
-    BallTick(const Vec3& hip, const HapticLayer& layer, NearBall& near, CoulombFriction* friction, TickWork& work,
-             const Vec3& god) noexcept
+    BallTick(const Vec3& hip, const HapticLayer& layer, const TightRoom* room, NearBall& near,
+             CoulombFriction* friction, TickWork& work, const Vec3& god) noexcept
         : m_hip(hip)
         , m_layer(layer)
+        , m_room(room)
         , m_near(near)
         , m_friction(friction)
         , m_work(work)
@@ -85,6 +88,7 @@ class BallTick
 
     const Vec3& m_hip;
     const HapticLayer& m_layer;
+    const TightRoom* m_room;
     NearBall& m_near;
     CoulombFriction* m_friction;
     TickWork& m_work;

@@ -148,13 +148,22 @@ class Ride
     Vec3 m_alongU, m_alongV;
 };
 
+/// Returns the distance that the god-object keeps from a touched facet [mm]: the fingertip's radius, or less for a ball
+/// that was placed nearer.
+double heldDistance(const Facet& touched, const GodObjectState& god, double fingertip_mm) noexcept
+{
+    return god.placed == GodObjectState::kTight ? std::min(fingertip_mm, nearestOn(touched, god.p_WG).away.norm())
+                                                : fingertip_mm;
+}
+
 /// Returns true if a replaced surface is unchanged where the god-object touches it.
+/// @param held_mm  see heldDistance
 bool isStillOn(const geometry::SurfaceIndex& surface, std::uint32_t structure, const GodObjectState& god,
-               std::size_t contact, double fingertip_mm) noexcept
+               std::size_t contact, double held_mm) noexcept
 {
     const double skin_mm = surface.skin_mm();
-    const auto on = nearestWithin(surface, structure, god.p_WG, fingertip_mm + 2.0 * kAbove * skin_mm);
-    return on && std::abs(god.side[contact] * on->height_mm - fingertip_mm) <= kAbove * skin_mm;
+    const auto on = nearestWithin(surface, structure, god.p_WG, held_mm + 2.0 * kAbove * skin_mm);
+    return on && std::abs(god.side[contact] * on->height_mm - held_mm) <= kAbove * skin_mm;
 }
 
 /// Returns the position that follows the contact; the current position if the contact no longer exists.
@@ -171,14 +180,15 @@ Vec3 ridden(const HapticScene& before, const HapticScene& after, const GodObject
         if (from == nullptr || to == nullptr || from == to) {
             continue;
         }
-        if (isStillOn(*to, structure, god, k, fingertip_mm)) {
+        const Facet was = Facet::of(*from, structure, god.triangle[k]);
+        if (isStillOn(*to, structure, god, k, heldDistance(was, god, fingertip_mm))) {
             return god.p_WG;
         }
         const auto there = sameTriangle(*from, god.triangle[k], *to);
         if (!there) {
             continue;
         }
-        const Facet was = Facet::of(*from, structure, god.triangle[k]), is = Facet::of(*to, structure, *there);
+        const Facet is = Facet::of(*to, structure, *there);
         const Ride ride(was, is);
         const Vec3 p_WG = ride.taken(god.p_WG);
         const bool isNear = (ride.taken(p_WH) - p_WH).norm() <= Palpator::kNear_mm; // false for NaN
@@ -205,9 +215,11 @@ Before beforeAt(const geometry::SurfaceIndex& surface, std::uint32_t structure, 
     Before before;
     for (std::size_t k = 0; k < god.constraints && before.count < kPlanes; ++k) {
         if (god.structure[k] == structure) {
+            const Facet touched = Facet::of(surface, structure, god.triangle[k]);
+            const double held_mm = heldDistance(touched, god, fingertip_mm);
             before.side = god.side[k];
-            before.normals[before.count++] = Facet::of(surface, structure, god.triangle[k]).n;
-            before.clearance_mm = fingertip_mm;
+            before.clearance_mm = before.count == 0 ? held_mm : std::min(before.clearance_mm, held_mm);
+            before.normals[before.count++] = touched.n;
         }
     }
     if (before.count > 0) {

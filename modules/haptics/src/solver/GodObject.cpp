@@ -18,6 +18,11 @@ namespace {
 // (bench_touch, ball4: from 450 to 1,100).
 constexpr std::uint32_t kLight = 800;
 
+// The search for the room of a ball ends after this share of the work of a tick, so that the ball can always move, but
+// not before kLeastSearch: a start with room is then found even where other layers have used up the tick.
+constexpr std::uint32_t kShareOfSearch = 4;
+constexpr std::uint32_t kLeastSearch = 4000;
+
 } // namespace
 
 /// God-object at the start of a tick. `structure` and `triangle` of the state only change in `publish`.
@@ -31,12 +36,10 @@ struct GodObject::Before
 GodObjectStep GodObject::step(const Vec3& p_WH, double dt_s, const HapticLayer& layer, const GodObjectLimits& limits,
                               NearBall* ball) noexcept
 {
-    GodObjectStep result;
-    if (m_state.placed == 0) {
-        restore({});
-        m_state.p_WG = p_WH;
-        m_state.placed = 1;
+    if (m_state.placed != GodObjectState::kPlaced && m_room == nullptr) [[unlikely]] {
+        return stepTight(p_WH, dt_s, layer, limits, ball);
     }
+    GodObjectStep result;
     recallFacets(layer);
     if (m_state.constraints == 0 && layer.fingertip_mm == 0.0 && limits.work > NearPoint::kSweepPrice &&
         m_near.isFree(m_state.p_WG, p_WH)) {
@@ -52,6 +55,34 @@ GodObjectStep GodObject::step(const Vec3& p_WH, double dt_s, const HapticLayer& 
     } else {
         stepPoint(p_WH, layer, limits, nullptr, true, result);
     }
+    return result;
+}
+
+/// Step of a god-object that was placed without regard to the surfaces.
+[[gnu::noinline]] GodObjectStep GodObject::stepTight(const Vec3& p_WH, double dt_s, const HapticLayer& layer,
+                                                     const GodObjectLimits& limits, NearBall* ball) noexcept
+{
+    if (m_state.placed == GodObjectState::kNotPlaced) {
+        restore({});
+        m_state.p_WG = p_WH;
+        m_state.placed = GodObjectState::kTight;
+    }
+    TightRoom room;
+    const std::uint32_t most = std::max(limits.work / kShareOfSearch, kLeastSearch);
+    TickWork search(most);
+    if (layer.fingertip_mm > 0.0) {
+        room.search(layer, m_state.p_WG, search);
+    }
+    if (layer.fingertip_mm == 0.0 || room.isWhole()) {
+        // The search is not charged, so that all ticks have the bits of a ball that came from elsewhere.
+        m_state.placed = GodObjectState::kPlaced;
+        return step(p_WH, dt_s, layer, limits, ball);
+    }
+    const std::uint32_t searched = std::min(limits.work / kShareOfSearch, most - search.left());
+    m_room = &room;
+    GodObjectStep result = step(p_WH, dt_s, layer, {limits.iterations, limits.work - searched}, ball);
+    m_room = nullptr;
+    result.work += searched;
     return result;
 }
 
@@ -105,7 +136,8 @@ ConstrainedPoint GodObject::withoutFriction(const Vec3& p_WH, const HapticLayer&
             contact.facet = facet;
             contact.side = m_state.side[i];
             contact.updateFrom(m_state.p_WG);
-            planes[i] = {contact.n, layer.fingertip_mm + facet.skin_mm - contact.distance_mm};
+            const double radius = radiusOff(m_room, layer, facet.structure, facet.triangle);
+            planes[i] = {contact.n, radius + facet.skin_mm - contact.distance_mm};
         } else {
             planes[i] = PointContact{facet, m_state.side[i]}.planeFrom(m_state.p_WG);
         }
@@ -167,7 +199,7 @@ void GodObject::stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodOb
                          CoulombFriction* friction, GodObjectStep& result) noexcept
 {
     TickWork work(limits.work);
-    BallTick tick(p_WH, layer, ball, friction, work, m_state.p_WG);
+    BallTick tick(p_WH, layer, m_room, ball, friction, work, m_state.p_WG);
     for (std::size_t i = 0; i < m_state.constraints; ++i) {
         tick.touch(m_facets[i], m_state.side[i]);
     }

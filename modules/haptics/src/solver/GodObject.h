@@ -59,6 +59,8 @@ class GodObject
     [[nodiscard]] const Vec3& push_W() const noexcept { return m_push_W; }
 
   private:
+    [[nodiscard]] GodObjectStep stepTight(const Vec3& p_WH, double dt_s, const HapticLayer& layer,
+                                          const GodObjectLimits& limits, NearBall* ball) noexcept;
     void recallFacets(const HapticLayer& layer) noexcept;
     void stepBall(const Vec3& p_WH, const HapticLayer& layer, const GodObjectLimits& limits, NearBall& ball,
                   CoulombFriction* friction, GodObjectStep& result) noexcept;
@@ -84,6 +86,7 @@ class GodObject
     std::array<Facet, 3> m_facets;            ///< facets of the constraints in m_state
     std::array<ActiveConstraint, 3> m_active; ///< these constraints as planes; set by step()
     Vec3 m_push_W;                            ///< see push_W()
+    const TightRoom* m_room = nullptr;        ///< set during a step in the state kTight
     bool m_hasFacets = false;
     bool m_hasWalked = false; ///< the last tick ended by a walk, well inside m_facets[0]
 };

@@ -171,8 +171,8 @@ std::optional<haptics::PalpatorState> unpackState(std::string_view bytes)
         if (hasFriction) {
             take(bytes, layer.slides);
         }
-        if (layer.constraints > layer.triangle.size() || layer.placed > 1 || layer.slides > 1 ||
-            !layer.p_WG.allFinite()) {
+        if (layer.constraints > layer.triangle.size() || layer.placed > haptics::GodObjectState::kTight ||
+            layer.slides > 1 || !layer.p_WG.allFinite()) {
             return std::nullopt;
         }
     }

@@ -4,6 +4,7 @@
 #include "palpate/geometry/SurfaceIndex.h"
 
 #include <palpate/core/Export.h>
+#include <palpate/core/Realtime.h>
 
 namespace palpate::geometry {
 
@@ -11,9 +12,10 @@ namespace palpate::geometry {
 /// between neighbours.
 /// @return distance along the ray [mm]; infinite without an intersection
 /// @param d  unit direction
+/// @par Real-time Wait-free.
 /// @par Source Möller & Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997).
 [[nodiscard]] PALPATE_EXPORT double distanceAlongRay(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p,
-                                                     const Vec3& d);
+                                                     const Vec3& d) noexcept PALPATE_NONBLOCKING;
 
 /// Point-in-solid test for a closed surface: ray parity, decided by the majority of three rays so that a ray that
 /// grazes an edge cannot decide alone. Points outside the bounding box are rejected without a ray. The result is

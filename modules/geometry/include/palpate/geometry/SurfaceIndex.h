@@ -76,6 +76,10 @@ class PALPATE_EXPORT SurfaceIndex
         return {packed >> 2, packed & 3u};
     }
 
+    /// Number of the connected part of the surface that the triangle belongs to. Parts are connected by `neighbour`.
+    [[nodiscard]] std::uint32_t part(std::uint32_t i) const noexcept { return m_parts.empty() ? 0 : m_parts[i]; }
+    [[nodiscard]] bool hasSeveralParts() const noexcept { return !m_parts.empty(); }
+
     /// True if only the three neighbours can block a god-object that slides over this triangle: no other triangle of
     /// this surface is as near, and the neighbours' normals turn by at most 53 degrees. Valid on the contact sides, up
     /// to kClearHeight skins above the triangle and at least kClearOfCorners skins away from its corners. False if
@@ -129,6 +133,7 @@ class PALPATE_EXPORT SurfaceIndex
     core::LargeArray<std::uint32_t> m_sources;
     core::LargeArray<Triangle>
         m_neighbours; ///< for each edge: triangle << 2 | shared edge there; flag bit: that neighbour is clear
+    std::vector<std::uint32_t> m_parts; ///< empty for a surface of one part
     BoxHierarchy m_hierarchy;
     Box m_bounds;
     double m_skin_mm = 0.0;

@@ -16,9 +16,15 @@ struct GodObjectState
     std::array<std::uint32_t, 3> triangle{};
     std::array<std::int8_t, 3> side{}; ///< +1: on the front of the triangle, -1: on the back
     std::uint8_t constraints = 0;      ///< number of valid entries in the three arrays
-    std::uint8_t placed = 0;           ///< 0: not yet placed, the next tick starts at the HIP
+    std::uint8_t placed = 0;           ///< kNotPlaced, kPlaced or kTight
     std::uint8_t slides = 0;           ///< 1: sliding; friction released the god-object and has not caught it since
     std::uint8_t pad[2]{};
+
+    static constexpr std::uint8_t kNotPlaced = 0; ///< the next tick starts at the HIP
+    static constexpr std::uint8_t kPlaced = 1;
+    /// Placed without regard to the surfaces, by a start at the HIP or a change of scene: a ball may be nearer to a
+    /// surface than its radius, or inside. It then keeps its distance instead of its radius, until the whole ball fits.
+    static constexpr std::uint8_t kTight = 2;
 };
 
 /// A contact with a structure that was removed from the scene. Allows a hand that stays in place to resume the contact
