@@ -76,7 +76,7 @@ class MotionFile : public QObject
         row("nan", "x,y,z\n1,2,nan\n", "m.csv: line 2, column z: found \"nan\", expected a finite number");
         row("inf", "x,y,z\n-inf,2,3\n", "m.csv: line 2, column x: found \"-inf\", expected a finite number");
         row("too large", "x,y,z\n1e300,2,3\n",
-            "m.csv: line 2, column x: found \"1e300\", expected a coordinate within 1e9 mm");
+            "m.csv: line 2, column x: found \"1e300\", expected a coordinate within 10⁹ mm");
         row("field missing", "x,y,z\n1,2\n", "m.csv: line 2: found 2 fields, expected 3 as in the header");
         row("decimal commas", "x,y,z\n1,0,2,0,3,0\n", "m.csv: line 2: found 6 fields, expected 3 as in the header");
         row("empty line", "x,y,z\n1,2,3\n\n1,2,3\n", "m.csv: line 3: found 1 field, expected 3 as in the header");
