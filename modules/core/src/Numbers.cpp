@@ -80,9 +80,15 @@ std::string shortNumber(double value, int digits)
     const std::string sign = isNegative ? "-" : "";
     if (exponent < kLeastExponent || exponent > kMostExponent) {
         const std::string power = "10" + superscript(exponent);
-        return sign + (figures == "1"
-                           ? power
-                           : figures.substr(0, 1) + (figures.size() > 1 ? "." + figures.substr(1) : "") + "·" + power);
+        if (figures == "1") {
+            return sign + power;
+        }
+        std::string out = sign + figures.substr(0, 1);
+        if (figures.size() > 1) {
+            out += '.';
+            out.append(figures, 1);
+        }
+        return out + "·" + power;
     }
     if (exponent < 0) {
         return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + figures;
