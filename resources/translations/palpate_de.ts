@@ -16,18 +16,6 @@
         <translation>LPS</translation>
     </message>
     <message>
-        <source>Coordinates: LPS</source>
-        <translation>Koordinaten: LPS</translation>
-    </message>
-    <message>
-        <source>Coordinates: RAS</source>
-        <translation>Koordinaten: RAS</translation>
-    </message>
-    <message>
-        <source>Coordinates: Y up</source>
-        <translation>Koordinaten: Y oben</translation>
-    </message>
-    <message>
         <source> and </source>
         <translation> und </translation>
     </message>
@@ -62,6 +50,22 @@
     <message>
         <source>The surfaces belong to a recording and keep their recorded coordinates.</source>
         <translation>Die Oberflächen gehören zu einer Aufzeichnung und behalten deren Koordinaten.</translation>
+    </message>
+    <message>
+        <source>Coordinates of the files</source>
+        <translation>Koordinaten der Dateien</translation>
+    </message>
+    <message>
+        <source>LPS: left, posterior, superior</source>
+        <translation>LPS: links, hinten, oben</translation>
+    </message>
+    <message>
+        <source>RAS: right, anterior, superior</source>
+        <translation>RAS: rechts, vorn, oben</translation>
+    </message>
+    <message>
+        <source>Y up: left, superior, anterior</source>
+        <translation>Y nach oben: links, oben, vorn</translation>
     </message>
 </context>
 <context>
@@ -266,10 +270,6 @@
     <message>
         <source>Quit Palpate</source>
         <translation>Palpate beenden</translation>
-    </message>
-    <message>
-        <source>Section plane</source>
-        <translation>Schnittebene</translation>
     </message>
 </context>
 <context>
@@ -1933,8 +1933,8 @@
         <translation>eingebettete Oberfläche %1...: andere Bits, als geschrieben wurden (Prüfsumme)</translation>
     </message>
     <message>
-        <source>embedded surface %1...: found indices or coordinates out of range, expected triangles of three vertices within 1e7 mm</source>
-        <translation>eingebettete Oberfläche %1...: Indizes oder Koordinaten außerhalb des Bereichs, erwartet: Dreiecke aus drei Ecken innerhalb von 1e7 mm</translation>
+        <source>embedded surface %1...: found indices or coordinates out of range, expected triangles of three vertices within 10⁷ mm</source>
+        <translation>eingebettete Oberfläche %1...: Indizes oder Koordinaten außerhalb des Bereichs, erwartet: Dreiecke aus drei Ecken innerhalb von 10⁷ mm</translation>
     </message>
     <message>
         <source>%1: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
@@ -2029,8 +2029,8 @@
         <translation>gefunden: %1, erwartet: eine endliche Zahl</translation>
     </message>
     <message>
-        <source>found %1, expected a coordinate within 1e9 mm</source>
-        <translation>gefunden: %1, erwartet: eine Koordinate innerhalb von 1e9 mm</translation>
+        <source>found %1, expected a coordinate within 10⁹ mm</source>
+        <translation>gefunden: %1, erwartet: eine Koordinate innerhalb von 10⁹ mm</translation>
     </message>
     <message>
         <source>found a time before the previous row&apos;s, expected ascending times</source>
@@ -2041,8 +2041,8 @@
         <translation>es vergeht keine Zeit, erwartet: aufsteigende Zeiten</translation>
     </message>
     <message>
-        <source>found %1 s between rows on average, expected 1e-05 to 1 s: one row a servo tick</source>
-        <translation>im Mittel %1 s zwischen den Zeilen, erwartet: 1e-05 bis 1 s; eine Zeile je Augenblick</translation>
+        <source>found %1 s between rows on average, expected 0.00001 to 1 s: one row a servo tick</source>
+        <translation>im Mittel %1 s zwischen den Zeilen, erwartet: 0,00001 bis 1 s; eine Zeile je Augenblick</translation>
     </message>
     <message>
         <source>%1: no such file, expected a motion CSV</source>
@@ -4757,8 +4757,8 @@
         <translation>keine Position gefunden: weggelassen</translation>
     </message>
     <message>
-        <source>found a coordinate that is not a number within 1e7 mm: left out</source>
-        <translation>Koordinate gefunden, die keine Zahl bis 1e7 mm ist: weggelassen</translation>
+        <source>found a coordinate that is not a number within 10⁷ mm: left out</source>
+        <translation>Koordinate gefunden, die keine Zahl bis 10⁷ mm ist: weggelassen</translation>
     </message>
     <message>
         <source>found a text of %1 characters, expected at most %2: shortened</source>
@@ -4987,14 +4987,6 @@
     <message>
         <source>at least one (3D Slicer: File, Save Data)</source>
         <translation>mindestens eines (3D Slicer: File, Save Data)</translation>
-    </message>
-    <message>
-        <source>1 hole of %1 mm closed, %2 mm² of new surface</source>
-        <translation>1 Loch von %1 mm geschlossen, %2 mm² neue Oberfläche</translation>
-    </message>
-    <message>
-        <source>%1 holes of up to %2 mm closed, %3 mm² of new surface</source>
-        <translation>%1 Löcher bis %2 mm geschlossen, %3 mm² neue Oberfläche</translation>
     </message>
     <message>
         <source>the FreeSurfer surface ends in its header</source>
@@ -5273,10 +5265,6 @@
         <translation>(%1, %2, %3)</translation>
     </message>
     <message>
-        <source>area %1 cm², extent %2 × %3 × %4 mm</source>
-        <translation>Fläche %1 cm², Ausdehnung %2 × %3 × %4 mm</translation>
-    </message>
-    <message>
         <source>%1 to %2: 0 mm, they cross or touch at %3</source>
         <translation>%1 zu %2: 0 mm, sie schneiden oder berühren sich bei %3</translation>
     </message>
@@ -5339,10 +5327,6 @@
     <message>
         <source>the path of a volume</source>
         <translation>der Pfad eines Volumens</translation>
-    </message>
-    <message>
-        <source>volume %1 ml (a ball of %2 mm), %3</source>
-        <translation>Volumen %1 ml (eine Kugel von %2 mm), %3</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -5639,10 +5623,6 @@
     <message>
         <source>Sizes of the structures</source>
         <translation>Größen der Strukturen</translation>
-    </message>
-    <message>
-        <source>Volume [ml]</source>
-        <translation>Volumen [ml]</translation>
     </message>
     <message>
         <source>Ball of equal volume [mm]</source>
@@ -6299,10 +6279,6 @@
     <message>
         <source>%1 (%2 %)</source>
         <translation>%1 (%2 %)</translation>
-    </message>
-    <message>
-        <source>%1 cm², %2 %</source>
-        <translation>%1 cm², %2 %</translation>
     </message>
     <message>
         <source>Time spent, s</source>
@@ -7172,6 +7148,78 @@
         <source>%1: %2 (%3)</source>
         <translation>%1: %2 (%3)</translation>
     </message>
+    <message>
+        <source>%1 m³</source>
+        <translation>%1 m³</translation>
+    </message>
+    <message>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 mm³</source>
+        <translation>%1 mm³</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>1 hole of %1 mm closed, %2 of new surface</source>
+        <translation>1 Loch von %1 mm geschlossen, %2 neue Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1 holes of up to %2 mm closed, %3 of new surface</source>
+        <translation>%1 Löcher bis %2 mm geschlossen, %3 neue Oberfläche</translation>
+    </message>
+    <message>
+        <source>area %1, extent %2 × %3 × %4 mm</source>
+        <translation>Fläche %1, Ausdehnung %2 × %3 × %4 mm</translation>
+    </message>
+    <message>
+        <source>volume %1 (a ball of %2 mm), %3</source>
+        <translation>Volumen %1 (eine Kugel von %2 mm), %3</translation>
+    </message>
+    <message>
+        <source>Findings marked outside of this recording: %1, in a table of their own.</source>
+        <translation>Außerhalb dieser Aufzeichnung markierte Befunde: %1, in einer eigenen Tabelle.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>Findings marked outside of this recording: before it, after its end or in another one. This recording says nothing about their examination.</source>
+        <translation>Außerhalb dieser Aufzeichnung markierte Befunde: davor, nach dem Ende oder in einer anderen. Diese Aufzeichnung sagt nichts über ihre Untersuchung.</translation>
+    </message>
+    <message>
+        <source>Marked</source>
+        <translation>Markiert</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::AxisCheckDialog</name>
@@ -7396,6 +7444,10 @@
     <message>
         <source>Hide or show all panels</source>
         <translation>Alle Panels verbergen oder zeigen</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panels</translation>
     </message>
 </context>
 <context>
@@ -7642,10 +7694,6 @@
         <translation>Beenden Sie die Aufzeichnung, bevor Sie die Übung beginnen.</translation>
     </message>
     <message>
-        <source>The exercise runs. Mark each place that you find (M).</source>
-        <translation>Die Übung läuft. Markieren Sie jede Stelle, die Sie finden (M).</translation>
-    </message>
-    <message>
         <source>Show the targets without a search? Whoever has seen them cannot search for them any more.</source>
         <translation>Die Ziele ohne Suche zeigen? Wer sie gesehen hat, kann sie nicht mehr suchen.</translation>
     </message>
@@ -7695,10 +7743,6 @@
         <source>%1 N, ceiling %2 N</source>
         <translation>%1 N, Grenze %2 N</translation>
     </message>
-    <message>
-        <source>Press M at each place that you find.</source>
-        <translation>Drücken Sie M an jeder Stelle, die Sie finden.</translation>
-    </message>
     <message numerus="yes">
         <source>Exercise: %n hidden target(s)</source>
         <translation>
@@ -7725,6 +7769,14 @@
     <message>
         <source>%1: missed</source>
         <translation>%1: verfehlt</translation>
+    </message>
+    <message>
+        <source>The exercise runs. Mark each place that you find (Mark in the tool bar or M).</source>
+        <translation>Die Übung läuft. Markieren Sie jede Stelle, die Sie finden (Markieren in der Werkzeugleiste oder M).</translation>
+    </message>
+    <message>
+        <source>At each place that you find, click Mark or press M.</source>
+        <translation>An jeder Stelle, die Sie finden, auf Markieren klicken oder M drücken.</translation>
     </message>
 </context>
 <context>
@@ -7800,10 +7852,6 @@
     <message>
         <source>in the findings: play the recording from the marked moment</source>
         <translation>in den Befunden: die Aufzeichnung ab der Markierung abspielen</translation>
-    </message>
-    <message>
-        <source>Findings and measures</source>
-        <translation>Befunde und Maße</translation>
     </message>
     <message>
         <source>3D Slicer markups (*.mrk.json)</source>
@@ -8041,6 +8089,49 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     </message>
 </context>
 <context>
+    <name>palpate::app::LegendPart</name>
+    <message>
+        <source>View › Colour legend shows the legend again.</source>
+        <translation>Ansicht › Farblegende zeigt die Legende wieder.</translation>
+    </message>
+    <message>
+        <source>Colour legend</source>
+        <translation>Farblegende</translation>
+    </message>
+    <message>
+        <source>Show the legend</source>
+        <translation>Legende zeigen</translation>
+    </message>
+    <message>
+        <source>Show what the colours in the view mean</source>
+        <translation>Zeigen, was die Farben in der Ansicht bedeuten</translation>
+    </message>
+    <message>
+        <source>Place of the legend; the mouse can drag it there as well</source>
+        <translation>Platz der Legende; auch die Maus kann sie dorthin ziehen</translation>
+    </message>
+    <message>
+        <source>Where it hides the least</source>
+        <translation>Wo sie am wenigsten verdeckt</translation>
+    </message>
+    <message>
+        <source>Upper left</source>
+        <translation>Oben links</translation>
+    </message>
+    <message>
+        <source>Upper right</source>
+        <translation>Oben rechts</translation>
+    </message>
+    <message>
+        <source>Lower left</source>
+        <translation>Unten links</translation>
+    </message>
+    <message>
+        <source>Lower right</source>
+        <translation>Unten rechts</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::LumpsPart</name>
     <message>
         <source>What can be felt here</source>
@@ -8141,6 +8232,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Picture copied, and saved to %1</source>
         <translation>Bild kopiert und gespeichert unter %1</translation>
+    </message>
+    <message>
+        <source>Standard views</source>
+        <translation>Standardansichten</translation>
     </message>
 </context>
 <context>
@@ -8338,13 +8433,6 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
         <source>Record</source>
         <translation>Aufnehmen</translation>
     </message>
-    <message numerus="yes">
-        <source>Report written to %1, without %n finding(s) marked outside of the recording</source>
-        <translation>
-            <numerusform>Bericht nach %1 geschrieben, ohne %n Befund, der außerhalb der Aufzeichnung markiert wurde</numerusform>
-            <numerusform>Bericht nach %1 geschrieben, ohne %n Befunde, die außerhalb der Aufzeichnung markiert wurden</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Open the report</source>
         <translation>Bericht öffnen</translation>
@@ -8352,6 +8440,13 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>No program was found that opens %1.</source>
         <translation>Es wurde kein Programm gefunden, das %1 öffnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Report written to %1; %n finding(s) marked outside of the recording are in a table of their own</source>
+        <translation>
+            <numerusform>Bericht nach %1 geschrieben; %n außerhalb der Aufzeichnung markierter Befund steht in einer eigenen Tabelle</numerusform>
+            <numerusform>Bericht nach %1 geschrieben; %n außerhalb der Aufzeichnung markierte Befunde stehen in einer eigenen Tabelle</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8681,6 +8776,10 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Small picture of the hand and of what lies below, live and in playback</source>
         <translation>Kleines Bild der Hand und dessen, was darunter liegt, live und bei der Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Schnittebene</translation>
     </message>
 </context>
 <context>
@@ -9853,6 +9952,14 @@ sonst „Beliebig“ wählen.</translation>
         <source>%1 %: maximum here</source>
         <translation>%1 %: Maximum hier</translation>
     </message>
+    <message>
+        <source>Palpability</source>
+        <translation>Tastbarkeit</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::FeltPanel</name>
@@ -9979,6 +10086,10 @@ sonst „Beliebig“ wählen.</translation>
     <message>
         <source>No place above this lump can be judged.</source>
         <translation>Keine Stelle über diesem Knoten lässt sich beurteilen.</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Verhältnis</translation>
     </message>
 </context>
 <context>
@@ -10668,6 +10779,17 @@ Hier klicken oder F4 drücken für alle Meldungen</translation>
     </message>
 </context>
 <context>
+    <name>palpate::ui::LegendGrip</name>
+    <message>
+        <source>Close the legend; the View menu shows it again</source>
+        <translation>Legende schließen; das Menü Ansicht zeigt sie wieder</translation>
+    </message>
+    <message>
+        <source>Drag the legend to another corner</source>
+        <translation>Legende in eine andere Ecke ziehen</translation>
+    </message>
+</context>
+<context>
     <name>palpate::ui::LiveTouch</name>
     <message>
         <source>%1 can render tissue up to %2 N/mm.</source>
@@ -11026,6 +11148,10 @@ share of its area</source>
         <translation>%1
 bis %2,
 Anteil der Fläche</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
     </message>
 </context>
 <context>
@@ -12221,10 +12347,6 @@ Einzelheiten: %3</translation>
 <context>
     <name>palpate::ui::TouchMap</name>
     <message>
-        <source>%1 cm², %2 %</source>
-        <translation>%1 cm², %2 %</translation>
-    </message>
-    <message>
         <source>Examined surface</source>
         <translation>Untersuchte Oberfläche</translation>
     </message>
@@ -12295,6 +12417,22 @@ Einzelheiten: %3</translation>
     <message>
         <source>only B: %1</source>
         <translation>nur B: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>only A</source>
+        <translation>nur A</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>only B</source>
+        <translation>nur B</translation>
     </message>
 </context>
 <context>

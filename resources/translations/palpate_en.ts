@@ -62,10 +62,10 @@
 <context>
     <name>palpate::app::ReportPart</name>
     <message numerus="yes">
-        <source>Report written to %1, without %n finding(s) marked outside of the recording</source>
+        <source>Report written to %1; %n finding(s) marked outside of the recording are in a table of their own</source>
         <translation>
-            <numerusform>Report written to %1, without %n finding marked outside of the recording</numerusform>
-            <numerusform>Report written to %1, without %n findings marked outside of the recording</numerusform>
+            <numerusform>Report written to %1; %n finding marked outside of the recording is in a table of its own</numerusform>
+            <numerusform>Report written to %1; %n findings marked outside of the recording are in a table of their own</numerusform>
         </translation>
     </message>
 </context>

@@ -16,18 +16,6 @@
         <translation>LPS</translation>
     </message>
     <message>
-        <source>Coordinates: LPS</source>
-        <translation>Coordonnées&#x202f;: LPS</translation>
-    </message>
-    <message>
-        <source>Coordinates: RAS</source>
-        <translation>Coordonnées&#x202f;: RAS</translation>
-    </message>
-    <message>
-        <source>Coordinates: Y up</source>
-        <translation>Coordonnées&#x202f;: Y haut</translation>
-    </message>
-    <message>
         <source> and </source>
         <translation> et </translation>
     </message>
@@ -62,6 +50,22 @@
     <message>
         <source>The surfaces belong to a recording and keep their recorded coordinates.</source>
         <translation>Les surfaces appartiennent à un enregistrement et gardent leurs coordonnées.</translation>
+    </message>
+    <message>
+        <source>Coordinates of the files</source>
+        <translation>Coordonnées des fichiers</translation>
+    </message>
+    <message>
+        <source>LPS: left, posterior, superior</source>
+        <translation>LPS&#x202f;: gauche, postérieur, supérieur</translation>
+    </message>
+    <message>
+        <source>RAS: right, anterior, superior</source>
+        <translation>RAS&#x202f;: droite, antérieur, supérieur</translation>
+    </message>
+    <message>
+        <source>Y up: left, superior, anterior</source>
+        <translation>Y vers le haut&#x202f;: gauche, supérieur, antérieur</translation>
     </message>
 </context>
 <context>
@@ -266,10 +270,6 @@
     <message>
         <source>Quit Palpate</source>
         <translation>Quitter Palpate</translation>
-    </message>
-    <message>
-        <source>Section plane</source>
-        <translation>Plan de coupe</translation>
     </message>
 </context>
 <context>
@@ -1933,8 +1933,8 @@
         <translation>surface incluse %1...&#x202f;: d’autres bits que ceux écrits (somme de contrôle)</translation>
     </message>
     <message>
-        <source>embedded surface %1...: found indices or coordinates out of range, expected triangles of three vertices within 1e7 mm</source>
-        <translation>surface incluse %1...&#x202f;: indices ou coordonnées hors limites, attendu des triangles de trois sommets à moins de 1e7 mm</translation>
+        <source>embedded surface %1...: found indices or coordinates out of range, expected triangles of three vertices within 10⁷ mm</source>
+        <translation>surface incluse %1...&#x202f;: indices ou coordonnées hors limites, attendu des triangles de trois sommets à moins de 10⁷ mm</translation>
     </message>
     <message>
         <source>%1: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
@@ -2029,8 +2029,8 @@
         <translation>trouvé&#x202f;: %1, attendu un nombre fini</translation>
     </message>
     <message>
-        <source>found %1, expected a coordinate within 1e9 mm</source>
-        <translation>trouvé&#x202f;: %1, attendu une coordonnée à moins de 1e9 mm</translation>
+        <source>found %1, expected a coordinate within 10⁹ mm</source>
+        <translation>trouvé&#x202f;: %1, attendu une coordonnée à moins de 10⁹ mm</translation>
     </message>
     <message>
         <source>found a time before the previous row&apos;s, expected ascending times</source>
@@ -2041,8 +2041,8 @@
         <translation>aucun temps ne s’écoule, des temps croissants étaient attendus</translation>
     </message>
     <message>
-        <source>found %1 s between rows on average, expected 1e-05 to 1 s: one row a servo tick</source>
-        <translation>%1 s entre les lignes en moyenne, attendu de 1e-05 à 1 s&#x202f;: une ligne par instant</translation>
+        <source>found %1 s between rows on average, expected 0.00001 to 1 s: one row a servo tick</source>
+        <translation>%1 s entre les lignes en moyenne, attendu de 0,00001 à 1 s&#x202f;: une ligne par instant</translation>
     </message>
     <message>
         <source>%1: no such file, expected a motion CSV</source>
@@ -4757,8 +4757,8 @@
         <translation>aucune position trouvée&#x202f;: laissé de côté</translation>
     </message>
     <message>
-        <source>found a coordinate that is not a number within 1e7 mm: left out</source>
-        <translation>coordonnée trouvée qui n’est pas un nombre dans la limite de 1e7 mm&#x202f;: laissée de côté</translation>
+        <source>found a coordinate that is not a number within 10⁷ mm: left out</source>
+        <translation>coordonnée trouvée qui n’est pas un nombre dans la limite de 10⁷ mm&#x202f;: laissée de côté</translation>
     </message>
     <message>
         <source>found a text of %1 characters, expected at most %2: shortened</source>
@@ -4987,14 +4987,6 @@
     <message>
         <source>at least one (3D Slicer: File, Save Data)</source>
         <translation>au moins un (3D Slicer&#x202f;: File, Save Data)</translation>
-    </message>
-    <message>
-        <source>1 hole of %1 mm closed, %2 mm² of new surface</source>
-        <translation>1 trou de %1 mm fermé, %2 mm² de surface nouvelle</translation>
-    </message>
-    <message>
-        <source>%1 holes of up to %2 mm closed, %3 mm² of new surface</source>
-        <translation>%1 trous jusqu’à %2 mm fermés, %3 mm² de surface nouvelle</translation>
     </message>
     <message>
         <source>the FreeSurfer surface ends in its header</source>
@@ -5273,10 +5265,6 @@
         <translation>(%1, %2, %3)</translation>
     </message>
     <message>
-        <source>area %1 cm², extent %2 × %3 × %4 mm</source>
-        <translation>aire %1 cm², étendue %2 × %3 × %4 mm</translation>
-    </message>
-    <message>
         <source>%1 to %2: 0 mm, they cross or touch at %3</source>
         <translation>%1 à %2&#x202f;: 0 mm, elles se croisent ou se touchent en %3</translation>
     </message>
@@ -5339,10 +5327,6 @@
     <message>
         <source>the path of a volume</source>
         <translation>le chemin d’un volume</translation>
-    </message>
-    <message>
-        <source>volume %1 ml (a ball of %2 mm), %3</source>
-        <translation>volume %1 ml (une boule de %2 mm), %3</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -5639,10 +5623,6 @@
     <message>
         <source>Sizes of the structures</source>
         <translation>Tailles des structures</translation>
-    </message>
-    <message>
-        <source>Volume [ml]</source>
-        <translation>Volume [ml]</translation>
     </message>
     <message>
         <source>Ball of equal volume [mm]</source>
@@ -6301,10 +6281,6 @@
         <translation>%1 (%2 %)</translation>
     </message>
     <message>
-        <source>%1 cm², %2 %</source>
-        <translation>%1 cm², %2 %</translation>
-    </message>
-    <message>
         <source>Time spent, s</source>
         <translation>Temps passé, s</translation>
     </message>
@@ -6918,11 +6894,11 @@
     </message>
     <message>
         <source>--check: found &quot;%1&quot;, expected one of %2</source>
-        <translation>--check : « %1 » trouvé, l’un des suivants est attendu : %2</translation>
+        <translation>--check&#x202f;: «&#x202f;%1&#x202f;» trouvé, l’un des suivants est attendu&#x202f;: %2</translation>
     </message>
     <message>
         <source>the device reports: %1</source>
-        <translation>l’appareil signale : %1</translation>
+        <translation>l’appareil signale&#x202f;: %1</translation>
     </message>
     <message>
         <source>to the right</source>
@@ -6966,23 +6942,23 @@
     </message>
     <message>
         <source>Asked to move %1: the device follows.</source>
-        <translation>Mouvement %1 : l’appareil suit.</translation>
+        <translation>Mouvement %1&#x202f;: l’appareil suit.</translation>
     </message>
     <message>
         <source>Asked to move %1: the device shows a motion %2. This axis is reversed.</source>
-        <translation>Mouvement %1 : l’appareil indique un mouvement %2. Cet axe est inversé.</translation>
+        <translation>Mouvement %1&#x202f;: l’appareil indique un mouvement %2. Cet axe est inversé.</translation>
     </message>
     <message>
         <source>Asked to move %1: the device shows a motion %2. This axis is another one.</source>
-        <translation>Mouvement %1 : l’appareil indique un mouvement %2. Cet axe est permuté.</translation>
+        <translation>Mouvement %1&#x202f;: l’appareil indique un mouvement %2. Cet axe est permuté.</translation>
     </message>
     <message>
         <source>Asked to move %1: the device shows a motion between two axes, mostly %2.</source>
-        <translation>Mouvement %1 : l’appareil indique un mouvement entre deux axes, surtout %2.</translation>
+        <translation>Mouvement %1&#x202f;: l’appareil indique un mouvement entre deux axes, surtout %2.</translation>
     </message>
     <message>
         <source>Asked to move %1: no such motion within %2 s.</source>
-        <translation>Mouvement %1 : aucun mouvement de ce genre en %2 s.</translation>
+        <translation>Mouvement %1&#x202f;: aucun mouvement de ce genre en %2 s.</translation>
     </message>
     <message>
         <source>Check that %1 is calibrated and that its tooltip in the tool bar reports no problem, then repeat the check.</source>
@@ -6990,11 +6966,11 @@
     </message>
     <message>
         <source>%1 mirrors the motion: an encoder counts backwards. Do not touch with forces. Calibrate the device in its calibration pose; for WoodenHaptics, correct &quot;variant&quot; in woodenhaptics.json. Then repeat the check.</source>
-        <translation>%1 inverse le mouvement comme un miroir : un codeur compte à rebours. Ne palpez pas avec des forces. Étalonnez l’appareil dans sa position d’étalonnage ; pour WoodenHaptics, corrigez &quot;variant&quot; dans woodenhaptics.json. Répétez ensuite la vérification.</translation>
+        <translation>%1 inverse le mouvement comme un miroir&#x202f;: un codeur compte à rebours. Ne palpez pas avec des forces. Étalonnez l’appareil dans sa position d’étalonnage&#x202f;; pour WoodenHaptics, corrigez &quot;variant&quot; dans woodenhaptics.json. Répétez ensuite la vérification.</translation>
     </message>
     <message>
         <source>%1 is turned: turn its base so that it faces you, then repeat the check. To align the device with the patient instead of the view, use &quot;Aligned with&quot; in the panel Device.</source>
-        <translation>%1 est tourné : orientez son socle vers vous, puis répétez la vérification. Pour aligner l’appareil sur le patient plutôt que sur la vue, utilisez l’alignement du panneau Appareil.</translation>
+        <translation>%1 est tourné&#x202f;: orientez son socle vers vous, puis répétez la vérification. Pour aligner l’appareil sur le patient plutôt que sur la vue, utilisez l’alignement du panneau Appareil.</translation>
     </message>
     <message>
         <source>Put the handle into the middle of its workspace and let go of it. If it does not stay there by itself, hold it still.</source>
@@ -7010,7 +6986,7 @@
     </message>
     <message>
         <source>Keep your hand in its place. A wall comes towards you, gives way a little and stops, and is a little stiffer each time.</source>
-        <translation>Gardez la main en place. Une paroi vient vers vous, cède un peu et s’arrête ; elle est chaque fois un peu plus raide.</translation>
+        <translation>Gardez la main en place. Une paroi vient vers vous, cède un peu et s’arrête&#x202f;; elle est chaque fois un peu plus raide.</translation>
     </message>
     <message>
         <source>The test was stopped.</source>
@@ -7022,7 +6998,7 @@
     </message>
     <message>
         <source>The device has no motors, so that only the position at rest was tested.</source>
-        <translation>L’appareil n’a pas de moteurs ; seule la position au repos a été testée.</translation>
+        <translation>L’appareil n’a pas de moteurs&#x202f;; seule la position au repos a été testée.</translation>
     </message>
     <message>
         <source>The position did not clearly follow the force. Check that the motors have power and that forces are switched on, and start the test again without a hand at the handle until the test asks for one.</source>
@@ -7030,7 +7006,7 @@
     </message>
     <message>
         <source>The handle moved against the force: an axis or a motor is reversed. Do not touch with this device until the settings of its driver are corrected.</source>
-        <translation>La poignée s’est déplacée contre la force : un axe ou un moteur est inversé. Ne palpez pas avec cet appareil avant d’avoir corrigé les réglages de son pilote.</translation>
+        <translation>La poignée s’est déplacée contre la force&#x202f;: un axe ou un moteur est inversé. Ne palpez pas avec cet appareil avant d’avoir corrigé les réglages de son pilote.</translation>
     </message>
     <message>
         <source>Nobody held the handle, so that no wall was tested. Start the test again and hold the handle when asked.</source>
@@ -7050,11 +7026,11 @@
     </message>
     <message>
         <source>friction was not measured: the handle did not rest</source>
-        <translation>le frottement n’a pas été mesuré : la poignée n’était pas au repos</translation>
+        <translation>le frottement n’a pas été mesuré&#x202f;: la poignée n’était pas au repos</translation>
     </message>
     <message>
         <source>friction was not measured: %1 N did not move the handle</source>
-        <translation>le frottement n’a pas été mesuré : %1 N n’ont pas déplacé la poignée</translation>
+        <translation>le frottement n’a pas été mesuré&#x202f;: %1 N n’ont pas déplacé la poignée</translation>
     </message>
     <message>
         <source>the round trip was not measured</source>
@@ -7090,7 +7066,7 @@
     </message>
     <message>
         <source>%1 pulses; from sending a force to seeing it act</source>
-        <translation>%1 impulsions ; de l’envoi d’une force à son effet visible</translation>
+        <translation>%1 impulsions&#x202f;; de l’envoi d’une force à son effet visible</translation>
     </message>
     <message>
         <source>Mass at the handle</source>
@@ -7110,7 +7086,7 @@
     </message>
     <message>
         <source>from receiving a position to sending its force; ticks of the loop: %1</source>
-        <translation>de la réception d’une position à l’envoi de sa force ; cycles de la boucle : %1</translation>
+        <translation>de la réception d’une position à l’envoi de sa force&#x202f;; cycles de la boucle&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 new positions per second</source>
@@ -7118,7 +7094,7 @@
     </message>
     <message>
         <source>loop %1 Hz of %2 Hz, late ticks: %3</source>
-        <translation>boucle %1 Hz sur %2 Hz, cycles en retard : %3</translation>
+        <translation>boucle %1 Hz sur %2 Hz, cycles en retard&#x202f;: %3</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -7170,7 +7146,79 @@
     </message>
     <message>
         <source>%1: %2 (%3)</source>
-        <translation>%1 : %2 (%3)</translation>
+        <translation>%1&#x202f;: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 m³</source>
+        <translation>%1 m³</translation>
+    </message>
+    <message>
+        <source>%1 l</source>
+        <translation>%1 l</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 mm³</source>
+        <translation>%1 mm³</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>1 hole of %1 mm closed, %2 of new surface</source>
+        <translation>1 trou de %1 mm fermé, %2 de surface nouvelle</translation>
+    </message>
+    <message>
+        <source>%1 holes of up to %2 mm closed, %3 of new surface</source>
+        <translation>%1 trous jusqu’à %2 mm fermés, %3 de surface nouvelle</translation>
+    </message>
+    <message>
+        <source>area %1, extent %2 × %3 × %4 mm</source>
+        <translation>aire %1, étendue %2 × %3 × %4 mm</translation>
+    </message>
+    <message>
+        <source>volume %1 (a ball of %2 mm), %3</source>
+        <translation>volume %1 (une boule de %2 mm), %3</translation>
+    </message>
+    <message>
+        <source>Findings marked outside of this recording: %1, in a table of their own.</source>
+        <translation>Points marqués hors de cet enregistrement&#x202f;: %1, dans un tableau à part.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Aire</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>Findings marked outside of this recording: before it, after its end or in another one. This recording says nothing about their examination.</source>
+        <translation>Points marqués hors de cet enregistrement&#x202f;: avant, après sa fin ou dans un autre. Cet enregistrement ne dit rien de leur examen.</translation>
+    </message>
+    <message>
+        <source>Marked</source>
+        <translation>Marqué</translation>
     </message>
 </context>
 <context>
@@ -7337,19 +7385,19 @@
     </message>
     <message>
         <source>Hold to press harder, wheel for the force limit; then Mark; right drag turns the view</source>
-        <translation>Maintenir appuie plus fort, la molette règle la force maximale ; puis Marquer ; glisser avec le bouton droit tourne la vue</translation>
+        <translation>Maintenir appuie plus fort, la molette règle la force maximale&#x202f;; puis Marquer&#x202f;; glisser avec le bouton droit tourne la vue</translation>
     </message>
     <message>
         <source>Drag to press, wheel for depth; then Mark; right drag turns the view</source>
-        <translation>Glisser pour appuyer, molette pour la profondeur ; puis Marquer ; glisser avec le bouton droit tourne la vue</translation>
+        <translation>Glisser pour appuyer, molette pour la profondeur&#x202f;; puis Marquer&#x202f;; glisser avec le bouton droit tourne la vue</translation>
     </message>
     <message>
         <source>Palpate (P): hold to press harder, wheel for the force limit</source>
-        <translation>Palper (P) : maintenir appuie plus fort, la molette règle la force maximale</translation>
+        <translation>Palper (P)&#x202f;: maintenir appuie plus fort, la molette règle la force maximale</translation>
     </message>
     <message>
         <source>Palpate (P): drag to press, wheel for depth</source>
-        <translation>Palper (P) : glisser pour appuyer, molette pour la profondeur</translation>
+        <translation>Palper (P)&#x202f;: glisser pour appuyer, molette pour la profondeur</translation>
     </message>
 </context>
 <context>
@@ -7396,6 +7444,10 @@
     <message>
         <source>Hide or show all panels</source>
         <translation>Masquer ou afficher les panneaux</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panneaux</translation>
     </message>
 </context>
 <context>
@@ -7642,10 +7694,6 @@
         <translation>Arrêtez l’enregistrement avant de commencer l’exercice.</translation>
     </message>
     <message>
-        <source>The exercise runs. Mark each place that you find (M).</source>
-        <translation>L’exercice est en cours. Marquez chaque endroit que vous trouvez (M).</translation>
-    </message>
-    <message>
         <source>Show the targets without a search? Whoever has seen them cannot search for them any more.</source>
         <translation>Montrer les cibles sans recherche&#x202f;? Qui les a vues ne peut plus les chercher.</translation>
     </message>
@@ -7695,10 +7743,6 @@
         <source>%1 N, ceiling %2 N</source>
         <translation>%1 N, plafond %2 N</translation>
     </message>
-    <message>
-        <source>Press M at each place that you find.</source>
-        <translation>Appuyez sur M à chaque endroit que vous trouvez.</translation>
-    </message>
     <message numerus="yes">
         <source>Exercise: %n hidden target(s)</source>
         <translation>
@@ -7725,6 +7769,14 @@
     <message>
         <source>%1: missed</source>
         <translation>%1&#x202f;: manquée</translation>
+    </message>
+    <message>
+        <source>The exercise runs. Mark each place that you find (Mark in the tool bar or M).</source>
+        <translation>L’exercice est en cours. Marquez chaque endroit que vous trouvez (Marquer dans la barre d’outils ou M).</translation>
+    </message>
+    <message>
+        <source>At each place that you find, click Mark or press M.</source>
+        <translation>À chaque endroit que vous trouvez, cliquez sur Marquer ou appuyez sur M.</translation>
     </message>
 </context>
 <context>
@@ -7800,10 +7852,6 @@
     <message>
         <source>in the findings: play the recording from the marked moment</source>
         <translation>points repérés&#x202f;: lire l’enregistrement depuis le marquage</translation>
-    </message>
-    <message>
-        <source>Findings and measures</source>
-        <translation>Points et mesures</translation>
     </message>
     <message>
         <source>3D Slicer markups (*.mrk.json)</source>
@@ -8041,6 +8089,49 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
 </context>
 <context>
+    <name>palpate::app::LegendPart</name>
+    <message>
+        <source>View › Colour legend shows the legend again.</source>
+        <translation>Affichage › Légende des couleurs affiche de nouveau la légende.</translation>
+    </message>
+    <message>
+        <source>Colour legend</source>
+        <translation>Légende des couleurs</translation>
+    </message>
+    <message>
+        <source>Show the legend</source>
+        <translation>Afficher la légende</translation>
+    </message>
+    <message>
+        <source>Show what the colours in the view mean</source>
+        <translation>Afficher la signification des couleurs de la vue</translation>
+    </message>
+    <message>
+        <source>Place of the legend; the mouse can drag it there as well</source>
+        <translation>Place de la légende&#x202f;; la souris peut aussi l’y glisser</translation>
+    </message>
+    <message>
+        <source>Where it hides the least</source>
+        <translation>Où elle cache le moins</translation>
+    </message>
+    <message>
+        <source>Upper left</source>
+        <translation>En haut à gauche</translation>
+    </message>
+    <message>
+        <source>Upper right</source>
+        <translation>En haut à droite</translation>
+    </message>
+    <message>
+        <source>Lower left</source>
+        <translation>En bas à gauche</translation>
+    </message>
+    <message>
+        <source>Lower right</source>
+        <translation>En bas à droite</translation>
+    </message>
+</context>
+<context>
     <name>palpate::app::LumpsPart</name>
     <message>
         <source>What can be felt here</source>
@@ -8141,6 +8232,10 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Picture copied, and saved to %1</source>
         <translation>Image copiée et enregistrée dans %1</translation>
+    </message>
+    <message>
+        <source>Standard views</source>
+        <translation>Vues standard</translation>
     </message>
 </context>
 <context>
@@ -8254,7 +8349,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>%1 can be played, but its meshes were not found: only the path of the hand is shown. Open the meshes to see what was touched.</source>
-        <translation>%1 peut être lu, mais ses maillages n’ont pas été trouvés : seul le trajet de la main est affiché. Ouvrez les maillages pour voir ce qui a été touché.</translation>
+        <translation>%1 peut être lu, mais ses maillages n’ont pas été trouvés&#x202f;: seul le trajet de la main est affiché. Ouvrez les maillages pour voir ce qui a été touché.</translation>
     </message>
 </context>
 <context>
@@ -8332,18 +8427,11 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>The report describes a recording: record, press, mark findings and stop. Then choose Report again.</source>
-        <translation>Le rapport décrit un enregistrement : enregistrer, appuyer, marquer des points et arrêter. Choisir ensuite Rapport de nouveau.</translation>
+        <translation>Le rapport décrit un enregistrement&#x202f;: enregistrer, appuyer, marquer des points et arrêter. Choisir ensuite Rapport de nouveau.</translation>
     </message>
     <message>
         <source>Record</source>
         <translation>Enregistrer</translation>
-    </message>
-    <message numerus="yes">
-        <source>Report written to %1, without %n finding(s) marked outside of the recording</source>
-        <translation>
-            <numerusform>Rapport écrit dans %1, sans %n point marqué hors de l’enregistrement</numerusform>
-            <numerusform>Rapport écrit dans %1, sans %n points marqués hors de l’enregistrement</numerusform>
-        </translation>
     </message>
     <message>
         <source>Open the report</source>
@@ -8352,6 +8440,13 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>No program was found that opens %1.</source>
         <translation>Aucun programme capable d’ouvrir %1 n’a été trouvé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Report written to %1; %n finding(s) marked outside of the recording are in a table of their own</source>
+        <translation>
+            <numerusform>Rapport écrit dans %1&#x202f;; %n point marqué hors de l’enregistrement est dans un tableau à part</numerusform>
+            <numerusform>Rapport écrit dans %1&#x202f;; %n points marqués hors de l’enregistrement sont dans un tableau à part</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8682,6 +8777,10 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
         <source>Small picture of the hand and of what lies below, live and in playback</source>
         <translation>Petite image de la main et de ce qui se trouve dessous, en direct et à la lecture</translation>
     </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Plan de coupe</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::SelfTestDialog</name>
@@ -8691,7 +8790,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>For about one minute, small forces move the handle, and virtual walls of rising stiffness press against your hand with up to %1 N. The test measures round trip, noise, friction and the stiffness that %2 holds without vibrating. Clear the space around the handle. You can stop the test at any time; the wall is withdrawn at the first sign of instability.</source>
-        <translation>Pendant environ une minute, de petites forces déplacent la poignée et des parois virtuelles de raideur croissante appuient contre votre main avec au plus %1 N. Le test mesure le temps d’aller-retour, le bruit, le frottement et la raideur que %2 tient sans vibrer. Dégagez l’espace autour de la poignée. Vous pouvez interrompre le test à tout moment ; la paroi est retirée au premier signe d’instabilité.</translation>
+        <translation>Pendant environ une minute, de petites forces déplacent la poignée et des parois virtuelles de raideur croissante appuient contre votre main avec au plus %1 N. Le test mesure le temps d’aller-retour, le bruit, le frottement et la raideur que %2 tient sans vibrer. Dégagez l’espace autour de la poignée. Vous pouvez interrompre le test à tout moment&#x202f;; la paroi est retirée au premier signe d’instabilité.</translation>
     </message>
     <message>
         <source>Progress of the test</source>
@@ -8863,11 +8962,11 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Click Palpate (P), then drag on the anatomy to press and slide; the wheel sets the depth. With the keyboard: Ctrl and the arrow keys move the press point, Enter presses, Page Down goes deeper. Esc releases.</source>
-        <translation>Cliquer sur Palper (P), puis glisser sur l’anatomie pour appuyer et glisser ; la molette règle la profondeur. Au clavier : Ctrl et les flèches déplacent le point d’appui, Entrée appuie, Page suivante va plus profond. Échap relâche.</translation>
+        <translation>Cliquer sur Palper (P), puis glisser sur l’anatomie pour appuyer et glisser&#x202f;; la molette règle la profondeur. Au clavier&#x202f;: Ctrl et les flèches déplacent le point d’appui, Entrée appuie, Page suivante va plus profond. Échap relâche.</translation>
     </message>
     <message>
         <source>Record (R) starts and stops a recording. Mark (M) marks the touched place, or the place pressed last, as a finding with force and depth, listed here; F2 renames the finding. File › Report… writes a recording with findings, distances and margins as PDF.</source>
-        <translation>Enregistrer (R) démarre et arrête un enregistrement. Marquer (M) marque l’endroit touché, ou le dernier endroit où l’on a appuyé, comme point repéré avec force et profondeur, listé ici ; F2 le renomme. Fichier › Rapport… écrit un enregistrement avec points repérés, distances et marges en PDF.</translation>
+        <translation>Enregistrer (R) démarre et arrête un enregistrement. Marquer (M) marque l’endroit touché, ou le dernier endroit où l’on a appuyé, comme point repéré avec force et profondeur, listé ici&#x202f;; F2 le renomme. Fichier › Rapport… écrit un enregistrement avec points repérés, distances et marges en PDF.</translation>
     </message>
 </context>
 <context>
@@ -9311,11 +9410,11 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>connected: %1</source>
-        <translation>branché : %1</translation>
+        <translation>branché&#x202f;: %1</translation>
     </message>
     <message>
         <source>Choose Device › %1.</source>
@@ -9327,7 +9426,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>connected, not ready: %1</source>
-        <translation>branché, pas prêt : %1</translation>
+        <translation>branché, pas prêt&#x202f;: %1</translation>
     </message>
     <message>
         <source>It needs %1.</source>
@@ -9335,7 +9434,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>supported; the maker&apos;s library is missing</source>
-        <translation>pris en charge ; la bibliothèque du fabricant manque</translation>
+        <translation>pris en charge&#x202f;; la bibliothèque du fabricant manque</translation>
     </message>
     <message>
         <source>driver cannot start</source>
@@ -9343,7 +9442,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>supported; none is connected</source>
-        <translation>pris en charge ; aucun n’est branché</translation>
+        <translation>pris en charge&#x202f;; aucun n’est branché</translation>
     </message>
     <message>
         <source>driver not installed</source>
@@ -9351,7 +9450,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Install the plugin “%1”, a part of Palpate.</source>
-        <translation>Installez le greffon « %1 », une partie de Palpate.</translation>
+        <translation>Installez le greffon «&#x202f;%1&#x202f;», une partie de Palpate.</translation>
     </message>
     <message>
         <source>driver skipped</source>
@@ -9375,7 +9474,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>Connect it by USB. It has no motors: it moves the hand or the view, or sets the force.</source>
-        <translation>Branchez-la par USB. Elle n’a pas de moteurs : elle déplace la main ou la vue, ou règle la force.</translation>
+        <translation>Branchez-la par USB. Elle n’a pas de moteurs&#x202f;: elle déplace la main ou la vue, ou règle la force.</translation>
     </message>
     <message>
         <source>Start the program that sends the tracked tool, such as 3D Slicer, at port 18944. There is no force on the hand.</source>
@@ -9403,7 +9502,7 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     </message>
     <message>
         <source>The drivers were tested against emulated hardware only. The mouse and the simulated hand need no device. The page “devices” of the documentation (Help menu) describes each installation.</source>
-        <translation>Les pilotes n’ont été testés que contre du matériel émulé. La souris et la main simulée n’ont besoin d’aucun appareil. La page « devices » de la documentation (menu Aide) décrit chaque installation.</translation>
+        <translation>Les pilotes n’ont été testés que contre du matériel émulé. La souris et la main simulée n’ont besoin d’aucun appareil. La page «&#x202f;devices&#x202f;» de la documentation (menu Aide) décrit chaque installation.</translation>
     </message>
     <message>
         <source>Search again</source>
@@ -9853,6 +9952,14 @@ sinon choisir «&#x202f;Libre&#x202f;».</translation>
         <source>%1 %: maximum here</source>
         <translation>%1 %&#x202f;: maximum ici</translation>
     </message>
+    <message>
+        <source>Palpability</source>
+        <translation>Palpabilité</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
 </context>
 <context>
     <name>palpate::ui::FeltPanel</name>
@@ -9979,6 +10086,10 @@ sinon choisir «&#x202f;Libre&#x202f;».</translation>
     <message>
         <source>No place above this lump can be judged.</source>
         <translation>Aucun endroit au-dessus de ce nodule ne peut être jugé.</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Rapport</translation>
     </message>
 </context>
 <context>
@@ -10534,7 +10645,7 @@ Force&#x202f;: la même partout&#x202f;; un endroit raide cède moins. La force 
     </message>
     <message>
         <source>Computed hand, no device: it presses what is in the middle of the view. Force and stiffness have the limits of the chosen device.</source>
-        <translation>Main calculée, sans appareil : elle presse ce qui est au milieu de la vue. Force et raideur ont les limites de l’appareil choisi.</translation>
+        <translation>Main calculée, sans appareil&#x202f;: elle presse ce qui est au milieu de la vue. Force et raideur ont les limites de l’appareil choisi.</translation>
     </message>
     <message>
         <source>Limits of</source>
@@ -10542,7 +10653,7 @@ Force&#x202f;: la même partout&#x202f;; un endroit raide cède moins. La force 
     </message>
     <message>
         <source>Shows how tissue feels at a device that is not here: force, stiffness and damping are bounded as by this device</source>
-        <translation>Montre ce que l’on sentirait avec un appareil absent : force, raideur et amortissement sont limités comme avec cet appareil</translation>
+        <translation>Montre ce que l’on sentirait avec un appareil absent&#x202f;: force, raideur et amortissement sont limités comme avec cet appareil</translation>
     </message>
     <message>
         <source>Simulated hand</source>
@@ -10665,6 +10776,17 @@ Cliquer ici ou taper F4 pour tous les messages</translation>
     <message>
         <source>Force [N] over depth [mm]</source>
         <translation>Force [N] selon la profondeur [mm]</translation>
+    </message>
+</context>
+<context>
+    <name>palpate::ui::LegendGrip</name>
+    <message>
+        <source>Close the legend; the View menu shows it again</source>
+        <translation>Fermer la légende&#x202f;; le menu Affichage l’affiche de nouveau</translation>
+    </message>
+    <message>
+        <source>Drag the legend to another corner</source>
+        <translation>Glisser la légende dans un autre coin</translation>
     </message>
 </context>
 <context>
@@ -11026,6 +11148,10 @@ share of its area</source>
         <translation>%1
 à %2,
 part de sa surface</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
     </message>
 </context>
 <context>
@@ -12221,10 +12347,6 @@ Détails&#x202f;: %3</translation>
 <context>
     <name>palpate::ui::TouchMap</name>
     <message>
-        <source>%1 cm², %2 %</source>
-        <translation>%1 cm², %2 %</translation>
-    </message>
-    <message>
         <source>Examined surface</source>
         <translation>Surface examinée</translation>
     </message>
@@ -12295,6 +12417,22 @@ Détails&#x202f;: %3</translation>
     <message>
         <source>only B: %1</source>
         <translation>B seul&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>only A</source>
+        <translation>A seul</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>les deux</translation>
+    </message>
+    <message>
+        <source>only B</source>
+        <translation>B seul</translation>
     </message>
 </context>
 <context>
@@ -12522,7 +12660,7 @@ de celle-ci, et profondeur de la main dans chaque couche [mm]</translation>
     </message>
     <message>
         <source>Then click Palpate and drag on the anatomy to press; the wheel sets the depth. Press ? for all keys.</source>
-        <translation>Cliquer ensuite sur Palper et glisser sur l’anatomie pour appuyer ; la molette règle la profondeur. ? affiche les raccourcis.</translation>
+        <translation>Cliquer ensuite sur Palper et glisser sur l’anatomie pour appuyer&#x202f;; la molette règle la profondeur.&#x202f;? affiche les raccourcis.</translation>
     </message>
 </context>
 </TS>

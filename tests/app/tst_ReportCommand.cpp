@@ -185,7 +185,7 @@ class ReportCommand : public QObject
         for (const QByteArray& line : outcome.out.split('\n')) {
             if (line.startsWith("  size: ")) {
                 const QStringList v =
-                    captures(line, "  size: (.+): volume (\\S+) ml \\(a ball of (\\S+) mm\\), area (\\S+) cm², extent "
+                    captures(line, "  size: (.+): volume (\\S+ ml) \\(a ball of (\\S+) mm\\), area (\\S+ cm²), extent "
                                    "(\\S+ × \\S+ × \\S+) mm");
                 QVERIFY2(v.size() == 5, line.constData());
                 hasRow(v);

@@ -2,6 +2,7 @@
 #include "TestRunner.h"
 
 #include <palpate/core/Numbers.h>
+#include <palpate/core/Quantity.h>
 
 #include <bit>
 #include <clocale>
@@ -78,8 +79,58 @@ class Numbers : public QObject
         }
         QCOMPARE(wrong, 0);
         QCOMPARE(palpate::core::shortNumber(0.57), std::string("0.57"));
-        QCOMPARE(palpate::core::shortNumber(-1e300), std::string("-1e+300"));
+        QCOMPARE(palpate::core::shortNumber(-1e300), std::string("-10³⁰⁰"));
         QCOMPARE(palpate::core::shortNumber(2.0 / 3.0, 3), std::string("0.667"));
+    }
+
+    void messagesHaveNoExponents_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<int>("digits");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("body in ml") << 79312.4 << 3 << "79300";
+        QTest::newRow("all digits known") << 79312.4 << 6 << "79312.4";
+        QTest::newRow("rounded up to another digit") << 99999.0 << 3 << "100000";
+        QTest::newRow("zeros at the end") << 12.5000 << 6 << "12.5";
+        QTest::newRow("small") << 2.34e-5 << 2 << "0.000023";
+        QTest::newRow("least") << -1e-6 << 6 << "-0.000001";
+        QTest::newRow("smaller") << 2.34e-13 << 2 << "2.3·10⁻¹³";
+        QTest::newRow("greatest") << 1e15 << 6 << "1000000000000000";
+        QTest::newRow("greater") << 1.5e16 << 6 << "1.5·10¹⁶";
+        QTest::newRow("zero") << 0.0 << 6 << "0";
+        QTest::newRow("below zero by rounding") << -0.0 << 6 << "0";
+        QTest::newRow("infinite") << std::numeric_limits<double>::infinity() << 3 << "inf";
+    }
+    void messagesHaveNoExponents()
+    {
+        QFETCH(double, value);
+        QFETCH(int, digits);
+        QTEST(QString::fromStdString(palpate::core::shortNumber(value, digits)), "text");
+    }
+
+    void sizesHaveTheUnitThatFits_data()
+    {
+        QTest::addColumn<palpate::core::Message>("size");
+        QTest::addColumn<QString>("text");
+        using namespace palpate::core;
+        QTest::newRow("body") << volumeText(7.9312e7, 3) << "79.3 l";
+        QTest::newRow("liver") << volumeText(1.52e6) << "1.52 l";
+        QTest::newRow("a litre by rounding") << volumeText(999999.0) << "1 l";
+        QTest::newRow("lump") << volumeText(4188.79) << "4.189 ml";
+        QTest::newRow("nodule") << volumeText(33.51) << "33.51 mm³";
+        QTest::newRow("room") << volumeText(2.5e9) << "2.5 m³";
+        QTest::newRow("inside out") << volumeText(-4188.79) << "-4.189 ml";
+        QTest::newRow("no volume") << volumeText(0.0) << "0 ml";
+        QTest::newRow("skin") << areaText(1.834e6) << "1.834 m²";
+        QTest::newRow("surface of a lump") << areaText(1256.6) << "12.57 cm²";
+        QTest::newRow("contact") << areaText(78.54) << "78.54 mm²";
+        QTest::newRow("path") << pathText(9999.0) << "9999 mm";
+        QTest::newRow("long path") << pathText(79312.0) << "79.31 m";
+    }
+    void sizesHaveTheUnitThatFits()
+    {
+        QFETCH(palpate::core::Message, size);
+        QTEST(QString::fromStdString(size.english()), "text");
     }
 
     void ignoresTheLocale()

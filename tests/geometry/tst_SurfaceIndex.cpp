@@ -19,7 +19,7 @@ class SurfaceIndexTest : public QObject
             const geometry::SurfaceIndex index = geometry::SurfaceIndex::build(geometry::repair(sphere(6, radius_mm)));
             QCOMPARE(index.triangleCount(), 0u);
             QCOMPARE(index.status().code(), core::StatusCode::OutOfRange);
-            QVERIFY(index.status().message().find("expected at most 1e+36 mm") != std::string::npos);
+            QVERIFY(index.status().message().find("expected at most 10³⁶ mm") != std::string::npos);
         }
         const geometry::SurfaceIndex large = geometry::SurfaceIndex::build(geometry::repair(sphere(6, 9e35)));
         QVERIFY(large.status().isOk());

@@ -47,7 +47,8 @@ inline std::string vectorText(const core::Vec3& v, const char* between)
 {
     std::string out;
     for (const double number : v) {
-        out += (out.empty() ? "" : between) + core::shortNumber(number, 17);
+        out += out.empty() ? "" : between;
+        core::appendNumber(out, number);
     }
     return out;
 }

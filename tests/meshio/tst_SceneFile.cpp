@@ -181,7 +181,7 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     field(R"("colour": [1, 0, 2])", "colour[2]: found 2, expected 0 to 1");
     field(R"("visible": 1)", "visible: found 1, expected true or false");
     field(R"("layer": 1.5)", "layer: found a fraction, expected a whole number");
-    field(R"("unit_mm": 0)", "unit_mm: found 0, expected 1e-06 to 1000000");
+    field(R"("unit_mm": 0)", "unit_mm: found 0, expected 0.000001 to 1000000");
     field(R"("stiffness_N_per_mm": -1)", "stiffness_N_per_mm: found -1, expected 0 to 1000");
     field(R"("pose": [1,0,0,0, 0,2,0,0, 0,0,1,0, 0,0,0,1])", "pose: found a matrix that is not rigid");
     field(R"("pose": [1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1])", "pose: found a matrix that is not rigid");
@@ -210,7 +210,7 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     field(R"("law": {})", "law.kind: found nothing, expected one of linear, exponential, hertz, layer, click, points");
     field(R"("law": {"kind": "fung"})", "law.kind: found \"fung\", expected one of linear, exponential");
     field(R"("law": {"kind": "exponential", "k0_N_per_mm": -0.1})",
-          "law.k0_N_per_mm: found -0.1, expected 1e-06 to 1000");
+          "law.k0_N_per_mm: found -0.1, expected 0.000001 to 1000");
     field(R"("law": {"kind": "exponential", "beta_per_mm": "steep"})", "law.beta_per_mm: found \"steep\"");
     field(R"("law": {"kind": "exponential", "k0_N_per_mm": 3})",
           "law: k0_N_per_mm: found 3, expected at most 2 (k_max_N_per_mm)");
@@ -297,7 +297,7 @@ void SceneFile::wrongFieldIsNamedByItsPath_data()
     exercise("a target that is not felt", R"("targets": ["c"])", "targets[0]: found \"c\", which is not palpable");
     exercise("a target twice", R"("targets": ["a", "a"])", "targets[1]: found \"a\" a second time");
     exercise("a negative time", R"("targets": ["a"], "time_s": -1)", "time_s: found -1, expected ");
-    exercise("a time without end", R"("targets": ["a"], "time_s": 1e300)", "time_s: found 1e+300, expected ");
+    exercise("a time without end", R"("targets": ["a"], "time_s": 1e300)", "time_s: found 10³⁰⁰, expected ");
     whole(R"({"version": 1, "exercise": {"targets": ["a"], "time_s": 1e999}})", "a.json: byte ");
     exercise("no force at all", R"("targets": ["a"], "force_ceiling_N": 0)", "force_ceiling_N: found 0, expected ");
     exercise("a force in words", R"("targets": ["a"], "force_ceiling_N": "5")", "force_ceiling_N: found \"5\"");

@@ -344,8 +344,8 @@ class HostileRecordings : public QObject
     {
         statements(
             {
-                {"UPDATE ticks SET hip_x = 1e300", "tick 0: found 1e+300 for hip"},
-                {"UPDATE ticks SET hip_x = 1e300 WHERE tick = 700", "ticks 500 to 749: tick 700: found 1e+300 for hip"},
+                {"UPDATE ticks SET hip_x = 1e300", "tick 0: found 10³⁰⁰ for hip"},
+                {"UPDATE ticks SET hip_x = 1e300 WHERE tick = 700", "ticks 500 to 749: tick 700: found 10³⁰⁰ for hip"},
                 {"UPDATE ticks SET hip_x = 9e999 WHERE tick = 700", "tick 700: found inf for hip"},
                 {"UPDATE ticks SET hip_x = NULL WHERE tick = 3", "tick 3: found nothing for hip"},
                 {"UPDATE ticks SET hip_x = 'abc', structure = 'x', triangle = 'y' WHERE tick > 1200",
@@ -357,7 +357,7 @@ class HostileRecordings : public QObject
                 {"UPDATE ticks SET flags = 65536", "found 65536 for flags"},
                 {"UPDATE ticks SET time_ns = 9223372036854775807 WHERE tick = 1499", "for time_ns"},
                 {"UPDATE ticks SET force_y = x'00' WHERE structure = 0", "found bytes for force"},
-                {"UPDATE ticks SET force_x = 1e308, force_y = 1e308, force_z = 1e308", "found 1e+308 for force"},
+                {"UPDATE ticks SET force_x = 1e308, force_y = 1e308, force_z = 1e308", "found 10³⁰⁸ for force"},
                 {"UPDATE ticks SET layers = zeroblob(88000) WHERE structure = 0", "no contacts of layers"},
                 {"UPDATE ticks SET layers = 'text' WHERE structure = 0", "found text for layers"},
                 {"UPDATE ticks SET hip_z = hip_z + 1e-9 WHERE tick = 700", "ticks 500 to 749: found other bits"},

@@ -76,7 +76,7 @@ class MotionFile : public QObject
         row("nan", "x,y,z\n1,2,nan\n", "m.csv: line 2, column z: found \"nan\", expected a finite number");
         row("inf", "x,y,z\n-inf,2,3\n", "m.csv: line 2, column x: found \"-inf\", expected a finite number");
         row("too large", "x,y,z\n1e300,2,3\n",
-            "m.csv: line 2, column x: found \"1e300\", expected a coordinate within 1e9 mm");
+            "m.csv: line 2, column x: found \"1e300\", expected a coordinate within 10⁹ mm");
         row("field missing", "x,y,z\n1,2\n", "m.csv: line 2: found 2 fields, expected 3 as in the header");
         row("decimal commas", "x,y,z\n1,0,2,0,3,0\n", "m.csv: line 2: found 6 fields, expected 3 as in the header");
         row("empty line", "x,y,z\n1,2,3\n\n1,2,3\n", "m.csv: line 3: found 1 field, expected 3 as in the header");
@@ -85,10 +85,11 @@ class MotionFile : public QObject
         row("no time passes", "time_s,x,y,z\n1,1,2,3\n1,1,2,3\n",
             "m.csv: line 3, column time_s: found that no time passes, expected ascending times");
         row("times of no servo", "time_s,x,y,z\n0,1,2,3\n1e300,1,2,3\n",
-            "m.csv: line 3, column time_s: found 1e+300 s between rows on average, expected 1e-05 to 1 s: one row a "
+            "m.csv: line 3, column time_s: found 10³⁰⁰ s between rows on average, expected 0.00001 to 1 s: one row a "
             "servo tick");
         row("steps of 10 s", "time_s,x,y,z\n0,1,2,3\n10,1,2,3\n20,1,2,3\n",
-            "m.csv: line 4, column time_s: found 10 s between rows on average, expected 1e-05 to 1 s: one row a servo "
+            "m.csv: line 4, column time_s: found 10 s between rows on average, expected 0.00001 to 1 s: one row a "
+            "servo "
             "tick");
         row("blanks, then a row", "x,y,z\n1,2,3\n \n\t\n1,2,3\n",
             "m.csv: line 3: found 1 field, expected 3 as in the header");

@@ -224,7 +224,7 @@ class FindingsFile : public QObject
             QTest::newRow(name) << list("", (std::string(point) + ", " + point + ", " + good).c_str())
                                 << "a.mrk.json: markups[0].controlPoints[0]" + QString(loss) + " (and 1 more)";
         };
-        const QString noNumber = ".position: found a coordinate that is not a number within 1e7 mm: left out";
+        const QString noNumber = ".position: found a coordinate that is not a number within 10⁷ mm: left out";
         bad("nan", R"({"position": [NaN, 0, 0]})", qPrintable(noNumber));
         bad("infinite", R"({"position": [0, -Infinity, 1e5]})", qPrintable(noNumber));
         bad("far", R"({"position": [0, 0, 1e9]})", qPrintable(noNumber));

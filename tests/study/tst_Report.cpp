@@ -240,6 +240,48 @@ class Report : public QObject
         QCOMPARE(findings->rows[1][8].english, std::string("0.5"));
     }
 
+    /// Findings that were marked after the end of the recording are listed apart, numbered on and without measures.
+    void findingsOutsideTheRecordingAreListedApart()
+    {
+        record(2);
+        study::ReportOptions options;
+        const study::ReportFacts inside = facts();
+        options.findings.emplace();
+        for (const session::FindingMeasures& one : inside.measures.findings) {
+            options.findings->push_back(one.finding); // in the recording
+        }
+        core::Finding late;
+        late.id = "late";
+        late.name = "After the end";
+        late.p_W = Vec3(0, 0, 60);
+        late.hasPlace = true;
+        late.force_N = 1.5;
+        late.note = "soft";
+        late.marked_utc = "2026-11-28T05:18:01Z";
+        options.findings->push_back(late);
+        core::Finding note; // without a place
+        note.id = "note";
+        note.hasPlace = false;
+        options.findings->push_back(note);
+        const study::ReportFacts all = facts(options);
+        QCOMPARE(all.outside.size(), std::size_t{1});
+        const study::Report report = study::composeReport(all);
+        QCOMPARE(report.places.size(), std::size_t{3});
+        const study::ReportTable* outside = tableWith(report, "Marked");
+        QVERIFY(outside != nullptr);
+        QCOMPARE(outside->rows.size(), std::size_t{1});
+        QCOMPARE(outside->rows[0][0].english, std::string("3"));
+        QCOMPARE(outside->rows[0][1].english, std::string("After the end"));
+        QCOMPARE(outside->rows[0][6].english, std::string("1.5"));
+        QCOMPARE(outside->rows[0][8].english, std::string("2026-11-28 05:18:01 UTC"));
+        QCOMPARE(tableWith(report, "Marked at [s]")->rows.size(), std::size_t{2});
+        QCOMPARE(tableWith(report, "Visits")->rows.size(), std::size_t{2});
+        const study::ReportTable* notes = tableWith(report, "Written at [s]");
+        QVERIFY(notes != nullptr);
+        QCOMPARE(notes->rows.back()[0].english, std::string("3. After the end"));
+        QVERIFY(tableWith(study::composeReport(inside), "Marked") == nullptr);
+    }
+
     /// The legend has the covered area of the measures; few places lie beyond the end of the colours.
     void mapsAgreeWithTheMeasures()
     {

@@ -218,17 +218,22 @@ class MovedSurface : public QObject
         view->findings().set(
             {{rest, core::FindingType::Lump, 1, "on it", 0}, {note, core::FindingType::Other, 2, "free"}});
         view->placeRing().show(rest, -Vec3::UnitY(), 4.0, 0);
+        view->targets().set(
+            {{rest, -Vec3::UnitY(), 3.0, "on it: missed", false, 0}, {note, Vec3::UnitZ(), 2.0, "free", true, {}}});
         view->moveTo({motion}, 1.8);
         (void)view->follow();
         const Vec3 now = motion->toWorld(motion->at(1.8), rest);
         QVERIFY((now - rest).norm() > 5.0);
         QVERIFY((view->findings().marks()[0].p_W - now).norm() < 1e-12);
         QVERIFY(view->findings().marks()[1].p_W == note);
+        QVERIFY((view->targets().place_W(0) - now).norm() < 1e-12);
+        QVERIFY(view->targets().place_W(1) == note);
         const auto restOf = view->structure(0).picture.restOf(now);
         QVERIFY((restOf - rest).norm() < 1e-8);
         view->moveTo({}, 0.0);
         (void)view->follow();
         QVERIFY(view->findings().marks()[0].p_W == rest);
+        QVERIFY(view->targets().place_W(0) == rest);
     }
 };
 

@@ -203,6 +203,50 @@ class SceneView : public QObject
         QVERIFY(red[0] > 2 * red[1]);
         QVERIFY(pixel(28, 151) == before);
     }
+    /// The legend stands in the chosen corner, clear of covers, orientation cube and scale bar; otherwise in the corner
+    /// where it hides the least tissue, and brief if it hides much there.
+    void theLegendStandsInItsCorner()
+    {
+        using Corner = view::ColourLegend::Corner;
+        view::ColourLegend& legend = m_view->legend();
+        view::ColourLegend::Content content;
+        content.title = "a long title of the legend";
+        content.briefTitle = "brief";
+        content.range = {0.0, 1.0};
+        content.marks = {{0.0, "none at all, in many words", "0"}, {1.0, "all of it, in many words", "1"}};
+        legend.show(content);
+        m_view->setCoveredAbove(10.0, 30.0);
+        for (const Corner corner : view::ColourLegend::kCorners) {
+            m_view->setLegendCorner(corner);
+            (void)pixel(0, 0);
+            const Eigen::AlignedBox2d box = legend.box();
+            const bool isRight = corner == Corner::UpperRight || corner == Corner::LowerRight;
+            const bool isUpper = corner == Corner::UpperLeft || corner == Corner::UpperRight;
+            QVERIFY(isRight ? box.center().x() > 0.0 : box.center().x() < 0.0);
+            QVERIFY(isUpper ? box.max().y() <= 150.0 - (isRight ? 30.0 : 10.0)
+                            : box.min().y() >= -150.0 + std::min(m_view->cube().top_px(), m_view->scaleBar().top()));
+            QVERIFY(box.contains(legend.closeBox()));
+        }
+        m_view->setCoveredAbove(0.0, 0.0);
+        m_view->setLegendCorner(std::nullopt);
+        m_view->camera().Dolly(4.0); // tissue everywhere
+        (void)pixel(0, 0);
+        QVERIFY(legend.isBrief());
+        const double wide = legend.box().sizes().x();
+        legend.setHovered(true);
+        (void)pixel(0, 0);
+        QVERIFY(!legend.isBrief() && legend.box().sizes().x() > wide);
+        legend.setHovered(false);
+        legend.setClosed(true);
+        QVERIFY(!legend.isShown() && legend.box().isEmpty());
+        legend.show(content);
+        QVERIFY(!legend.isShown()); // stays closed
+        legend.setClosed(false);
+        QVERIFY(legend.isShown());
+        legend.hide();
+        legend.setClosed(false);
+        QVERIFY(!legend.isShown());
+    }
     void occlusionAndSmoothEdgesKeepThePicture()
     {
         m_view->setAmbientOcclusion(true);

@@ -5,6 +5,7 @@
 #include "compare/ComparisonDialog.h"
 #include "compare/ComparisonPart.h"
 
+#include <palpate/core/Quantity.h>
 #include <palpate/session/RecordingReader.h>
 #include <palpate/study/CompareRecordings.h>
 #include <palpate/ui/ActionList.h>
@@ -118,8 +119,8 @@ class Comparison : public QObject
         QVERIFY(liver.both_mm2 > 0.0 && liver.onlyFirst_mm2 > 0.0 && liver.onlySecond_mm2 > 0.0);
         const auto text = [&](const char* who, double area_mm2) {
             const double percent = 100.0 * area_mm2 / liver.area_mm2;
-            return QStringLiteral("%1: %2 cm², %3 %")
-                .arg(who, QString::number(0.01 * area_mm2, 'f', 1),
+            return QStringLiteral("%1: %2, %3 %")
+                .arg(who, QString::fromStdString(core::areaText(area_mm2).english()),
                      QString::number(percent, 'f', percent < 1.0 ? 1 : 0))
                 .toStdString();
         };
@@ -151,6 +152,43 @@ class Comparison : public QObject
         QVERIFY(playback().isPlaying());
         QCOMPARE(playback().position_s(), playback().recording()->duration_s());
         playback().pause();
+    }
+
+    /// A click in a timeline moves its own playhead; map and ring of the other recording stay.
+    void aClickMovesOnePlayhead()
+    {
+        view::SceneView& view = m_desk->window().viewport().view();
+        playback().seek(3.0);
+        playback().seekSecond(5.0);
+        PALPATE_TRY_VERIFY(isRead(3.0, 5.0));
+        const core::Vec3 ofSecond = view.secondHand().place_W(), ofFirst = view.cursor().state().p_WH;
+        const auto click = [](ui::ForceTimeline& timeline, double share) {
+            QTest::mouseClick(&timeline, Qt::LeftButton, {},
+                              QPoint(static_cast<int>(share * timeline.width()), timeline.height() / 2));
+        };
+        click(panel().timeline(), 0.6);
+        const double first_s = playback().position_s();
+        QVERIFY(std::abs(first_s - 3.0) > 1.0);
+        QCOMPARE(panel().secondTransport().position_s(), 5.0);
+        PALPATE_TRY_VERIFY(isRead(first_s, 5.0));
+        QVERIFY(view.cursor().state().p_WH != ofFirst);
+        QVERIFY(view.secondHand().place_W() == ofSecond);
+        click(panel().secondTimeline(), 0.4);
+        const double second_s = panel().secondTransport().position_s();
+        QVERIFY(std::abs(second_s - 5.0) > 0.5);
+        QCOMPARE(playback().position_s(), first_s);
+        PALPATE_TRY_VERIFY(isRead(first_s, second_s));
+        // The ring is where the second hand was in contact.
+        const auto tick = playback().second()->at(second_s);
+        QVERIFY(tick.has_value());
+        QCOMPARE(view.secondHand().isShown(), tick->felt.structure >= 0);
+        QVERIFY(tick->felt.structure < 0 || (view.secondHand().place_W() - tick->felt.p_WG).norm() < 20.0);
+        m_desk->window().viewport().setFocus();
+        m_desk->pressKeyOf("to-start"); // both
+        QCOMPARE(playback().position_s(), 0.0);
+        QCOMPARE(panel().secondTransport().position_s(), 0.0);
+        PALPATE_TRY_VERIFY(isRead(0.0, 0.0));
+        playback().seek(playback().recording()->duration_s());
     }
 
     void endsWithTheCommandOrAnotherRecording()

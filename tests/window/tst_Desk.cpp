@@ -12,6 +12,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
 using namespace palpate;
 
@@ -128,6 +130,87 @@ class Desk : public QObject
                      id);
         }
         QVERIFY(all.size() > 20);
+    }
+
+    /// No menu is higher than a screen of 768 pixels, and every command of the View menu can still be reached there.
+    void menusFitALowScreen()
+    {
+        constexpr int kScreen_px = 700; // 768 without the frame of the window and a task bar
+        QList<QAction*> reached;
+        std::function<void(const QMenu&)> visit = [&](const QMenu& menu) {
+            QVERIFY2(menu.sizeHint().height() <= kScreen_px,
+                     qPrintable(menu.title() + QString(": %1").arg(menu.sizeHint().height())));
+            for (QAction* action : menu.actions()) {
+                reached << action;
+                if (action->menu() != nullptr) {
+                    visit(*action->menu());
+                }
+            }
+        };
+        for (const QAction* top : m_desk->window().menuBar()->actions()) {
+            visit(*top->menu());
+        }
+        for (const char* id : {"fit",
+                               "view-front",
+                               "view-feet",
+                               "view-oblique",
+                               "felt",
+                               "touch-map-next",
+                               "distances",
+                               "tape",
+                               "legend",
+                               "section",
+                               "section-deeper",
+                               "finger-section",
+                               "peek",
+                               "show-findings",
+                               "dent",
+                               "sound",
+                               "frame-ras",
+                               "motion",
+                               "messages",
+                               "engineering",
+                               "next-panel",
+                               "panels",
+                               "touch-map-back",
+                               "text-size-150",
+                               "legend-upper-left",
+                               "safe-colours"}) {
+            QVERIFY2(reached.contains(&m_desk->command(id)), id);
+        }
+        for (const char* panel : {"Structures", "Touch", "Findings", "Device", "Session"}) {
+            const auto* dock = m_desk->window().findChild<QDockWidget*>(QString(panel).toLower());
+            QVERIFY2(dock != nullptr && reached.contains(dock->toggleViewAction()), panel);
+        }
+    }
+
+    /// Messages stand off the touched place, at the upper or the lower edge of the view.
+    void messagesLeaveTheTouchedPlace()
+    {
+        auto* messages = m_desk->window().findChild<ui::MessageBar*>();
+        ui::VtkViewport& viewport = m_desk->window().viewport();
+        messages->forgetScene();
+        viewport.view().camera().Dolly(4.0); // tissue everywhere in the view
+        viewport.update();
+        QTest::qWait(200);
+        messages->showError("Something went wrong");
+        PALPATE_TRY_VERIFY(messages->isVisible() && messages->height() > 10);
+        const auto isBelow = [&] { return messages->y() > viewport.height() / 2; };
+        view::TouchState touch;
+        touch.isPresent = touch.isInContact = true;
+        touch.n_W = core::Vec3::UnitZ();
+        for (const bool isTop : {true, false, true}) {
+            const double y = isTop ? 5.0 : viewport.height() - 5.0;
+            const view::Ray ray = viewport.rayAt({0.5 * viewport.width(), y});
+            touch.p_WG = touch.p_WH = ray.p_W + 100.0 * ray.d_W;
+            viewport.view().cursor().setState(touch);
+            Q_EMIT viewport.frameSwapped(); // before the live hand moves the cursor
+            QCoreApplication::processEvents();
+            PALPATE_TRY_VERIFY(isBelow() == isTop);
+        }
+        viewport.view().cursor().setState({});
+        messages->forgetScene();
+        m_desk->command("fit").trigger();
     }
 
     /// A label's accessible name replaces its text: a name that only describes a number would hide the number.

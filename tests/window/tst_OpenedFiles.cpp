@@ -22,6 +22,7 @@
 #include <QJsonObject>
 #include <QLockFile>
 #include <QMessageBox>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QSignalSpy>
@@ -227,6 +228,41 @@ class OpenedFiles : public QObject
         QCOMPARE(most, std::size_t{2});
         QCOMPARE(view().structureCount(), std::size_t{3});
     }
+    /// When opening ends, view, panels, title and commands show the new scene, and nothing of the scene before.
+    void everythingShowsTheNewSceneWhenOpeningEnds()
+    {
+        QVERIFY(m_desk->openPhantom());
+        m_desk->command("palpate").setChecked(true);
+        PALPATE_TRY_VERIFY(m_desk->window().playback().recording() != nullptr);
+        const auto scene = writeScene("s.palpate.json", R"(, "visible": false}, {"mesh": "a.stl", "name": "lump")",
+                                      R"({"name": "F", "position": [30, 10, 5], "structure": "liver"})");
+        QVERIFY(m_desk->open({scene})); // returns with the signal `ready`
+        const MainWindow& window = m_desk->window();
+        QVERIFY(window.windowTitle().startsWith("s.palpate.json"));
+        QVERIFY(!window.isWindowModified());
+        QVERIFY(m_desk->window().viewport().isVisible() && m_desk->window().viewport().hasFocus());
+        QCOMPARE(view().structureCount(), std::size_t{2});
+        QVERIFY(!view().structure(0).picture.appearance().isVisible);
+        QVERIFY(view().bounds().max() == Vec3(80, 20, 20)); // of the visible structure
+        QVERIFY(!view().section());
+        QCOMPARE(view().findings().count(), std::size_t{1});
+        QVERIFY((view().findings().marks()[0].p_W - Vec3(30, 10, 5)).norm() < 1e-9);
+        const Vec3 focus(view().camera().GetFocalPoint());
+        QVERIFY((focus - Vec3(70, 10, 10)).norm() < 1e-6); // the camera looks at its middle
+        const QAbstractItemModel& list = *window.findChild<QTreeView*>()->model();
+        QCOMPARE(list.rowCount(), 2);
+        QCOMPARE(list.index(0, ui::StructureModel::Name).data().toString(), QStringLiteral("liver"));
+        QVERIFY(window.findChild<QTreeView*>()->selectionModel()->isRowSelected(0));
+        QCOMPARE(window.findChild<QAbstractItemView*>("findingsTable")->model()->rowCount(), 1);
+        QVERIFY(m_desk->window().playback().recording() == nullptr);
+        QVERIFY(m_desk->command("close").isEnabled() && m_desk->command("record").isEnabled());
+        QVERIFY(!m_desk->command("measures").isEnabled()); // of the recording before
+        QVERIFY(!window.findChild<app::SceneFiles*>()->loader().isBusy());
+        for (const QProgressBar* bar : window.findChildren<QProgressBar*>()) {
+            QVERIFY(!bar->isVisible());
+        }
+    }
+
     void axesThatNobodySaidAreQuestioned()
     {
         QVERIFY(!coordinates().button().isVisible());

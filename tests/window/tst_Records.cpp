@@ -28,6 +28,7 @@
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTimer>
 #include <QToolButton>
@@ -306,6 +307,49 @@ class Records : public QObject
         }
         QVERIFY2(fields.contains(QStringLiteral("0.2")), qPrintable(fields.join(QLatin1Char(' '))));
         picture("alone.png");
+    }
+
+    /// Without the touched surfaces the view shows the path of the hand, thick where it touched, and is fitted to it.
+    void aRecordingWithoutMeshesShowsThePathOfTheHand()
+    {
+        const std::filesystem::path alone = m_desk->folder() / "alone";
+        std::filesystem::create_directories(alone);
+        std::filesystem::copy_file(phantom() / "palpation.palpate", alone / "palpation.palpate");
+        const auto reader = session::RecordingReader::open(alone / "palpation.palpate");
+        core::Box hand;
+        std::int64_t touching = 0;
+        QVERIFY(reader.value()
+                    ->forEach(reader.value()->extent().firstTick, reader.value()->extent().lastTick,
+                              [&](const servo::TickRecord& tick) {
+                                  hand.extend(tick.p_WH);
+                                  touching += tick.felt.f_W.norm() > 0.0 ? 1 : 0;
+                                  return true;
+                              })
+                    .isOk());
+        QVERIFY(touching > 0);
+        view::SceneView& view = m_desk->window().viewport().view();
+        QSignalSpy drawn(&m_desk->window().playback(), &ui::Playback::overviewReady);
+        m_desk->window().open({alone / "palpation.palpate"});
+        PALPATE_TRY_COMPARE(drawn.count(), 1);
+        QVERIFY(m_desk->window().viewport().isVisible());
+        QCOMPARE(view.structureCount(), std::size_t{0});
+        QVERIFY(view.handPath().isShown());
+        // Some thousand points stand for all ticks: between two points the hand may have gone a little farther.
+        const core::Box& shown = view.handPath().bounds();
+        QVERIFY(hand.contains(shown));
+        QVERIFY((shown.sizes() - hand.sizes()).norm() < 0.02 * hand.diagonal().norm());
+        QVERIFY(view.bounds().min() == shown.min() && view.bounds().max() == shown.max());
+        for (int corner = 0; corner < 8; ++corner) { // the whole path is in the picture
+            const QPointF place =
+                m_desk->window().viewport().placeOf(shown.corner(static_cast<core::Box::CornerType>(corner)));
+            QVERIFY(m_desk->window().viewport().rect().contains(place.toPoint()));
+        }
+        picture("hand-path.png");
+        // With its surfaces, the path makes way.
+        QVERIFY(m_desk->open({phantom() / "palpation.palpate"}));
+        QVERIFY(view.structureCount() > 0);
+        PALPATE_TRY_COMPARE(drawn.count(), 2);
+        QVERIFY(!view.handPath().isShown());
     }
 
     /// A colour chosen by hand and never saved is restored from the recording.

@@ -344,7 +344,11 @@ class ReportWriting : public QObject
         letGo();
         click(tool("mark"));
         part().write(m_desk->folder() / "again.html", ".html", {}, {});
-        PALPATE_TRY_VERIFY2(messages().text().contains("again.html, without 1 finding"), qPrintable(messages().text()));
+        PALPATE_TRY_VERIFY2(messages().text().contains("again.html; 1 finding"), qPrintable(messages().text()));
+        const QString again = QString::fromUtf8(read("again.html"));
+        QVERIFY(again.contains("Findings marked outside of this recording: 1, in a table of their own."));
+        QVERIFY(again.contains("Findings marked outside of this recording: before it"));
+        QVERIFY(again.contains("Finding 2"));
     }
 
     void cleanupTestCase() { m_desk.reset(); }

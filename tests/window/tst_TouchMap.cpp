@@ -10,6 +10,7 @@
 #include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
+#include <QSignalSpy>
 
 #include <algorithm>
 #include <cmath>
@@ -137,6 +138,48 @@ class TouchMap : public QObject
         QCOMPARE(map().quantity(), ui::TouchQuantity::None);
         m_desk->pressKeyOf("touch-map-next");
         QVERIFY(!m_desk->command("distances").isChecked());
+    }
+
+    /// The mouse drags the legend to another corner, which is stored, and closes it; the View menu opens it again.
+    void theLegendIsDraggedAndClosed()
+    {
+        ui::VtkViewport& viewport = m_desk->window().viewport();
+        m_desk->pressKeyOf("touch-map-next");
+        PALPATE_TRY_VERIFY(!legend().box().isEmpty());
+        const auto at = [&](const Eigen::Vector2d& p) {
+            return QPoint(qRound(0.5 * viewport.width() + p.x()), qRound(0.5 * viewport.height() - p.y()));
+        };
+        QSignalSpy pressed(&viewport, &ui::VtkViewport::pointerPressed);
+        m_desk->command("palpate").setChecked(true); // neither presses on the legend
+        QTest::mousePress(&viewport, Qt::LeftButton, {}, at(legend().box().center()));
+        const Eigen::Vector2d before = legend().box().center();
+        QTest::mouseMove(&viewport, at(before) + QPoint(40, 30));
+        PALPATE_TRY_VERIFY((legend().box().center() - before).norm() > 20.0); // follows the pointer
+        const QPoint target(viewport.width() - 60, viewport.height() - 60);
+        QTest::mouseMove(&viewport, target);
+        QTest::mouseRelease(&viewport, Qt::LeftButton, {}, target);
+        QCOMPARE(pressed.count(), 0);
+        m_desk->command("palpate").setChecked(false);
+        using Corner = view::ColourLegend::Corner;
+        QVERIFY(viewport.view().legendCorner() == Corner::LowerRight);
+        PALPATE_TRY_VERIFY(legend().box().min().x() > 0.0 && legend().box().min().y() < 0.0);
+        QVERIFY(m_desk->command("legend-lower-right").isChecked());
+
+        QTest::mouseMove(&viewport, at(legend().box().center()));
+        PALPATE_TRY_VERIFY(legend().isHovered());
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(legend().closeBox().center()));
+        QVERIFY(!legend().isShown());
+        QVERIFY(!m_desk->command("legend").isChecked());
+        m_desk->pressKeyOf("touch-map-next"); // other colours do not open it
+        QVERIFY(!legend().isShown());
+        m_desk->command("legend").trigger();
+        QVERIFY(legend().isShown());
+
+        QVERIFY(m_desk->show()); // the next start of the program
+        QVERIFY(m_desk->window().viewport().view().legendCorner() == Corner::LowerRight);
+        QVERIFY(!legend().isClosed());
+        m_desk->command("legend-automatic").trigger();
+        QVERIFY(!m_desk->window().viewport().view().legendCorner());
     }
 
     /// A press by the pointer, without a recording.

@@ -60,10 +60,12 @@ view::TargetMark markOf(const ui::StructureModel& model, int row, const study::T
     if (row < 0) {
         return mark;
     }
+    mark.structure = static_cast<std::size_t>(row);
     const auto& around = model.rows()[static_cast<std::size_t>(row)].in;
     if (!around.has_value() || !model.rows()[*around].isThere()) {
         return mark;
     }
+    mark.structure = *around;
     const std::vector<Vec3>& vertices = model.rows()[*around].loaded.surface->mesh.vertices;
     mark.p_W = *std::min_element(vertices.begin(), vertices.end(), [&ball](const Vec3& a, const Vec3& b) {
         return (a - ball.centre_W).squaredNorm() < (b - ball.centre_W).squaredNorm();
@@ -188,7 +190,7 @@ void ExercisePart::start()
     }
     m_stage = Stage::Running;
     m_clock.start();
-    m_core.notices.say(tr("The exercise runs. Mark each place that you find (M)."), 15000);
+    m_core.notices.say(tr("The exercise runs. Mark each place that you find (Mark in the tool bar or M)."), 15000);
     Q_EMIT stateChanged();
 }
 
@@ -347,7 +349,7 @@ void ExercisePart::showBar()
             texts.force = texts.isAbove ? tr("%1 N: above the ceiling of %2 N").arg(newtons(force_N), newtons(most_N))
                                         : tr("%1 N, ceiling %2 N").arg(newtons(force_N), newtons(most_N));
         }
-        texts.detail = tr("Press M at each place that you find.");
+        texts.detail = tr("At each place that you find, click Mark or press M.");
         m_bar->setActions({&actions.at("mark"), &actions.at("exercise")});
         break;
     }

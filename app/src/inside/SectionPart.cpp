@@ -122,6 +122,7 @@ void SectionPart::addActions()
                         tr("Move the section towards the viewer"), {QKeySequence(Qt::SHIFT | Qt::Key_PageUp)}),
             &QAction::triggered, this, [this] { move(-step_mm()); });
     actions.addGesture(ActionGroup::InView, tr("Shift+wheel"), tr("move the section"));
+    actions.addSubmenu(ActionGroup::View, tr("Section plane"), ActionGroup::Section);
     actions.addSeparator(ActionGroup::View);
 }
 

@@ -3,6 +3,8 @@
 
 #include "shared/Console.h"
 
+#include <palpate/core/Quantity.h>
+
 namespace palpate::app {
 
 namespace {
@@ -44,8 +46,8 @@ void printExercise(const study::ExerciseScore& s)
     }
     print("\n");
     if (const auto coverage = s.coverage()) {
-        print("%.3g %% of %.4g cm² searched (within %.3g mm)", 100.0 * *coverage, 0.01 * s.searched_mm2,
-              s.coverageDistance_mm);
+        print("%.3g %% of %s searched (within %.3g mm)", 100.0 * *coverage,
+              core::areaText(s.searched_mm2).english().c_str(), s.coverageDistance_mm);
         if (s.exercise.coverage_goal) {
             print(", goal %.3g %%: %s", 100.0 * *s.exercise.coverage_goal,
                   *coverage >= *s.exercise.coverage_goal ? "reached" : "not reached");

@@ -5,7 +5,9 @@
 #include "shared/Console.h"
 #include "shared/QtText.h"
 
+#include <palpate/core/Numbers.h>
 #include <palpate/haptics/ForceTable.h>
+#include <palpate/study/Distances.h>
 #include <palpate/study/FeltFile.h>
 #include <palpate/study/StructureSources.h>
 
@@ -13,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string_view>
 #include <vector>
 
@@ -88,13 +89,10 @@ std::string wall(const geometry::SurfaceExamination& e)
     if (!e.thinnestWall_mm) {
         return {};
     }
-    std::array<char, 200> text = {};
-    std::snprintf(text.data(), text.size(),
-                  "thinnest wall found %.3g mm at (%.6g, %.6g, %.6g), from %s rays: a hand that presses deeper passes "
-                  "through the other side",
-                  *e.thinnestWall_mm, e.thinnestAt.x(), e.thinnestAt.y(), e.thinnestAt.z(),
-                  grouped(e.wallSamples).c_str());
-    return text.data();
+    const core::Vec3& p = e.thinnestAt;
+    return "thinnest wall found " + core::shortNumber(*e.thinnestWall_mm, 3) + " mm at (" + core::shortNumber(p.x()) +
+           ", " + core::shortNumber(p.y()) + ", " + core::shortNumber(p.z()) + "), from " + grouped(e.wallSamples) +
+           " rays: a hand that presses deeper passes through the other side";
 }
 
 std::vector<std::string> english(const std::vector<core::Message>& messages)
@@ -151,20 +149,16 @@ std::string lawLine(const core::Tissue& tissue)
         return {};
     }
     std::string line = std::string(core::lawName(law.kind));
-    std::array<char, 120> number = {};
     std::size_t i = 0;
     for (const core::LawParameter& term : core::lawParameters(law.kind)) {
-        std::snprintf(number.data(), number.size(), ", %s %.6g", term.key.data(), law.numbers[i++]);
-        line += number.data();
+        line += ", " + std::string(term.key) + " " + core::shortNumber(law.numbers[i++]);
     }
     if (!law.points.empty()) {
         const auto [depth_mm, force_N] = law.points.back();
-        std::snprintf(number.data(), number.size(), ", %zu to %.6g mm and %.6g N", law.points.size(), depth_mm,
-                      force_N);
-        line += number.data();
+        line += ", " + std::to_string(law.points.size()) + " to " + core::shortNumber(depth_mm) + " mm and " +
+                core::shortNumber(force_N) + " N";
     }
-    std::snprintf(number.data(), number.size(), "; at its steepest %.4g N/mm", haptics::maxStiffness(tissue));
-    return line + number.data();
+    return line + "; at its steepest " + core::shortNumber(haptics::maxStiffness(tissue), 4) + " N/mm";
 }
 
 QJsonArray triple(const core::Vec3& v)
@@ -186,10 +180,9 @@ void printRead(const FileReport& report)
               : structure.description.visible        ? ""
                                                      : "; hidden: not felt");
         if (!r.bounds.isEmpty()) {
-            const core::Vec3 size = r.bounds.sizes();
             const core::Vec3 centre = r.bounds.center();
-            print("    extent %.6g x %.6g x %.6g mm about (%.6g, %.6g, %.6g), area %.6g mm2, volume %.6g mm3\n",
-                  size.x(), size.y(), size.z(), centre.x(), centre.y(), centre.z(), r.area_mm2, r.volume_mm3);
+            print("    %s; centre (%.6g, %.6g, %.6g)\n", study::sizeText(study::sizeOf({}, r)).english().c_str(),
+                  centre.x(), centre.y(), centre.z());
         }
         print("    %s; components %zu (closed %zu, open %zu, not orientable %zu, inside out %zu)\n", feeling(r).c_str(),
               r.components, r.closedComponents, r.openComponents, r.nonOrientableComponents, r.insideOutComponents);

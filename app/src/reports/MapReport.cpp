@@ -4,6 +4,7 @@
 #include "shared/Console.h"
 #include "shared/QtText.h"
 
+#include <palpate/core/Numbers.h>
 #include <palpate/core/Text.h>
 #include <palpate/meshio/SurfaceMaps.h>
 #include <palpate/study/FeltMap.h>
@@ -11,9 +12,7 @@
 #include <QJsonArray>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <span>
 
@@ -45,9 +44,7 @@ Range rangeOf(std::span<const float> values)
 
 std::string between(double least, double greatest)
 {
-    std::array<char, 80> text = {};
-    std::snprintf(text.data(), text.size(), "%.6g to %.6g", least, greatest);
-    return text.data();
+    return core::shortNumber(least) + " to " + core::shortNumber(greatest);
 }
 
 std::string missing(std::size_t count, std::size_t all, const char* what)
@@ -84,17 +81,15 @@ std::string mapLine(const meshio::SurfaceMap& map, const core::Tissue& tissue)
                 ? "the volume " + core::inQuotes(std::filesystem::path(mapping.file).filename().string())
                 : "the array " + core::inQuotes(mapping.array);
     line += " (" + std::string(nameOf(mapping.unit));
-    std::array<char, 80> text = {};
     if (isModulus(mapping.unit)) {
-        std::snprintf(text.data(), text.size(), ", contact radius %.6g mm", mapping.contactRadius_mm);
-        line += text.data();
+        line += ", contact radius " + core::shortNumber(mapping.contactRadius_mm) + " mm";
     }
     if (mapping.clamp) {
         line += ", limited to " + between((*mapping.clamp)[0], (*mapping.clamp)[1]);
     }
     line += "): felt as " + between(felt.least, felt.greatest) + " " + felt.unit;
-    std::snprintf(text.data(), text.size(), " values missing: %.6g is used there", felt.own);
-    return line + missing(meshio::missingValues(map), map.values.size(), text.data());
+    const std::string used = " values missing: " + core::shortNumber(felt.own) + " is used there";
+    return line + missing(meshio::missingValues(map), map.values.size(), used.c_str());
 }
 
 } // namespace

@@ -3,7 +3,9 @@
 
 #include "shared/Console.h"
 
-#include <cstdio>
+#include <palpate/core/Numbers.h>
+#include <palpate/core/Quantity.h>
+
 #include <optional>
 #include <string>
 
@@ -13,9 +15,7 @@ namespace {
 
 std::string percentText(const std::optional<double>& percent)
 {
-    char text[32];
-    std::snprintf(text, sizeof text, "%+.3g %%", percent.value_or(0.0));
-    return percent ? text : "none";
+    return percent ? (*percent < 0.0 ? "" : "+") + core::shortNumber(*percent, 3) + " %" : "none";
 }
 
 void printLump(const session::LumpSearch& one)
@@ -45,7 +45,8 @@ void printMeasures(const session::SessionMeasures& m)
         print("ticks late %s, lost %s\n", m.lateTicks ? grouped(*m.lateTicks).c_str() : "not stated",
               grouped(m.lostTicks).c_str());
     }
-    print("path of the hand %.4g mm, on the surface %.4g mm\n", m.sums.pathLength_mm, m.sums.contactPath_mm);
+    print("path of the hand %s, on the surface %s\n", core::pathText(m.sums.pathLength_mm).english().c_str(),
+          core::pathText(m.sums.contactPath_mm).english().c_str());
     print("force in contact: peak %.4g N, mean %.4g N, median %.4g N, 95th percentile %.4g N\n", all.peakForce_N,
           all.meanForce_N, all.medianForce_N, all.p95Force_N);
     print("depth in contact: peak %.4g mm, mean %.4g mm, 95th percentile %.4g mm\n", all.peakDepth_mm, all.meanDepth_mm,
@@ -67,9 +68,9 @@ void printMeasures(const session::SessionMeasures& m)
               part.p95Force_N, part.peakDepth_mm);
     }
     for (const session::SurfaceMeasures& surface : m.surfaces) {
-        print("  %s: %.3g %% of %.4g cm² covered (within %.3g mm), longest dwell at a point %.3f s\n",
-              surface.structure.c_str(), 100.0 * surface.coverage(), 0.01 * surface.area_mm2, m.distance_mm,
-              surface.longestDwell_s);
+        print("  %s: %.3g %% of %s covered (within %.3g mm), longest dwell at a point %.3f s\n",
+              surface.structure.c_str(), 100.0 * surface.coverage(), core::areaText(surface.area_mm2).english().c_str(),
+              m.distance_mm, surface.longestDwell_s);
     }
     for (const session::LumpSearch& one : m.lumps) {
         printLump(one);

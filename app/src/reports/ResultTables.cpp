@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reports/ResultTables.h"
 
+#include <palpate/core/Quantity.h>
 #include <palpate/ui/ClipboardCell.h>
 #include <palpate/ui/FindingsModel.h>
 #include <palpate/ui/SessionPanel.h>
 #include <palpate/ui/StructureModel.h>
+#include <palpate/ui/Translated.h>
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -38,14 +40,14 @@ QString count(std::int64_t value)
 
 ResultTable sessionTable(const session::SessionMeasures& m)
 {
-    return {ResultTexts::tr("Session"),
-            {{ResultTexts::tr("Duration"), ResultTexts::tr("In contact"), ResultTexts::tr("Contacts"),
-              ResultTexts::tr("Path of the hand"), ResultTexts::tr("Path on the surface"),
-              ResultTexts::tr("Late samples"), ResultTexts::tr("Lost samples")},
-             {ui::clockText(m.sums.duration_s), ui::clockText(m.sums.contact.time_s), count(m.sums.contact.contacts),
-              ResultTexts::tr("%1 mm").arg(number(m.sums.pathLength_mm, 0)),
-              ResultTexts::tr("%1 mm").arg(number(m.sums.contactPath_mm, 0)),
-              m.lateTicks ? count(*m.lateTicks) : ResultTexts::tr("not stated"), count(m.lostTicks)}}};
+    return {
+        ResultTexts::tr("Session"),
+        {{ResultTexts::tr("Duration"), ResultTexts::tr("In contact"), ResultTexts::tr("Contacts"),
+          ResultTexts::tr("Path of the hand"), ResultTexts::tr("Path on the surface"), ResultTexts::tr("Late samples"),
+          ResultTexts::tr("Lost samples")},
+         {ui::clockText(m.sums.duration_s), ui::clockText(m.sums.contact.time_s), count(m.sums.contact.contacts),
+          ui::translated(core::pathText(m.sums.pathLength_mm)), ui::translated(core::pathText(m.sums.contactPath_mm)),
+          m.lateTicks ? count(*m.lateTicks) : ResultTexts::tr("not stated"), count(m.lostTicks)}}};
 }
 
 ResultTable touchTable(const session::SessionMeasures& m)
@@ -86,7 +88,7 @@ ResultTable phaseTable(const session::SessionMeasures& m)
 
 ResultTable surfaceTable(const session::SessionMeasures& m, bool isFingertip)
 {
-    const QString distance = ResultTexts::tr("%1 mm").arg(QLocale().toString(m.distance_mm));
+    const QString distance = ResultTexts::tr("%1 mm").arg(ui::numberText(m.distance_mm));
     ResultTable table{
         isFingertip ? ResultTexts::tr("Examined share of the surface (within %1, the fingertip radius)").arg(distance)
                     : ResultTexts::tr("Examined share of the surface (within %1)").arg(distance),

@@ -38,11 +38,12 @@ CoordinatesChoice::CoordinatesChoice(ui::ActionList& actions, QWidget* parent)
     , m_button(new QToolButton(parent))
 {
     using ui::ActionGroup;
-    m_actions = {actions.add("frame-lps", ActionGroup::View, tr("Coordinates: LPS"),
+    actions.addSubmenu(ActionGroup::View, tr("Coordinates of the files"), ActionGroup::Coordinates);
+    m_actions = {actions.add("frame-lps", ActionGroup::Coordinates, tr("LPS: left, posterior, superior"),
                              tr("File axes point left, posterior and superior, as in DICOM")),
-                 actions.add("frame-ras", ActionGroup::View, tr("Coordinates: RAS"),
+                 actions.add("frame-ras", ActionGroup::Coordinates, tr("RAS: right, anterior, superior"),
                              tr("File axes point right, anterior and superior, as in older 3D Slicer models")),
-                 actions.add("frame-y-up", ActionGroup::View, tr("Coordinates: Y up"),
+                 actions.add("frame-y-up", ActionGroup::Coordinates, tr("Y up: left, superior, anterior"),
                              tr("File axes point left, superior and anterior, as in 3D modelling programs"))};
     auto* menu = new QMenu(m_button);
     for (std::size_t i = 0; i < m_actions.size(); ++i) {

@@ -27,7 +27,6 @@ CoordinatesPart::CoordinatesPart(const WindowCore& core, DocumentPart& document,
 void CoordinatesPart::addActions()
 {
     m_choice = new CoordinatesChoice(m_core.actions, &m_core.window);
-    m_core.actions.addSeparator(ui::ActionGroup::View);
     connect(m_choice, &CoordinatesChoice::chosen, this, &CoordinatesPart::readAs);
     connect(&m_core.model, &QAbstractItemModel::modelReset, this, &CoordinatesPart::show);
     connect(&m_core.model, &QAbstractItemModel::rowsInserted, this, &CoordinatesPart::show);

@@ -13,10 +13,10 @@
 #include <palpate/study/RecordedScene.h>
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/Pieces.h>
+#include <palpate/ui/Translated.h>
 
 #include <QAction>
 #include <QFileDialog>
-#include <QLocale>
 #include <QMainWindow>
 #include <QMimeData>
 #include <QSettings>
@@ -295,7 +295,7 @@ void SceneFiles::offerReadingAsMetres(double size_mm)
     meshio::ReadOptions inMetres = m_options;
     inMetres.unit_mm = 1000.0;
     m_core.notices.bar().offer(tr("This anatomy is only %1 mm across. Its coordinates are probably in metres.")
-                                   .arg(QLocale().toString(size_mm, 'g', 2)),
+                                   .arg(ui::numberText(size_mm, 2)),
                                tr("Read as metres"), [this, files = m_opening, inMetres] { open(files, inMetres); });
 }
 

@@ -9,8 +9,6 @@
 #include <palpate/study/Layers.h>
 #include <palpate/ui/VtkViewport.h>
 
-#include <QLocale>
-
 #include <memory>
 #include <palpate/ui/Translated.h>
 
@@ -188,10 +186,9 @@ void SceneSurfaces::offerSmoothing()
         return;
     }
     const core::Vec3& voxel = model.rows()[static_cast<std::size_t>(rows.front())].loaded.staircase->voxel_mm;
-    const QLocale locale;
-    const QString size = tr("%1 × %2 × %3 mm")
-                             .arg(locale.toString(voxel.x(), 'g', 3), locale.toString(voxel.y(), 'g', 3),
-                                  locale.toString(voxel.z(), 'g', 3));
+    const QString size =
+        tr("%1 × %2 × %3 mm")
+            .arg(ui::numberText(voxel.x(), 3), ui::numberText(voxel.y(), 3), ui::numberText(voxel.z(), 3));
     m_core.notices.bar().offer(
         rows.size() == 1
             ? tr("%1 has voxel steps of about %2, which can be felt.").arg(nameOf(rows.front()), size)

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 
 #include <sys/stat.h>
 
@@ -64,6 +65,26 @@ int reportLosses(const std::vector<core::Message>& losses)
 
 namespace {
 
+/// Writes a number without an exponent, in the precision, width and sign of a conversion such as "%-9.2g".
+std::string plainNumber(const std::string& spec, double value)
+{
+    const std::size_t point = spec.find('.');
+    const int digits = point == std::string::npos ? 6 : std::atoi(spec.c_str() + point + 1);
+    const std::size_t first = spec.find_first_of("123456789.g", 1);
+    const std::string flags = spec.substr(1, first - 1);
+    const auto width = static_cast<std::size_t>(std::atoi(spec.c_str() + first));
+    std::string text = core::shortNumber(value, digits);
+    if (flags.find('+') != std::string::npos && !std::signbit(value)) {
+        text.insert(0, "+");
+    }
+    const auto letters = static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; })); // of UTF-8
+    if (letters < width) {
+        text.insert(flags.find('-') != std::string::npos ? text.size() : 0, width - letters, ' ');
+    }
+    return text;
+}
+
 /// Formats one printf conversion `spec` with arguments taken from `arguments`.
 void appendConversion(std::string& out, std::string spec, va_list& arguments)
 {
@@ -86,8 +107,10 @@ void appendConversion(std::string& out, std::string spec, va_list& arguments)
         break;
     case 'e':
     case 'f':
-    case 'g':
         add(spec.c_str(), va_arg(arguments, double));
+        break;
+    case 'g':
+        out += plainNumber(spec, va_arg(arguments, double));
         break;
     default: // integers; `long`, `long long` and `size_t` have the same size here
         static_assert(sizeof(long) == sizeof(long long) && sizeof(long) == sizeof(std::size_t));

@@ -33,14 +33,16 @@ Docks::Docks(QMainWindow& window, ui::ActionList& actions)
 
 void Docks::addActions()
 {
-    connect(m_actions.add("next-panel", ActionGroup::View, tr("Next panel"),
+    m_actions.addSubmenu(ActionGroup::View, tr("Panels"), ActionGroup::Panels);
+    m_actions.addSeparator(ActionGroup::Panels);
+    connect(m_actions.add("next-panel", ActionGroup::Panels, tr("Next panel"),
                           tr("Move the keyboard focus to the next panel, after the last to the view"),
                           {QKeySequence(Qt::Key_F6)}),
             &QAction::triggered, this, [this] { m_round.go(1); });
-    connect(m_actions.add("previous-panel", ActionGroup::View, tr("Previous panel"),
+    connect(m_actions.add("previous-panel", ActionGroup::Panels, tr("Previous panel"),
                           tr("Move the keyboard focus to the previous panel"), {QKeySequence(Qt::SHIFT | Qt::Key_F6)}),
             &QAction::triggered, this, [this] { m_round.go(-1); });
-    connect(m_actions.add("panels", ActionGroup::View, tr("Hide or show all panels"), tr("Hide or show all panels"),
+    connect(m_actions.add("panels", ActionGroup::Panels, tr("Hide or show all panels"), tr("Hide or show all panels"),
                           {QKeySequence(Qt::Key_F9)}),
             &QAction::triggered, this, &Docks::toggleAll);
 }
@@ -134,9 +136,11 @@ void Docks::setShown(QDockWidget& dock, bool isShown)
 
 void Docks::fill(QMenu& menu) const
 {
+    QAction* first = menu.actions().value(0);
     for (const Docked& one : m_docks) {
-        menu.addAction(one.dock->toggleViewAction());
+        menu.insertAction(first, one.dock->toggleViewAction());
     }
+    menu.insertSeparator(first);
 }
 
 void Docks::fit(double left_px, double right_px, double below_px)

@@ -42,7 +42,7 @@ class Docks : public WindowPart
     /// Shows or hides a panel of `addHidden`. Unless moved by the user, the panel becomes a tab of the panel of `add`
     /// in the same area.
     void setShown(QDockWidget& dock, bool isShown);
-    /// Adds entries to a menu that show and hide the panels of `add`.
+    /// Adds entries at the top of a menu that show and hide the panels of `add`.
     void fill(QMenu& menu) const;
     /// Sets the panel sizes but leaves the larger part of the window to the view. [px]
     void fit(double left_px, double right_px, double below_px);

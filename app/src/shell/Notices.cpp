@@ -27,7 +27,7 @@ Notices::Notices(QMainWindow& window, ui::ActionList& actions, ui::VtkViewport& 
 
 void Notices::addActions()
 {
-    connect(m_actions.add("messages", ui::ActionGroup::View, tr("Messages"),
+    connect(m_actions.add("messages", ui::ActionGroup::Panels, tr("Messages"),
                           tr("Show or hide the list of all messages and file notes since the start"),
                           {QKeySequence(Qt::Key_F4)}),
             &QAction::triggered, this, &Notices::toggleList);

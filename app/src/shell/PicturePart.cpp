@@ -46,6 +46,8 @@ void PicturePart::addActions()
                 m_core.viewport.view().fitAll();
                 m_core.viewport.update();
             });
+    actions.addSubmenu(ActionGroup::View, tr("Standard views"), ActionGroup::Directions);
+    actions.addSeparator(ActionGroup::View);
 }
 
 void PicturePart::showState(const WindowState& state)
@@ -73,8 +75,8 @@ QImage PicturePart::captioned(const QImage& picture, double scale) const
         if (!look.isVisible || !(look.opacity > 0.0)) {
             continue;
         }
-        const QString name =
-            metrics.elidedText(ui::readableName(m_core.model.structure(row).name), Qt::ElideRight, picture.width() / 2);
+        const QString name = metrics.elidedText(ui::readableName(m_core.model.structure(row).name), Qt::ElideMiddle,
+                                                picture.width() / 2);
         const int wide = swatch + margin / 2 + metrics.horizontalAdvance(name) + 2 * margin;
         constexpr int kMostLines = 4; // the scene of a whole body has hundreds of structures
         if (at.x() > margin && at.x() + wide > picture.width()) {

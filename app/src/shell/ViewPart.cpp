@@ -52,10 +52,11 @@ void ViewPart::addActions()
 void ViewPart::addDirections()
 {
     const auto add = [this](const char* id, const QString& text, const QKeySequence& key, view::ViewFrom from) {
-        connect(m_core.actions.add(id, ActionGroup::View, text, text, {key}), &QAction::triggered, this, [this, from] {
-            m_core.viewport.view().look(from);
-            m_core.viewport.update();
-        });
+        connect(m_core.actions.add(id, ActionGroup::Directions, text, text, {key}), &QAction::triggered, this,
+                [this, from] {
+                    m_core.viewport.view().look(from);
+                    m_core.viewport.update();
+                });
     };
     add("view-front", tr("From the front (A)"), Qt::Key_1, view::ViewFrom::Front);
     add("view-back", tr("From the back (P)"), Qt::CTRL | Qt::Key_1, view::ViewFrom::Back);
@@ -64,7 +65,6 @@ void ViewPart::addDirections()
     add("view-head", tr("From the head (S)"), Qt::Key_7, view::ViewFrom::Head);
     add("view-feet", tr("From the feet (I)"), Qt::CTRL | Qt::Key_7, view::ViewFrom::Feet);
     add("view-oblique", tr("Oblique"), Qt::Key_0, view::ViewFrom::Oblique);
-    m_core.actions.addSeparator(ActionGroup::View);
 }
 
 } // namespace palpate::app

@@ -11,7 +11,6 @@
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
@@ -63,7 +62,7 @@ SelfTestDialog::SelfTestDialog(ui::LiveTouch& live, QWidget* parent)
            "against your hand with up to %1 N. The test measures round trip, noise, friction and the "
            "stiffness that %2 holds without vibrating. Clear the space around the handle. You can stop the "
            "test at any time; the wall is withdrawn at the first sign of instability.")
-            .arg(QLocale().toString(servo::mostTestForce_N(info), 'g', 2), QString::fromStdString(info.name)));
+            .arg(ui::numberText(servo::mostTestForce_N(info), 2), QString::fromStdString(info.name)));
     m_progress = new QProgressBar(this);
     m_progress->setTextVisible(false);
     m_progress->setAccessibleName(tr("Progress of the test"));

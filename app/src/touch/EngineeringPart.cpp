@@ -39,7 +39,7 @@ EngineeringPart::~EngineeringPart()
 void EngineeringPart::addActions()
 {
     m_core.actions
-        .add("engineering", ui::ActionGroup::View, tr("Engineering"),
+        .add("engineering", ui::ActionGroup::Panels, tr("Engineering"),
              tr("Show or hide measurements of solver, servo loop and device"))
         ->setCheckable(true);
 }

@@ -103,7 +103,7 @@ void FindingsPart::addActions()
 
 void FindingsPart::addPanel(Docks& docks)
 {
-    m_dock = &docks.add({tr("Findings and measures"), "findings", m_panel, Qt::RightDockWidgetArea});
+    m_dock = &docks.add({tr("Findings"), "findings", m_panel, Qt::RightDockWidgetArea});
 }
 
 void FindingsPart::showState(const WindowState& state)

@@ -4,9 +4,9 @@
 #include <palpate/ui/ActionList.h>
 #include <palpate/ui/ChipRow.h>
 #include <palpate/ui/LiveTouch.h>
+#include <palpate/ui/Translated.h>
 
 #include <QAction>
-#include <QLocale>
 #include <QMainWindow>
 #include <QMenu>
 #include <QSettings>
@@ -26,7 +26,7 @@ constexpr auto kKey = "fingertip_mm";
 
 QString fingertipText(double radius_mm)
 {
-    return radius_mm > 0.0 ? FingertipPart::tr("Ball, radius %1 mm").arg(QLocale().toString(radius_mm))
+    return radius_mm > 0.0 ? FingertipPart::tr("Ball, radius %1 mm").arg(ui::numberText(radius_mm))
                            : FingertipPart::tr("Point");
 }
 
@@ -90,7 +90,7 @@ void FingertipPart::fill()
 void FingertipPart::showChip()
 {
     const double radius_mm = m_core.live.fingertip_mm();
-    const QString number = QLocale().toString(radius_mm);
+    const QString number = ui::numberText(radius_mm);
     if (radius_mm > 0.0) {
         m_chip.say(tr("fingertip %1 mm ▾").arg(number), ui::Chip::Tone::Quiet, tr("%1 mm ▾").arg(number));
     } else {

@@ -47,7 +47,7 @@ MotionPart::~MotionPart()
 
 void MotionPart::addActions()
 {
-    QAction* panel = m_core.actions.add("motion", ui::ActionGroup::View, tr("Motion"),
+    QAction* panel = m_core.actions.add("motion", ui::ActionGroup::Panels, tr("Motion"),
                                         tr("Show or hide the controls of moving tissue"));
     panel->setCheckable(true);
     QAction* hold = m_core.actions.add("hold-breath", ui::ActionGroup::Session, tr("Hold breath"),

@@ -281,7 +281,7 @@ void RecordingPart::takeFingertip()
     if (first && radius_mm != m_core.live.fingertip_mm()) {
         m_core.notices.say(
             radius_mm > 0.0 ? tr("The fingertip is a ball of %1 mm radius, as in the recording (Session › Fingertip).")
-                                  .arg(QLocale().toString(radius_mm))
+                                  .arg(ui::numberText(radius_mm))
                             : tr("The fingertip is a point, as in the recording (Session › Fingertip)."),
             20000);
     }

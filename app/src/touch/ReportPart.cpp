@@ -153,6 +153,7 @@ void ReportPart::write(std::filesystem::path out, const QString& ending, const Q
     }
     study::ReportOptions options;
     options.opened = openedScene(m_core.model);
+    options.findings = m_document.document().findings();
     options.caseText = caseText.toStdString();
     options.examiner = examiner.toStdString();
     auto* run = new ReportRun(recording, std::move(options), out, &m_core.window);
@@ -167,11 +168,13 @@ void ReportPart::showWritten(const std::filesystem::path& out, const QStringList
     ui::MessageBar& bar = m_core.notices.bar();
     bar.withdraw(m_written);
     const int outside = findingsOutside();
-    m_written = !missing.isEmpty() ? tr("Report written to %1; it lists the missing parts").arg(toText(out))
-                : outside > 0      ? tr("Report written to %1, without %n finding(s) marked outside of the recording",
-                                        nullptr, outside)
-                                    .arg(toText(out))
-                              : tr("Report written to %1").arg(toText(out));
+    m_written =
+        !missing.isEmpty() ? tr("Report written to %1; it lists the missing parts").arg(toText(out))
+        : outside > 0
+            ? tr("Report written to %1; %n finding(s) marked outside of the recording are in a table of their own",
+                 nullptr, outside)
+                  .arg(toText(out))
+            : tr("Report written to %1").arg(toText(out));
     bar.offer(m_written, tr("Open the report"), [this, out] { openFile(out); });
 }
 

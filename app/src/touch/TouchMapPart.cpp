@@ -64,15 +64,17 @@ void TouchMapPart::addActions()
         connect(choice, &QAction::triggered, this, [this, i] { select(i); });
     }
     m_core.actions.add("touch-map", ActionGroup::View, menu->title(), tip)->setMenu(menu);
+    menu->addSeparator();
     const auto step = [this](int by) {
         select((static_cast<int>(m_map->quantity()) + by + ui::kTouchQuantities) % ui::kTouchQuantities);
     };
-    connect(m_core.actions.add("touch-map-next", ActionGroup::View, tr("Next map of touch"), tip,
+    connect(m_core.actions.add("touch-map-next", ActionGroup::TouchMap, tr("Next map of touch"), tip,
                                {QKeySequence(Qt::Key_D)}),
             &QAction::triggered, this, [step] { step(1); });
-    connect(m_core.actions.add("touch-map-back", ActionGroup::View, tr("Previous map of touch"), tip,
+    connect(m_core.actions.add("touch-map-back", ActionGroup::TouchMap, tr("Previous map of touch"), tip,
                                {QKeySequence(Qt::SHIFT | Qt::Key_D)}),
             &QAction::triggered, this, [step] { step(-1); });
+    m_core.actions.fill(*menu, ActionGroup::TouchMap);
     for (const char* id : kOthers) {
         connect(&m_core.actions.at(id), &QAction::toggled, this, [this](bool isShown) {
             if (isShown && m_map->quantity() != TouchQuantity::None) {

@@ -16,6 +16,8 @@
 #include "shell/Docks.h"
 #include "shell/HelpPart.h"
 #include "shell/Language.h"
+#include "shell/LegendPart.h"
+#include "shell/MessagePlace.h"
 #include "shell/Notices.h"
 #include "shell/PicturePart.h"
 #include "shell/ShowAround.h"
@@ -117,9 +119,8 @@ void MainWindow::makeCentre()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(new FocusFrame(m_pages, m_viewport, centre), 0, 0);
     layout->addWidget(&m_notices->bar(), 0, 0, Qt::AlignTop); // over the view, which keeps its place
-    m_messages = &m_notices->bar();
-    m_messages->raise();
-    m_messages->installEventFilter(this);
+    m_notices->bar().raise();
+    new MessagePlace(m_notices->bar(), *m_viewport, *layout);
     setCentralWidget(centre);
 }
 
@@ -148,6 +149,7 @@ void MainWindow::makeParts()
     auto* share = keep(new SharePart(core, *m_document, *m_files));
     auto* lumps = keep(new LumpsPart(core, {structures->maps(), structures->pointed(), m_files->loader(), *progress}));
     auto* touchMap = keep(new TouchMapPart(core, structures->maps(), m_recording->playback()));
+    auto* legend = keep(new LegendPart(core));
     auto* comparison = keep(new ComparisonPart(core, m_recording->playback(), *touchMap));
     m_distances =
         keep(new DistancesPart(core, {*m_document, *m_touch, structures->maps(), structures->pointed(), *progress}));
@@ -165,10 +167,10 @@ void MainWindow::makeParts()
     connect(findings, &FindingsPart::placesChanged, &m_device->hand(), &HandControl::setFindings);
 
     // The order of the commands in each menu and on the key card.
-    const Parts menuOrder{m_files,    m_document,    picture,     report,      structures,  m_touch,  m_device,
-                          share,      fingertip,     motion,      m_recording, findings,    exercise, results,
-                          comparison, lumps,         m_distances, touchMap,    section,     image,    peek,
-                          m_view,     m_coordinates, m_docks,     m_notices,   engineering, m_help};
+    const Parts menuOrder{m_files,    m_document, picture,       report,      structures,  m_touch,  m_device,
+                          share,      fingertip,  motion,        m_recording, findings,    exercise, results,
+                          comparison, lumps,      m_distances,   touchMap,    legend,      section,  image,
+                          peek,       m_view,     m_coordinates, m_notices,   engineering, m_docks,  m_help};
     for (WindowPart* part : menuOrder) {
         part->addActions();
     }
@@ -182,7 +184,8 @@ void MainWindow::makeParts()
 
 void MainWindow::makeMenus()
 {
-    m_actions.addSeparator(ActionGroup::View);
+    m_actions.addSubmenu(ActionGroup::View, tr("Appearance"), ActionGroup::Appearance);
+    m_actions.addSubmenu(ActionGroup::View, tr("Text size"), ActionGroup::TextSize);
     m_actions.addSeparator(ActionGroup::File);
     connect(
         m_actions.add("quit", ActionGroup::File, tr("Quit"), tr("Quit Palpate"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}),
@@ -194,11 +197,7 @@ void MainWindow::makeMenus()
     QMenu* view = menuBar()->addMenu(tr("&View"));
     m_actions.fill(*view, ActionGroup::View);
     m_view->sound().watch(*view);
-    m_docks->fill(*view);
-    view->addSeparator();
-    m_actions.fill(*view->addMenu(tr("Section plane")), ActionGroup::Section);
-    m_actions.fill(*view->addMenu(tr("Appearance")), ActionGroup::Appearance);
-    m_actions.fill(*view->addMenu(tr("Text size")), ActionGroup::TextSize);
+    m_docks->fill(*m_actions.submenuOf(*view, ActionGroup::Panels));
     addLanguageMenu(*view, *this, [this](const QString& line) { m_notices->say(line); });
     m_actions.fill(*menuBar()->addMenu(tr("&Session")), ActionGroup::Session);
     m_actions.fill(*menuBar()->addMenu(tr("&Help")), ActionGroup::Help);
@@ -320,17 +319,6 @@ void MainWindow::chooseDevice(const std::string& id)
 void MainWindow::useCpu(int cpu)
 {
     m_device->hand().useCpu(cpu);
-}
-
-/// Keeps legend and section bar clear of the messages over the view.
-bool MainWindow::eventFilter(QObject* watched, QEvent* event)
-{
-    const bool isTaken = QMainWindow::eventFilter(watched, event);
-    const QEvent::Type type = event->type();
-    if (watched == m_messages && (type == QEvent::Resize || type == QEvent::Show || type == QEvent::Hide)) {
-        m_viewport->setCoveredAbove(type == QEvent::Hide ? 0 : m_messages->height());
-    }
-    return isTaken;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

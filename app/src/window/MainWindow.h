@@ -81,7 +81,6 @@ class MainWindow : public QMainWindow
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void makeCentre();
@@ -108,7 +107,6 @@ class MainWindow : public QMainWindow
     palpate::ui::VtkViewport* m_viewport = nullptr;
     palpate::ui::WelcomePage* m_welcome = nullptr;
     QStackedWidget* m_pages = nullptr; ///< welcome page and view
-    QWidget* m_messages = nullptr;     ///< over the upper part of the view
     palpate::ui::ChipRow* m_chips = nullptr;
     QMenu* m_recentMenu = nullptr;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/meshio/ShapeSurface.h"
 
+#include <palpate/core/Quantity.h>
 #include <palpate/geometry/Holes.h>
 #include <palpate/geometry/PnTriangles.h>
 #include <palpate/geometry/Reshape.h>
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -253,9 +253,9 @@ void curve(ShapedSurface& out, double crease_deg)
 core::Message HoleClosing::message() const
 {
     const core::Rounded across_mm{largest_mm, 3};
-    const core::Count area(static_cast<std::uint64_t>(std::llround(area_mm2)));
-    return holes == 1 ? core::Message(PALPATE_TEXT("1 hole of %1 mm closed, %2 mm² of new surface"), across_mm, area)
-                      : core::Message(PALPATE_TEXT("%1 holes of up to %2 mm closed, %3 mm² of new surface"), holes,
+    const core::Message area = core::areaText(area_mm2);
+    return holes == 1 ? core::Message(PALPATE_TEXT("1 hole of %1 mm closed, %2 of new surface"), across_mm, area)
+                      : core::Message(PALPATE_TEXT("%1 holes of up to %2 mm closed, %3 of new surface"), holes,
                                       across_mm, area);
 }
 

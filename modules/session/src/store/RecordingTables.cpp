@@ -411,7 +411,7 @@ core::Result<geometry::RepairedMesh> RecordingTables::readEmbedded(const std::st
     if (!isInRange || triangles == 0) {
         return Status(StatusCode::BadFormat,
                       PALPATE_TEXT("embedded surface %1...: found indices or coordinates out of range, expected "
-                                   "triangles of three vertices within 1e7 mm"),
+                                   "triangles of three vertices within 10⁷ mm"),
                       name);
     }
     surface.report.bounds = surface.mesh.bounds();

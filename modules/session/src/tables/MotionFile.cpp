@@ -185,7 +185,7 @@ class MotionParser
             }
             if (c != kTimeColumn && std::abs(*value) > kLargest_mm) {
                 return wrong(StatusCode::OutOfRange,
-                             core::Message(PALPATE_TEXT("found %1, expected a coordinate within 1e9 mm"),
+                             core::Message(PALPATE_TEXT("found %1, expected a coordinate within 10⁹ mm"),
                                            core::inQuotes(trimmed(field))),
                              kColumns[c]);
             }
@@ -221,7 +221,7 @@ class MotionParser
             if (!(m_motion.dt_s >= kShortestPeriod_s && m_motion.dt_s <= kLongestPeriod_s)) {
                 return wrong(
                     StatusCode::OutOfRange,
-                    core::Message(PALPATE_TEXT("found %1 s between rows on average, expected 1e-05 to 1 s: one "
+                    core::Message(PALPATE_TEXT("found %1 s between rows on average, expected 0.00001 to 1 s: one "
                                                "row a servo tick"),
                                   m_motion.dt_s),
                     kColumns[kTimeColumn]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/Distances.h"
 
+#include <palpate/core/Quantity.h>
+
 #include <QJsonArray>
 
 namespace palpate::study {
@@ -41,13 +43,13 @@ QJsonArray sizesOf(const DistanceTable& table)
 
 Message sizeText(const StructureSize& size)
 {
-    const Message extent{PALPATE_TEXT("area %1 cm², extent %2 × %3 × %4 mm"), Rounded{size.area_mm2 / 100.0, 4},
+    const Message extent{PALPATE_TEXT("area %1, extent %2 × %3 × %4 mm"), core::areaText(size.area_mm2),
                          Rounded{size.extent_mm.x(), 4}, Rounded{size.extent_mm.y(), 4},
                          Rounded{size.extent_mm.z(), 4}};
     if (!size.volume_mm3) {
         return {PALPATE_TEXT("%1; %2"), extent, size.note};
     }
-    const Message whole{PALPATE_TEXT("volume %1 ml (a ball of %2 mm), %3"), Rounded{*size.volume_mm3 / 1000.0, 4},
+    const Message whole{PALPATE_TEXT("volume %1 (a ball of %2 mm), %3"), core::volumeText(*size.volume_mm3),
                         Rounded{*size.ballDiameter_mm(), 4}, extent};
     return size.note.isEmpty() ? whole : core::joined({whole, size.note});
 }

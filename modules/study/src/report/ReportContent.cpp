@@ -4,6 +4,7 @@
 #include "report/ReportSections.h"
 
 #include <palpate/core/Finding.h>
+#include <palpate/core/Quantity.h>
 
 #include <QDateTime>
 
@@ -41,6 +42,25 @@ core::MessageArgument percent(const std::optional<double>& value)
                         : core::Message(PALPATE_TEXT("+%1 %"), core::Rounded{*value, 3});
 }
 
+core::MessageArgument roundedOrDash(const std::optional<double>& value, int digits)
+{
+    return value ? core::MessageArgument(core::Rounded{*value, digits}) : dash();
+}
+
+core::MessageArgument nameOrDash(const std::string& name)
+{
+    return name.empty() ? dash() : core::MessageArgument(name);
+}
+
+// "2026-11-28T05:18:01Z" as "2026-11-28 05:18:01 UTC"; other texts unchanged.
+std::string readableTime(const std::string& utc)
+{
+    const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
+    return time.isValid() && utc.ends_with('Z')
+               ? time.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss 'UTC'")).toStdString()
+               : utc;
+}
+
 } // namespace internal
 
 namespace {
@@ -52,46 +72,11 @@ using core::Rounded;
 using internal::column;
 using internal::dash;
 using internal::fixed;
+using internal::nameOrDash;
 using internal::paragraph;
+using internal::readableTime;
+using internal::roundedOrDash;
 using session::Phase;
-
-MessageArgument optional(const std::optional<double>& value, int digits)
-{
-    return value ? MessageArgument(Rounded{*value, digits}) : dash();
-}
-
-MessageArgument nameOrDash(const std::string& name)
-{
-    return name.empty() ? dash() : MessageArgument(name);
-}
-
-/// "2026-11-28T05:18:01Z" as "2026-11-28 05:18:01 UTC"; other texts unchanged.
-std::string readableTime(const std::string& utc)
-{
-    const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
-    return time.isValid() && utc.ends_with('Z')
-               ? time.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss 'UTC'")).toStdString()
-               : utc;
-}
-
-Message typeText(core::FindingType type)
-{
-    switch (type) {
-    case core::FindingType::Lump:
-        return {PALPATE_TEXT("lump")};
-    case core::FindingType::HardArea:
-        return {PALPATE_TEXT("hard area")};
-    case core::FindingType::SoftArea:
-        return {PALPATE_TEXT("soft area")};
-    case core::FindingType::Landmark:
-        return {PALPATE_TEXT("landmark")};
-    case core::FindingType::KeepAway:
-        return {PALPATE_TEXT("keep away")};
-    case core::FindingType::Other:
-        break;
-    }
-    return {PALPATE_TEXT("other")};
-}
 
 /// Composes the sections that need no more than the facts.
 class Composition
@@ -117,6 +102,7 @@ class Composition
         for (const session::FindingMeasures* one : m_places) {
             m_report.places.push_back(one->finding);
         }
+        m_report.places.insert(m_report.places.end(), m_facts.outside.begin(), m_facts.outside.end());
         add(head(unpictured));
         add(views());
         add(findings());
@@ -172,6 +158,12 @@ class Composition
              fixed(contact.time_s, 3), fixed(m_measures.sums.duration_s, 3), Rounded{contact.peakForce_N, 4},
              Rounded{contact.medianForce_N, 4}, Count(m_places.size())},
             false});
+        if (!m_facts.outside.empty()) {
+            section.blocks.emplace_back(
+                ReportText{{PALPATE_TEXT("Findings marked outside of this recording: %1, in a table of their own."),
+                            Count(m_facts.outside.size())},
+                           false});
+        }
         std::vector<Message> missing = m_facts.missing;
         if (!unpictured.isEmpty()) {
             missing.push_back({PALPATE_TEXT("This report has no pictures: %1."), unpictured});
@@ -188,7 +180,7 @@ class Composition
         if (!m_hasPictures) {
             return {};
         }
-        const Count count(m_places.size());
+        const Count count(m_report.places.size());
         ReportPictures both;
         both.pictures.push_back({addView({ReportView::From::Front}),
                                  {PALPATE_TEXT("From the front")},
@@ -203,94 +195,44 @@ class Composition
         return section;
     }
 
-    ReportTable findingTable() const
+    /// Pictures of the first findings, with and without a recorded examination.
+    void addPictures(ReportSection& section)
     {
-        ReportTable table;
-        table.caption = {PALPATE_TEXT("Findings as marked by the examiner; force and depth at the time of marking")};
-        table.columns = {column(PALPATE_TEXT("No.")),
-                         column(PALPATE_TEXT("Name")),
-                         column(PALPATE_TEXT("Type")),
-                         column(PALPATE_TEXT("On")),
-                         column(PALPATE_TEXT("Place (x y z) [mm]"), true),
-                         column(PALPATE_TEXT("Size [mm]"), true),
-                         column(PALPATE_TEXT("Force [N]"), true),
-                         column(PALPATE_TEXT("Depth [mm]"), true),
-                         column(PALPATE_TEXT("Marked at [s]"), true)};
-        for (std::size_t i = 0; i < m_places.size(); ++i) {
-            const core::Finding& one = m_places[i]->finding;
-            const core::Vec3& p_W = one.p_W;
-            table.rows.push_back(
-                {Count(i + 1), nameOrDash(one.name), typeText(one.type), nameOrDash(one.structure),
-                 Message(PALPATE_TEXT("%1 %2 %3"), fixed(p_W.x(), 1), fixed(p_W.y(), 1), fixed(p_W.z(), 1)),
-                 optional(one.size_mm, 4), optional(one.force_N, 4), optional(one.depth_mm, 4),
-                 fixed(m_places[i]->marked_s, 1)});
+        const std::vector<core::Finding>& places = m_report.places;
+        ReportPictures pictures;
+        for (std::size_t i = 0; i < std::min(places.size(), kReportedPictures); ++i) {
+            pictures.pictures.push_back(
+                {addView({ReportView::From::Finding, i}),
+                 {PALPATE_TEXT("%1. %2"), Count(i + 1), nameOrDash(places[i].name)},
+                 {PALPATE_TEXT("The place of finding %1, %2, with a scale bar."), Count(i + 1), places[i].name}});
         }
-        return table;
-    }
-
-    ReportTable visitTable() const
-    {
-        ReportTable table;
-        table.caption = {PALPATE_TEXT("How the findings were examined: contact within %1 mm of the place"),
-                         Rounded{m_measures.distance_mm, 3}};
-        table.columns = {column(PALPATE_TEXT("No.")),
-                         column(PALPATE_TEXT("Name")),
-                         column(PALPATE_TEXT("Time in contact [s]"), true),
-                         column(PALPATE_TEXT("Visits"), true),
-                         column(PALPATE_TEXT("Mean force [N]"), true),
-                         column(PALPATE_TEXT("Peak force [N]"), true)};
-        for (std::size_t i = 0; i < m_places.size(); ++i) {
-            const session::FindingMeasures& one = *m_places[i];
-            table.rows.push_back({Count(i + 1), nameOrDash(one.finding.name), fixed(one.dwell_s, 3), Count(one.visits),
-                                  Rounded{one.meanForce_N, 4}, Rounded{one.peakForce_N, 4}});
+        section.blocks.emplace_back(std::move(pictures));
+        if (places.size() > kReportedPictures) {
+            section.blocks.emplace_back(ReportText{{PALPATE_TEXT("Pictures are shown of the first %1 of %2 findings."),
+                                                    Count(kReportedPictures), Count(places.size())},
+                                                   false});
         }
-        return table;
-    }
-
-    /// Force of each layer at the findings that were felt through several.
-    ReportTable layerTable() const
-    {
-        ReportTable table;
-        table.caption = {PALPATE_TEXT("Findings felt through several layers, at the time of marking")};
-        table.columns = {column(PALPATE_TEXT("No.")), column(PALPATE_TEXT("Structure")),
-                         column(PALPATE_TEXT("Force [N]"), true), column(PALPATE_TEXT("Depth [mm]"), true)};
-        for (std::size_t i = 0; i < m_places.size(); ++i) {
-            for (const core::FindingLayer& layer : m_places[i]->finding.layers) {
-                table.rows.push_back(
-                    {Count(i + 1), layer.structure, Rounded{layer.force_N, 4}, Rounded{layer.depth_mm, 4}});
-            }
-        }
-        return table;
     }
 
     ReportSection findings()
     {
         ReportSection section{{PALPATE_TEXT("Findings")}, {}};
-        if (m_places.empty()) {
+        if (m_report.places.empty()) {
             section.blocks.emplace_back(paragraph(PALPATE_TEXT("No findings were marked.")));
             return section;
         }
-        section.blocks.emplace_back(findingTable());
-        if (m_hasPictures) {
-            ReportPictures pictures;
-            for (std::size_t i = 0; i < std::min(m_places.size(), kReportedPictures); ++i) {
-                const core::Finding& one = m_places[i]->finding;
-                pictures.pictures.push_back(
-                    {addView({ReportView::From::Finding, i}),
-                     {PALPATE_TEXT("%1. %2"), Count(i + 1), nameOrDash(one.name)},
-                     {PALPATE_TEXT("The place of finding %1, %2, with a scale bar."), Count(i + 1), one.name}});
+        const auto add = [&section](ReportTable table) {
+            if (!table.rows.empty()) {
+                section.blocks.emplace_back(std::move(table));
             }
-            section.blocks.emplace_back(std::move(pictures));
+        };
+        add(internal::findingTable(m_facts));
+        add(internal::outsideTable(m_facts));
+        if (m_hasPictures) {
+            addPictures(section);
         }
-        if (m_hasPictures && m_places.size() > kReportedPictures) {
-            section.blocks.emplace_back(ReportText{{PALPATE_TEXT("Pictures are shown of the first %1 of %2 findings."),
-                                                    Count(kReportedPictures), Count(m_places.size())},
-                                                   false});
-        }
-        section.blocks.emplace_back(visitTable());
-        if (ReportTable layers = layerTable(); !layers.rows.empty()) {
-            section.blocks.emplace_back(std::move(layers));
-        }
+        add(internal::visitTable(m_facts));
+        add(internal::layerTable(m_facts));
         return section;
     }
 
@@ -311,6 +253,13 @@ class Composition
                          ? MessageArgument(Message(PALPATE_TEXT("%1. %2"), Count(number), nameOrDash(one.finding.name)))
                          : dash(),
                      one.finding.note, fixed(one.marked_s, 1)});
+            }
+        }
+        for (const core::Finding& one : m_facts.outside) {
+            ++number;
+            if (!one.note.empty()) {
+                table.rows.push_back(
+                    {Message(PALPATE_TEXT("%1. %2"), Count(number), nameOrDash(one.name)), one.note, dash()});
             }
         }
         if (!table.rows.empty()) {
@@ -408,14 +357,14 @@ class Composition
         }
         ReportTable table;
         table.caption = {PALPATE_TEXT("Sizes of the structures")};
-        table.columns = {column(PALPATE_TEXT("Structure")), column(PALPATE_TEXT("Volume [ml]"), true),
-                         column(PALPATE_TEXT("Ball of equal volume [mm]"), true),
-                         column(PALPATE_TEXT("Area [cm²]"), true), column(PALPATE_TEXT("Extent x × y × z [mm]"), true)};
+        table.columns = {column(PALPATE_TEXT("Structure")), column(PALPATE_TEXT("Volume"), true),
+                         column(PALPATE_TEXT("Ball of equal volume [mm]"), true), column(PALPATE_TEXT("Area"), true),
+                         column(PALPATE_TEXT("Extent x × y × z [mm]"), true)};
         std::vector<ReportText> remarks;
         for (const StructureSize& size : m_facts.distances->sizes) {
-            const auto volume_ml = size.volume_mm3 ? std::optional(*size.volume_mm3 / 1000.0) : std::nullopt;
-            table.rows.push_back({size.name, optional(volume_ml, 4), optional(size.ballDiameter_mm(), 4),
-                                  Rounded{size.area_mm2 / 100.0, 4},
+            const MessageArgument volume = size.volume_mm3 ? core::volumeText(*size.volume_mm3) : dash();
+            table.rows.push_back({size.name, volume, roundedOrDash(size.ballDiameter_mm(), 4),
+                                  core::areaText(size.area_mm2),
                                   Message(PALPATE_TEXT("%1 × %2 × %3"), Rounded{size.extent_mm.x(), 4},
                                           Rounded{size.extent_mm.y(), 4}, Rounded{size.extent_mm.z(), 4})});
             if (!size.note.isEmpty()) {
@@ -488,8 +437,8 @@ class Composition
         row(PALPATE_TEXT("Duration"), {PALPATE_TEXT("%1 s"), fixed(sums.duration_s, 3)});
         row(PALPATE_TEXT("In contact"),
             {PALPATE_TEXT("%1 s, contacts: %2"), fixed(all.time_s, 3), Count(all.contacts)});
-        row(PALPATE_TEXT("Path of the hand"), {PALPATE_TEXT("%1 mm"), Rounded{sums.pathLength_mm, 4}});
-        row(PALPATE_TEXT("Path on the surface"), {PALPATE_TEXT("%1 mm"), Rounded{sums.contactPath_mm, 4}});
+        row(PALPATE_TEXT("Path of the hand"), core::pathText(sums.pathLength_mm));
+        row(PALPATE_TEXT("Path on the surface"), core::pathText(sums.contactPath_mm));
         row(PALPATE_TEXT("Force in contact"),
             {PALPATE_TEXT("peak %1 N, mean %2 N, median %3 N, 95th percentile %4 N"), Rounded{all.peakForce_N, 4},
              Rounded{all.meanForce_N, 4}, Rounded{all.medianForce_N, 4}, Rounded{all.p95Force_N, 4}});
@@ -536,7 +485,7 @@ class Composition
             }
         }
         const auto area = [all_mm2](double mm2) {
-            return Message(PALPATE_TEXT("%1 cm², %2 %"), Rounded{0.01 * mm2, 4}, Rounded{100.0 * mm2 / all_mm2, 3});
+            return Message(PALPATE_TEXT("%1, %2 %"), core::areaText(mm2), Rounded{100.0 * mm2 / all_mm2, 3});
         };
         map.legend.push_back(quantity == ReportMap::Quantity::Dwell ? Message(PALPATE_TEXT("Time spent, s"))
                                                                     : Message(PALPATE_TEXT("Largest force, N")));

@@ -173,7 +173,29 @@ class Gathering
                 m_facts.force.marks.push_back({one.marked_s, ++number});
             }
         }
+        takeOutside();
         return {};
+    }
+
+    /// Takes the findings of the scene that the recording does not contain.
+    void takeOutside()
+    {
+        const auto isRecorded = [this](const core::Finding& one) {
+            const auto& all = m_facts.measures.findings;
+            return std::any_of(all.begin(), all.end(), [&one](const session::FindingMeasures& measured) {
+                const core::Finding& other = measured.finding;
+                return one.id.empty() || other.id.empty() ? one.p_W == other.p_W && one.name == other.name
+                                                          : one.id == other.id;
+            });
+        };
+        const std::vector<core::Finding> none;
+        for (const core::Finding& one : m_options.findings         ? *m_options.findings
+                                        : m_facts.scene != nullptr ? m_facts.scene->scene.findings
+                                                                   : none) {
+            if (one.hasPlace && !isRecorded(one)) {
+                m_facts.outside.push_back(one);
+            }
+        }
     }
 
     Status measureScene()

@@ -222,7 +222,7 @@ class MarkupsReader
         for (int axis = 0; axis < 3; ++axis) {
             const double value = numbers[axis].toDouble(std::nan("")) * m_unit_mm;
             if (!(std::abs(value) <= kMostMm)) {
-                m_losses.add({PALPATE_TEXT("found a coordinate that is not a number within 1e7 mm: left out")},
+                m_losses.add({PALPATE_TEXT("found a coordinate that is not a number within 10⁷ mm: left out")},
                              place + ".position");
                 return false;
             }

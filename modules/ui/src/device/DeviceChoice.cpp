@@ -13,7 +13,6 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QLocale>
 #include <QMenu>
 #include <QSettings>
 #include <QStringList>
@@ -301,11 +300,10 @@ QString DeviceChoice::details() const
     if (!report.text.empty()) {
         lines << QString::fromStdString(report.text);
     }
-    const QLocale locale;
     lines << (info.actuatedAxes == 0
-                  ? tr("No force feedback: forces up to %1 N are displayed only.").arg(locale.toString(info.maxForce_N))
+                  ? tr("No force feedback: forces up to %1 N are displayed only.").arg(numberText(info.maxForce_N))
                   : tr("Up to %1 N and %2 N/mm")
-                        .arg(locale.toString(info.maxForce_N), locale.toString(info.maxStiffness_N_per_mm)));
+                        .arg(numberText(info.maxForce_N), numberText(info.maxStiffness_N_per_mm)));
     return lines.join(QLatin1Char('\n'));
 }
 

@@ -223,7 +223,7 @@ void EngineeringPanel::show(const EngineeringReading& reading)
         texts[Energy] = tr("%1 mJ").arg(locale.toString(reading.energy_mJ, 'f', 2));
         texts[Damping] = tr("%1 N").arg(locale.toString(reading.damping_N, 'f', 2));
         texts[Delay] = reading.rate_Hz > 0.0
-                           ? tr("%1 ms").arg(locale.toString(1e3 * reading.delayTicks / reading.rate_Hz, 'g', 2))
+                           ? tr("%1 ms").arg(numberText(1e3 * reading.delayTicks / reading.rate_Hz, 2))
                            : QString();
     }
     texts[RoundTrip] = spreadText(reading.roundTrip);

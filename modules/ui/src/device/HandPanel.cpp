@@ -53,7 +53,7 @@ QString reachText(const HandStatus& status, MapFill fill)
     if (!status.isMapped) {
         return HandPanel::tr("Unscaled: 1 mm of the device is 1 mm of the scene.");
     }
-    const QString scale = QLocale().toString(status.scale, 'g', 2);
+    const QString scale = numberText(status.scale, 2);
     return fill == MapFill::Scale
                ? HandPanel::tr("1 mm of the device is %1 mm of the scene.").arg(scale)
                : HandPanel::tr("%1 fills the workspace: 1 mm of the device is %2 mm of the scene.")
@@ -295,7 +295,7 @@ void HandPanel::show(const HandStatus& status)
 {
     const QLocale locale;
     m_force->setText(
-        tr("Force on the hand %1 N of %2 N").arg(locale.toString(status.force_N, 'f', 2), locale.toString(m_limit_N)));
+        tr("Force on the hand %1 N of %2 N").arg(locale.toString(status.force_N, 'f', 2), numberText(m_limit_N)));
     m_held->setText(heldText(status, m_limit_N > 0.0));
     m_clutched->setText(clutchText(status));
     m_clutched->setVisible(!m_clutched->text().isEmpty());
@@ -309,4 +309,5 @@ void HandPanel::show(const HandStatus& status)
 
 } // namespace palpate::ui
 
+#include "palpate/ui/Translated.h"
 #include "palpate/ui/moc_HandPanel.cpp"

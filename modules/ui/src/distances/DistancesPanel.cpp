@@ -46,7 +46,7 @@ QString limitsText(const std::vector<double>& limits_mm)
 {
     QStringList texts;
     for (const double limit_mm : limits_mm) {
-        texts << QLocale().toString(limit_mm, 'g', 6);
+        texts << numberText(limit_mm, 6);
     }
     return texts.join(QStringLiteral("; "));
 }

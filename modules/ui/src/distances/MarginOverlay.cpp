@@ -169,12 +169,13 @@ void MarginOverlay::drawLegend(const study::LumpMargin& margin)
                         .arg(QString::fromStdString(table.sizes[margin.lump].name),
                              QString::fromStdString(table.sizes[margin.structure].name))
                         .toStdString();
+    content.briefTitle = tr("Distance").toStdString();
     const std::vector<core::Message> clauses = study::clauses(table, margin);
     const std::size_t count = margin.found.shares.size();
     content.range.high = static_cast<double>(count);
     for (std::size_t band = 0; band < count; ++band) {
         content.steps.push_back(view::marginColour(band, count));
-        content.marks.push_back({static_cast<double>(band) + 0.5, translated(clauses[band]).toStdString()});
+        content.marks.push_back({static_cast<double>(band) + 0.5, translated(clauses[band]).toStdString(), {}});
     }
     m_viewport.view().legend().show(content);
 }

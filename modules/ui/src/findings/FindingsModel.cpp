@@ -3,6 +3,7 @@
 
 #include "palpate/ui/StructureModel.h"
 #include "palpate/ui/TouchPanel.h"
+#include "palpate/ui/Translated.h"
 
 #include <palpate/study/FindingsFile.h>
 
@@ -26,9 +27,8 @@ constexpr double kMostSize_mm = 1e4;
 /// Formats a size with the digits that were entered.
 QString sizeText(const std::optional<double>& value)
 {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return value ? locale.toString(*value, 'g', QLocale::FloatingPointShortest) : QString();
+    constexpr int kDigits = 15; // as many as any decimal number keeps in a double
+    return value ? numberText(*value, kDigits) : QString();
 }
 
 QString tipOf(const core::Finding& finding)

@@ -2,6 +2,7 @@
 #include "palpate/ui/FeltOverlay.h"
 
 #include "palpate/ui/FeltWords.h"
+#include "palpate/ui/Translated.h"
 #include "palpate/ui/VtkViewport.h"
 
 #include <palpate/view/FeltColours.h>
@@ -129,22 +130,28 @@ void FeltOverlay::drawLegend(double greatest_percent, bool isHatched)
 {
     view::ColourLegend::Content content;
     const double press_mm = kPress_mm[m_press];
-    const QString how = press_mm > 0.0 ? tr("pressed %1 mm").arg(press_mm) : tr("touched lightly");
+    const QString how = press_mm > 0.0 ? tr("pressed %1 mm").arg(numberText(press_mm)) : tr("touched lightly");
     content.title = tr("Palpability, %1\n"
                        "(estimate)")
                         .arg(how)
                         .toStdString();
+    content.briefTitle = tr("Palpability").toStdString();
     content.unknown = tr("not judged").toStdString();
+    content.briefUnknown = verdictSign(buried::Verdict::NotJudged).toStdString();
     content.range.high = greatest_percent;
     content.range.hasUnknown = isHatched;
-    content.marks = {{0.0, tr("0 %: no lump").toStdString()},
-                     {buried::kDetectableChange_percent[0], tr("7 %: not noticed").toStdString()},
-                     {buried::kDetectableChange_percent[1], tr("14 %: by a trained hand").toStdString()},
-                     {buried::kDetectableChange_percent[2], tr("28 %: plainly felt").toStdString()}};
+    content.marks = {{0.0, tr("0 %: no lump").toStdString(), {}},
+                     {buried::kDetectableChange_percent[0], tr("7 %: not noticed").toStdString(), {}},
+                     {buried::kDetectableChange_percent[1], tr("14 %: by a trained hand").toStdString(), {}},
+                     {buried::kDetectableChange_percent[2], tr("28 %: plainly felt").toStdString(), {}}};
     if (greatest_percent > 1.15 * buried::kDetectableChange_percent[2]) {
         content.marks.push_back(
             {greatest_percent,
-             tr("%1 %: maximum here").arg(QLocale().toString(greatest_percent, 'f', 0)).toStdString()});
+             tr("%1 %: maximum here").arg(QLocale().toString(greatest_percent, 'f', 0)).toStdString(),
+             {}});
+    }
+    for (view::ColourLegend::Mark& mark : content.marks) {
+        mark.brief = tr("%1 %").arg(QLocale().toString(mark.value, 'f', 0)).toStdString();
     }
     m_viewport.view().legend().show(content);
 }

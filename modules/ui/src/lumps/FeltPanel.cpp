@@ -3,6 +3,7 @@
 
 #include "palpate/ui/FeltWords.h"
 #include "palpate/ui/OwnThreshold.h"
+#include "palpate/ui/Translated.h"
 
 #include "widgets/ShownComboBox.h"
 
@@ -135,7 +136,7 @@ void FeltPanel::makeTable()
 {
     QStringList titles{tr("Lump"), tr("Stiffness ratio"), tr("Tissue above")};
     for (const double press_mm : FeltOverlay::kPress_mm) {
-        titles << (press_mm > 0.0 ? tr("Pressed %1 mm").arg(QLocale().toString(press_mm)) : tr("Touched lightly"));
+        titles << (press_mm > 0.0 ? tr("Pressed %1 mm").arg(numberText(press_mm)) : tr("Touched lightly"));
     }
     m_table->setObjectName(QStringLiteral("feltTable"));
     m_table->setAccessibleName(tr("Lumps and their palpability"));
@@ -143,7 +144,7 @@ void FeltPanel::makeTable()
     for (int column = 0; column < static_cast<int>(titles.size()); ++column) {
         auto* title = new QTableWidgetItem(titles[column]);
         title->setData(kFullText, titles[column]);
-        title->setData(kBriefText, inTwoLines(titles[column]));
+        title->setData(kBriefText, column == 1 ? tr("Ratio") : inTwoLines(titles[column]));
         title->setData(Qt::AccessibleTextRole, titles[column]);
         m_table->setHorizontalHeaderItem(column, title);
     }
@@ -158,21 +159,23 @@ void FeltPanel::makeTable()
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->installEventFilter(this);
-    fitRows();
+    fitRows(false);
 }
 
-/// Sets the row height to two lines of text.
-void FeltPanel::fitRows()
+/// Sets the row height to the lines of text, and the least height of the table to two rows.
+void FeltPanel::fitRows(bool isBrief)
 {
-    m_table->verticalHeader()->setDefaultSectionSize(2 * fontMetrics().height() + 8);
-    m_table->setMinimumHeight(4 * fontMetrics().height() + 16);
+    constexpr int kRows = 2;
+    const int row = (isBrief ? 1 : 2) * fontMetrics().height() + 8;
+    m_table->verticalHeader()->setDefaultSectionSize(row);
+    m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() + kRows * row +
+                              2 * m_table->frameWidth());
 }
 
 void FeltPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange) {
-        fitRows();
         fitColumns();
     }
 }
@@ -201,6 +204,7 @@ void FeltPanel::setBrief(bool isBrief)
     }
     const QString notice = tr("Estimate for research and rehearsal.");
     m_notice->setText(isBrief ? notice + QLatin1Char(' ') + keyOfSigns() : notice);
+    fitRows(isBrief);
 }
 
 /// Uses full texts if they fit and short texts otherwise, so that no column is cut off at the right.
@@ -226,7 +230,7 @@ QWidget* FeltPanel::makeChoices()
     m_press = new QComboBox(choices);
     m_press->setAccessibleName(tr("Press depth of the finger"));
     for (const double press_mm : FeltOverlay::kPress_mm) {
-        m_press->addItem(press_mm > 0.0 ? tr("Colours: pressed %1 mm").arg(QLocale().toString(press_mm))
+        m_press->addItem(press_mm > 0.0 ? tr("Colours: pressed %1 mm").arg(numberText(press_mm))
                                         : tr("Colours: touched lightly"));
     }
     m_best = new QPushButton(tr("Show the best place"), choices);
@@ -309,8 +313,8 @@ void FeltPanel::addRow(const Row& row)
     const QString source = ratio ? ratioSourceText(ratio->source) : tr("enter a ratio or choose a published one");
     QStringList cells{readableName(lump.name) + QLatin1Char('\n') + tr("in %1").arg(in),
                       ratioRangeText(ratio) + QLatin1Char('\n') + source, cover};
-    QStringList brief{cells[0], ratioRangeText(ratio), cover};
-    QStringList tips{QString(),
+    QStringList brief{readableName(lump.name), ratioRangeText(ratio), cover};
+    QStringList tips{cells[0],
                      ratio && !ratio->citation.empty()
                          ? source + QLatin1Char('\n') + QString::fromUtf8(ratio->citation.data())
                          : source,

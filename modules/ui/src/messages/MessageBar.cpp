@@ -35,6 +35,7 @@ MessageRow::MessageRow(Messages::Kind kind, const QString& text, const QStringLi
     , m_kind(kind)
     , m_text(text)
     , m_symbol(new QLabel(this))
+    , m_line(new QLabel(shortened(text), this))
 {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
@@ -43,15 +44,14 @@ MessageRow::MessageRow(Messages::Kind kind, const QString& text, const QStringLi
     m_symbol->setAccessibleName(Messages::word(kind));
     m_symbol->setToolTip(Messages::word(kind));
     drawIcon();
-    auto* line = new QLabel(shortened(text), this);
-    line->setWordWrap(true);
-    line->setMinimumWidth(80);
-    line->setTextFormat(Qt::PlainText);
-    line->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_line->setWordWrap(true);
+    m_line->setMinimumWidth(80);
+    m_line->setTextFormat(Qt::PlainText);
+    m_line->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 5, 6, 5);
     layout->addWidget(m_symbol, 0, Qt::AlignTop);
-    layout->addWidget(line, 1, Qt::AlignVCenter);
+    layout->addWidget(m_line, 1, Qt::AlignVCenter);
     for (int i = 0; i < buttons.size(); ++i) {
         auto* act = new QPushButton(buttons[i], this);
         connect(act, &QPushButton::clicked, this, [this, i] { Q_EMIT answered(i); });
@@ -66,6 +66,34 @@ MessageRow::MessageRow(Messages::Kind kind, const QString& text, const QStringLi
     layout->addWidget(close, 0, Qt::AlignTop);
 }
 
+/// Cuts the text off where it would cover too much of a small view; the tool tip and the list of messages have it all.
+void MessageRow::fit()
+{
+    constexpr int kMostShare = 5, kLeastLines = 2; // of the height of the view
+    const QString whole = shortened(m_text);
+    const int width = m_line->width(), line = m_line->fontMetrics().lineSpacing();
+    const int most = std::max(kLeastLines * line, window()->height() / (2 * kMostShare));
+    const auto heightOf = [&](const QString& text) {
+        return m_line->fontMetrics().boundingRect(QRect(0, 0, width, 0), Qt::TextWordWrap, text).height();
+    };
+    QString shown = whole;
+    for (qsizetype end = whole.size(); width > 0 && end > 0 && heightOf(shown) > most;) {
+        end = whole.lastIndexOf(QLatin1Char(' '), end - 1);
+        shown = end > 0 ? whole.left(end) + QStringLiteral(" …") : shown;
+    }
+    if (shown != m_line->text()) {
+        m_line->setText(shown);
+        m_line->setAccessibleName(shown == whole ? QString() : m_text);
+        m_line->setToolTip(shown == whole ? QString() : m_text);
+    }
+}
+
+void MessageRow::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    fit();
+}
+
 void MessageRow::drawIcon()
 {
     const int side_px = withText_px(22);
@@ -76,6 +104,7 @@ void MessageRow::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         drawIcon(); // uses the palette's text colour
+        fit();
     }
     QFrame::changeEvent(event);
 }

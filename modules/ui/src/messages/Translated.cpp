@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/Translated.h"
 
+#include <palpate/core/Numbers.h>
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -75,6 +77,11 @@ QString translated(const core::MessageArgument& argument)
         return translated(*argument.message);
     }
     return QString::fromStdString(englishMark().isEmpty() ? argument.english : translatedBytes(argument));
+}
+
+QString numberText(double value, int digits)
+{
+    return QString::fromStdString(localized(core::shortNumber(value, digits)));
 }
 
 } // namespace palpate::ui

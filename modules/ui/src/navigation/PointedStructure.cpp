@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/PointedStructure.h"
 
+#include "palpate/ui/Translated.h"
 #include "palpate/ui/VtkViewport.h"
 
 #include <palpate/view/SurfacePicker.h>
 
 #include <QLabel>
-#include <QLocale>
 
 #include <algorithm>
 #include <cstddef>
@@ -168,7 +168,7 @@ void PointedStructure::show()
     if (!place && !number) {
         return;
     }
-    const QString image = number ? tr("image: %1").arg(QLocale().toString(*number, 'g', 5)) : QString();
+    const QString image = number ? tr("image: %1").arg(numberText(*number, 5)) : QString();
     m_name->setText(!number ? textOf(*place) : !place ? image : tr("%1 · %2").arg(textOf(*place), image));
     m_name->adjustSize();
     // Below and to the right of the pointer, or on the other side near the edges.

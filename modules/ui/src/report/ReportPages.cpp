@@ -28,8 +28,9 @@ bool isFacts(const study::ReportTable& table)
 /// Keeps numbers and their units on one line.
 QString withUnits(const QString& text)
 {
-    static const QRegularExpression number(QStringLiteral("(\\d) (?=(?:mm|cm²|ml|s|N|Hz|%)(?:\\W|$))"),
-                                           QRegularExpression::UseUnicodePropertiesOption);
+    static const QRegularExpression number(
+        QStringLiteral("(\\d) (?=(?:mm²|mm³|mm|cm²|m²|m³|ml|l|m|s|N|Hz|%)(?:\\W|$))"),
+        QRegularExpression::UseUnicodePropertiesOption);
     return QString(text).replace(number, QStringLiteral("\\1\u00a0"));
 }
 

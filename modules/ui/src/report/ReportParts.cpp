@@ -79,7 +79,7 @@ class CurvePicture
             m_painter.drawLine(QPointF(m_plot.left(), at), QPointF(m_plot.right(), at));
             m_painter.setPen(kInk);
             m_painter.drawText(QRectF(m_in.left(), at - line, m_plot.left() - m_in.left() - 4.0 * m_unit, 2.0 * line),
-                               Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(i * m_step_N, 'g', 4));
+                               Qt::AlignRight | Qt::AlignVCenter, numberText(i * m_step_N, 4));
         }
         const double step_s = roundStep(m_duration_s / 10.0);
         for (int i = 0; i * step_s <= m_duration_s * (1.0 + 1e-9); ++i) {
@@ -88,7 +88,7 @@ class CurvePicture
             m_painter.drawLine(QPointF(at, m_plot.bottom()), QPointF(at, m_plot.bottom() + 3.0 * m_unit));
             m_painter.setPen(kInk);
             m_painter.drawText(QRectF(at - 30.0 * m_unit, m_plot.bottom() + 3.0 * m_unit, 60.0 * m_unit, 1.2 * line),
-                               Qt::AlignHCenter | Qt::AlignTop, QLocale().toString(i * step_s, 'g', 7));
+                               Qt::AlignHCenter | Qt::AlignTop, numberText(i * step_s, 7));
         }
         m_painter.setPen(QPen(kInk, 0.6 * m_unit));
         m_painter.drawLine(m_plot.bottomLeft(), m_plot.bottomRight());

@@ -112,7 +112,7 @@ void ReportViews::Private::showMap(const study::ReportMap* map)
     legend.title = lines.join(QLatin1Char('\n')).toStdString();
     legend.range = {0.0, map->end};
     for (const double value : {0.0, 0.5 * map->end, map->end}) {
-        legend.marks.push_back({value, QLocale().toString(value).toStdString()});
+        legend.marks.push_back({value, numberText(value).toStdString()});
     }
     view.legend().show(legend);
 }

@@ -4,6 +4,7 @@
 #include "palpate/ui/Theme.h"
 #include "palpate/ui/TouchHistory.h"
 #include "palpate/ui/TouchPanel.h"
+#include "palpate/ui/Translated.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -181,7 +182,7 @@ double ForceTimeline::axis_s() const
 
 QString ForceTimeline::topText() const
 {
-    return tr("%1 N").arg(QLocale().toString(top_N(), 'g', 3));
+    return tr("%1 N").arg(numberText(top_N(), 3));
 }
 
 double ForceTimeline::timeAt(double x) const

@@ -2,6 +2,7 @@
 #include "palpate/ui/SessionPanel.h"
 
 #include "palpate/ui/Theme.h"
+#include "palpate/ui/Translated.h"
 
 #include <QAction>
 #include <QColor>
@@ -44,7 +45,7 @@ SessionPanel::SessionPanel(QWidget* parent)
     m_time->setToolTip(tr("Position / length [min:s]"));
     m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     for (const double speed : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) {
-        m_speed->addItem(tr("%1 ×").arg(QLocale().toString(speed)), speed);
+        m_speed->addItem(tr("%1 ×").arg(numberText(speed)), speed);
     }
     m_speed->setCurrentIndex(3);
     m_speed->setToolTip(tr("Playback speed; 1 × is real time"));

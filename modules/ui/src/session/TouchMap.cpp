@@ -5,6 +5,7 @@
 #include "palpate/ui/Translated.h"
 #include "palpate/ui/VtkViewport.h"
 
+#include <palpate/core/Quantity.h>
 #include <palpate/session/CompareSessions.h>
 #include <palpate/view/SurfaceColours.h>
 #include <palpate/view/SurfaceMesh.h>
@@ -42,8 +43,8 @@ std::vector<float> valuesOf(const TouchedStructure& touched, TouchQuantity quant
 QString areaText(double area_mm2, double all_mm2)
 {
     const double percent = 100.0 * area_mm2 / all_mm2;
-    return TouchMap::tr("%1 cm², %2 %")
-        .arg(QLocale().toString(0.01 * area_mm2, 'f', 1), QLocale().toString(percent, 'f', percent < 1.0 ? 1 : 0));
+    return TouchMap::tr("%1, %2 %")
+        .arg(translated(core::areaText(area_mm2)), QLocale().toString(percent, 'f', percent < 1.0 ? 1 : 0));
 }
 
 } // namespace
@@ -356,9 +357,10 @@ void TouchMap::drawCompared(const std::vector<Drawn>& touched)
     const auto area = [&](TouchedBy by) {
         return all_mm2 > 0.0 ? areaText(areas_mm2[static_cast<std::size_t>(by)], all_mm2) : tr("nothing touched yet");
     };
-    content.marks = {{0.5, tr("only A: %1").arg(area(TouchedBy::First)).toStdString()},
-                     {1.5, tr("both: %1").arg(area(TouchedBy::Both)).toStdString()},
-                     {2.5, tr("only B: %1").arg(area(TouchedBy::Second)).toStdString()}};
+    content.briefTitle = touchQuantityText(m_quantity).toStdString();
+    content.marks = {{0.5, tr("only A: %1").arg(area(TouchedBy::First)).toStdString(), tr("only A").toStdString()},
+                     {1.5, tr("both: %1").arg(area(TouchedBy::Both)).toStdString(), tr("both").toStdString()},
+                     {2.5, tr("only B: %1").arg(area(TouchedBy::Second)).toStdString(), tr("only B").toStdString()}};
     m_viewport.view().legend().show(content);
 }
 
@@ -372,16 +374,17 @@ void TouchMap::drawLegend(double high, double all_mm2, double covered_mm2, doubl
     lines << (m_first.recording.empty() ? tr("live, %1 s (preview)").arg(until) : tr("up to %1 s").arg(until));
     lines << (m_drawn.empty() ? tr("nothing touched yet") : tr("touched: %1").arg(areaText(covered_mm2, all_mm2)));
     if (above_mm2 > 0.0) {
-        lines << tr("above %1: %2").arg(QLocale().toString(high), areaText(above_mm2, all_mm2));
+        lines << tr("above %1: %2").arg(numberText(high), areaText(above_mm2, all_mm2));
     }
     view::ColourLegend::Content content;
     content.title = lines.join(QLatin1Char('\n')).toStdString();
+    content.briefTitle = lines.front().toStdString();
     content.range = {0.0, high};
     if (m_quantity == TouchQuantity::Covered) {
-        content.marks = {{1.0, tr("touched").toStdString()}};
+        content.marks = {{1.0, tr("touched").toStdString(), {}}};
     } else {
         for (const double value : {0.0, 0.5 * high, high}) {
-            content.marks.push_back({value, QLocale().toString(value).toStdString()});
+            content.marks.push_back({value, numberText(value).toStdString(), {}});
         }
     }
     m_viewport.view().legend().show(content);

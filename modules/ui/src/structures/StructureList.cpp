@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/StructureList.h"
 
+#include "palpate/ui/ElidedName.h"
 #include "palpate/ui/Theme.h"
 
 #include <palpate/haptics/HapticScene.h>
@@ -30,7 +31,7 @@ namespace palpate::ui {
 
 namespace {
 
-/// Indents the names of inner layers.
+/// Indents the names of inner layers, and shortens long names so that they can be told apart.
 class NameDelegate final : public QStyledItemDelegate
 {
   public:
@@ -48,6 +49,23 @@ class NameDelegate final : public QStyledItemDelegate
         const std::uint32_t steps = std::min(kMostSteps, index.data(StructureModel::kLayerRole).toUInt());
         moved.rect.adjust(static_cast<int>(steps * kStep_px), 0, 0, 0);
         QStyledItemDelegate::paint(painter, moved, index);
+    }
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        const QStyle& style = option->widget != nullptr ? *option->widget->style() : *QApplication::style();
+        const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, option, option->widget) + 1;
+        const int width =
+            style.subElementRect(QStyle::SE_ItemViewItemText, option, option->widget).width() - 2 * margin;
+        if (width <= 0 || option->fontMetrics.horizontalAdvance(option->text) <= width) {
+            return;
+        }
+        QStringList others;
+        const QModelIndex group = index.parent();
+        for (int row = 0; row < index.model()->rowCount(group); ++row) {
+            others << index.model()->index(row, index.column(), group).data().toString();
+        }
+        option->text = elidedName(option->text, option->fontMetrics, width, others);
     }
 };
 
@@ -147,7 +165,6 @@ void StructureList::makeView()
     m_view->setRootIsDecorated(false);
     m_view->setTreePosition(StructureModel::Name);
     m_view->setUniformRowHeights(true);
-    m_view->setTextElideMode(Qt::ElideRight);
     m_view->setAlternatingRowColors(true);
     m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_view->setEditTriggers(QAbstractItemView::EditKeyPressed);

@@ -497,7 +497,7 @@ QStringList StructureModel::surfaceTexts(const meshio::LoadedStructure& one)
         if (done->labelVoxel_mm) {
             return {translated(done->sentence())};
         }
-        const QString moved = locale.toString(done->most_mm, 'g', 2);
+        const QString moved = numberText(done->most_mm, 2);
         if (!(done->volumeBefore_mm3 > 0.0)) {
             return {tr("The surface is smoothed: moved by at most %1 mm").arg(moved)};
         }
@@ -509,8 +509,7 @@ QStringList StructureModel::surfaceTexts(const meshio::LoadedStructure& one)
     if (one.staircase) {
         const core::Vec3& voxel = one.staircase->voxel_mm;
         return {tr("The surface has steps of %1 × %2 × %3 mm voxels, which can be felt")
-                    .arg(locale.toString(voxel.x(), 'g', 3), locale.toString(voxel.y(), 'g', 3),
-                         locale.toString(voxel.z(), 'g', 3))};
+                    .arg(numberText(voxel.x(), 3), numberText(voxel.y(), 3), numberText(voxel.z(), 3))};
     }
     return {};
 }
@@ -531,11 +530,10 @@ QStringList StructureModel::defects(int row) const
         lines << tr("The mesh is inside out: palpable only from inside");
     }
     if (const auto& closing = rows()[static_cast<std::size_t>(row)].loaded.closing) {
-        lines << (closing->holes == 1
-                      ? tr("A hole of %1 mm was closed").arg(QLocale().toString(closing->largest_mm, 'g', 3))
-                      : tr("%1 holes of up to %2 mm were closed")
-                            .arg(closing->holes)
-                            .arg(QLocale().toString(closing->largest_mm, 'g', 3)));
+        lines << (closing->holes == 1 ? tr("A hole of %1 mm was closed").arg(numberText(closing->largest_mm, 3))
+                                      : tr("%1 holes of up to %2 mm were closed")
+                                            .arg(closing->holes)
+                                            .arg(numberText(closing->largest_mm, 3)));
     }
     lines << surfaceTexts(rows()[static_cast<std::size_t>(row)].loaded);
     if (report.zeroAreaTriangles + report.duplicateTriangles + report.reorientedTriangles + report.mixedValues > 0) {

@@ -4,9 +4,9 @@
 #include "palpate/ui/Theme.h"
 #include "palpate/ui/TouchHistory.h"
 #include "palpate/ui/TouchPanel.h"
+#include "palpate/ui/Translated.h"
 
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -21,7 +21,7 @@ constexpr double kGrab_px = 10.0;
 
 QString plotText(double value)
 {
-    return QLocale().toString(value, 'g', 3);
+    return numberText(value, 3);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/ui/MapDisplay.h"
 
+#include "palpate/ui/Translated.h"
 #include "palpate/ui/VtkViewport.h"
 
 #include <palpate/study/DeviceLimit.h>
@@ -172,7 +173,7 @@ QString MapDisplay::textAt(int row, std::size_t triangle, const core::Vec3& p_W)
     const QString name = comma < 0 ? m_shown.title : m_shown.title.left(comma);
     const QString unit = comma < 0 ? QString() : m_shown.title.mid(comma + 2);
     return std::isnan(value) ? tr("%1: no data").arg(name)
-                             : QStringLiteral("%1 %2 %3").arg(name, QLocale().toString(value, 'g', 3), unit).trimmed();
+                             : QStringLiteral("%1 %2 %3").arg(name, numberText(value, 3), unit).trimmed();
 }
 
 void MapDisplay::setCovered(bool isCovered)

@@ -617,7 +617,7 @@ bool StructurePanel::eventFilter(QObject* watched, QEvent* event)
 void StructurePanel::fitTitle()
 {
     m_title->setText(
-        m_title->fontMetrics().elidedText(m_title->toolTip(), Qt::ElideRight, std::max(120, width() - 70)));
+        m_title->fontMetrics().elidedText(m_title->toolTip(), Qt::ElideMiddle, std::max(120, width() - 70)));
 }
 
 void StructurePanel::resizeEvent(QResizeEvent* event)
@@ -760,8 +760,7 @@ QString StructurePanel::otherLayersText(const std::vector<haptics::HapticStructu
         if (!m_model.isListed(static_cast<int>(by))) {
             continue;
         }
-        takers << tr("%1 uses %2")
-                      .arg(readableName(felt[by].name), QLocale().toString(study::maxStiffness(felt[by]), 'g', 3));
+        takers << tr("%1 uses %2").arg(readableName(felt[by].name), numberText(study::maxStiffness(felt[by]), 3));
     }
     return takers.join(QStringLiteral(", "));
 }
@@ -776,11 +775,10 @@ void StructurePanel::showBound(int row)
                                 : haptics::maxStiffness(m_model.structure(row).tissue);
     const double is = study::maxStiffness(felt[at]);
     m_bound->setVisible(own > is + halfDigit(core::kTissueTerms.front()));
-    const QLocale locale;
     const QString takers = otherLayersText(felt, row);
     m_bound->setText((isMapped ? tr("limited to at most %1 N/mm: the device can render %2 N/mm in total%3")
                                : tr("limited to %1 N/mm: the device can render %2 N/mm in total%3"))
-                         .arg(locale.toString(is, 'g', 3), locale.toString(m_greatest.stiffness_N_per_mm, 'g', 3),
+                         .arg(numberText(is, 3), numberText(m_greatest.stiffness_N_per_mm, 3),
                               takers.isEmpty() ? takers : QStringLiteral(", ") + takers));
 }
 
@@ -808,11 +806,11 @@ QString StructurePanel::refusal(int row, const haptics::Tissue& asked, const hap
         const QLocale locale;
         if (!isStiffness) {
             return tr("%1 N·s/mm is too much: the device can render at most %2 N·s/mm. Enter %2 N·s/mm or less.")
-                .arg(locale.toString(value, 'g', 4), locale.toString(most, 'f', 4));
+                .arg(numberText(value, 4), locale.toString(most, 'f', 4));
         }
         const QString takers = otherLayersText(felt, row);
         const QString why = takers.isEmpty() ? m_limitReason : tr("%1 Of this, %2.").arg(m_limitReason, takers);
-        const QString found = locale.toString(value, 'g', 4);
+        const QString found = numberText(value, 4);
         const QString allowed = locale.toString(std::floor(100.0 * most + 1e-6) / 100.0, 'f', 2);
         return asked.law.kind == core::LawKind::Linear
                    ? tr("%1 N/mm is too stiff. %2 Enter %3 N/mm or less.").arg(found, why, allowed)
@@ -863,7 +861,7 @@ void StructurePanel::addHoleActions(QMenu& menu, const std::vector<int>& rows)
     if (std::any_of(rows.begin(), rows.end(), isOpen)) {
         const std::vector<geometry::Hole> holes =
             rows.size() == 1 ? m_model.holes(rows.front()) : std::vector<geometry::Hole>();
-        const QString size = holes.empty() ? QString() : QLocale().toString(holes.front().across_mm, 'g', 3);
+        const QString size = holes.empty() ? QString() : numberText(holes.front().across_mm, 3);
         menu.addAction(holes.empty()       ? tr("Close the holes")
                        : holes.size() == 1 ? tr("Close the hole of %1 mm").arg(size)
                                            : tr("Close %1 holes of up to %2 mm").arg(holes.size()).arg(size),

@@ -33,7 +33,7 @@ constexpr const char* kContext = "palpate::ui::FeltWords";
 
 QString shortText(double ratio)
 {
-    return QLocale().toString(ratio, 'g', 3);
+    return numberText(ratio, 3);
 }
 
 QString percent(double ratio)
@@ -73,7 +73,7 @@ QString whenPressed(const buried::FeltSurface& felt, std::size_t vertex, std::si
         }
     }
     return QCoreApplication::translate("palpate::ui::FeltWords", ";\n%1 when pressed %2 mm")
-        .arg(responseChangeText(felt.press[deeper].ratio[vertex]), QLocale().toString(felt.press[deeper].press_mm));
+        .arg(responseChangeText(felt.press[deeper].ratio[vertex]), numberText(felt.press[deeper].press_mm));
 }
 
 } // namespace

@@ -12,8 +12,6 @@
 #include <palpate/study/RecordedLooks.h>
 #include <palpate/study/RecordedScene.h>
 
-#include <QLocale>
-
 #include <cmath>
 
 namespace palpate::ui {
@@ -65,23 +63,22 @@ double LiveTouch::heldStiffness_N_per_mm() const
 
 QString LiveTouch::limitText() const
 {
-    const QLocale locale;
     const QString name = QString::fromStdString(m_info.name);
     const double held = heldStiffness_N_per_mm();
     if (!std::isfinite(held)) {
-        return tr("%1 can render tissue up to %2 N/mm.").arg(name, locale.toString(maxTissue().stiffness_N_per_mm));
+        return tr("%1 can render tissue up to %2 N/mm.").arg(name, numberText(maxTissue().stiffness_N_per_mm));
     }
     const double scale = m_map.isDirect ? 1.0 : m_map.scale;
-    QString text = tr("%1 can render tissue up to %2 N/mm here.").arg(name, locale.toString(held, 'g', 3));
+    QString text = tr("%1 can render tissue up to %2 N/mm here.").arg(name, numberText(held, 3));
     if (held * scale >= m_info.maxStiffness_N_per_mm && m_info.maxStiffness_N_per_mm > 0.0) {
         text += tr(" This is the rating of the manufacturer.");
     } else {
         text += tr(" The force is delayed by %1 ms; stiffer tissue could make the device vibrate.")
-                    .arg(locale.toString(1e3 * m_delayTicks / rate_Hz(), 'g', 3));
+                    .arg(numberText(1e3 * m_delayTicks / rate_Hz(), 3));
     }
     if (scale > 1.0) {
         text += tr(" 1 mm of the device is %1 mm of the scene; a smaller scale (Device panel) allows stiffer tissue.")
-                    .arg(locale.toString(scale, 'g', 3));
+                    .arg(numberText(scale, 3));
     }
     return text;
 }
@@ -246,7 +243,7 @@ void LiveTouch::reportSoftenedStructure()
 {
     const haptics::Tissue greatest = maxTissue();
     const std::vector<haptics::HapticStructure> felt = m_model.hapticStructures(greatest);
-    const auto number = [](double stiffness_N_per_mm) { return QLocale().toString(stiffness_N_per_mm, 'g', 3); };
+    const auto number = [](double stiffness_N_per_mm) { return numberText(stiffness_N_per_mm, 3); };
     const auto wanted = [this] { return m_model.hapticStructures(core::unbounded()); };
     QString line;
     for (int row = 0; row < m_model.rowCount() && line.isEmpty(); ++row) {

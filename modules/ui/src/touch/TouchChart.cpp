@@ -3,10 +3,10 @@
 
 #include "palpate/ui/Theme.h"
 #include "palpate/ui/TouchPanel.h"
+#include "palpate/ui/Translated.h"
 
 #include <palpate/view/ColourMap.h>
 
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
@@ -17,9 +17,11 @@ namespace palpate::ui {
 
 namespace {
 
+constexpr int kLane_px = 40; // least height of a lane
+
 QString axisText(double value)
 {
-    return QLocale().toString(value, 'g', 3);
+    return numberText(value, 3);
 }
 
 } // namespace
@@ -48,8 +50,13 @@ QString TouchChart::accessibleText() const
 
 QSize TouchChart::minimumSizeHint() const
 {
-    constexpr int kLane_px = 40;
-    return {180, 2 * kLane_px + 4 * fontMetrics().height()};
+    return {180, 2 * kLane_px - (m_isLow ? kLowSaves_px : 0) + 4 * fontMetrics().height()};
+}
+
+void TouchChart::setLow(bool isLow)
+{
+    m_isLow = isLow;
+    updateGeometry();
 }
 
 void TouchChart::paintEvent(QPaintEvent*)

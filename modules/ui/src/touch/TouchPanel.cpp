@@ -16,8 +16,10 @@ namespace palpate::ui {
 
 namespace {
 
-constexpr double kRows = 1.1;         // font size of the layer rows relative to the panel
-constexpr double kFlatPeriod_s = 0.2; // between repaints of the chart while nothing is touched
+constexpr double kRows = 1.1;                      // font size of the layer rows relative to the panel
+constexpr double kNumber = 3.6, kLowNumber = 2.2;  // font size of the force
+constexpr int kSpacing_px = 6, kLowSpacing_px = 2; // between the rows
+constexpr double kFlatPeriod_s = 0.2;              // between repaints of the chart while nothing is touched
 
 /// QWidget::setForegroundRole repaints even without a change.
 void setRole(QLabel& label, QPalette::ColorRole role)
@@ -112,7 +114,7 @@ TouchPanel::TouchPanel(QWidget* parent)
 {
     m_source->setObjectName(QStringLiteral("touchSource"));
     m_source->setAccessibleDescription(tr("Source of the values: the live hand or the recording"));
-    keepFont(*m_force, 3.6, QFont::DemiBold);
+    keepFont(*m_force, kNumber, QFont::DemiBold);
     m_force->setAccessibleDescription(tr("Force in newtons"));
     m_force->setToolTip(tr("Force on the hand [N]"));
     keepFont(*m_forceUnit, 1.8, QFont::Normal);
@@ -133,6 +135,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     m_detail->setToolTip(
         tr("Depth of the hand below the outermost surface [mm]; stiffness of all touched layers together [N/mm]"));
     m_late->setWordWrap(true);
+    m_late->hide();
     m_late->setToolTip(tr("The mesh has more triangles here than can be evaluated in time"));
 
     auto* number = new QHBoxLayout;
@@ -142,7 +145,7 @@ TouchPanel::TouchPanel(QWidget* parent)
     number->addStretch(1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(14, 6, 14, 10);
-    layout->setSpacing(6);
+    layout->setSpacing(kSpacing_px);
     layout->addWidget(m_source);
     layout->addLayout(number);
     layout->addWidget(m_bar);
@@ -163,7 +166,35 @@ void TouchPanel::fitFont()
     // Reserves two rows, so that the layout does not jump when a second layer is reached.
     QFont rows = font();
     rows.setPointSizeF(kRows * font().pointSizeF());
-    m_layers->setMinimumHeight(2 * QFontMetrics(rows).lineSpacing() + 2);
+    m_layers->setMinimumHeight((m_isLow ? 1 : 2) * QFontMetrics(rows).lineSpacing() + 2);
+}
+
+/// Height that the sizes of a low panel save. [px]
+int TouchPanel::savedHeight() const
+{
+    const auto lineOf = [this](double ratio) {
+        QFont scaled = font();
+        scaled.setPointSizeF(ratio * font().pointSizeF());
+        return QFontMetrics(scaled).lineSpacing();
+    };
+    const int gaps = layout()->count() - 1;
+    return lineOf(kNumber) - lineOf(kLowNumber) + lineOf(kRows) + gaps * (kSpacing_px - kLowSpacing_px) +
+           TouchChart::kLowSaves_px;
+}
+
+int TouchPanel::heightForWidth(int width) const
+{
+    return layout()->minimumHeightForWidth(width) - (m_isLow ? 0 : savedHeight());
+}
+
+/// Changes to or from the sizes of a low panel.
+void TouchPanel::setLow(bool isLow)
+{
+    m_isLow = isLow;
+    keepFont(*m_force, isLow ? kLowNumber : kNumber, QFont::DemiBold);
+    layout()->setSpacing(isLow ? kLowSpacing_px : kSpacing_px);
+    m_chart->setLow(isLow);
+    fitFont();
 }
 
 void TouchPanel::changeEvent(QEvent* event)
@@ -177,6 +208,10 @@ void TouchPanel::changeEvent(QEvent* event)
 void TouchPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    const int usual_px = heightForWidth(width()) + savedHeight();
+    if (const bool isLow = height() < usual_px; isLow != m_isLow) {
+        setLow(isLow);
+    }
     setLine(m_structure->toolTip(), m_detail->text()); // elides the name for the new width
 }
 
@@ -249,6 +284,7 @@ void TouchPanel::show(const TouchReading& reading)
         showLump(reading);
     }
     m_late->setText(reading.isAtIterationLimit ? tr("very fine mesh here: force delayed") : QString());
+    m_late->setVisible(reading.isAtIterationLimit);
     double along_N = 0.0;
     for (const LayerShare& layer : reading.layers) {
         along_N += layer.friction != haptics::Friction::None ? layer.sideways_N : 0.0;
@@ -287,6 +323,7 @@ void TouchPanel::showNoHand()
     setLine(tr("Not touching"), tr("press on a structure to feel it"));
     setLayers({});
     m_late->clear();
+    m_late->hide();
     Q_EMIT changed();
 }
 

@@ -4,6 +4,7 @@
 #include "palpate/ui/VtkViewport.h"
 
 #include <palpate/view/ScaleBar.h>
+#include <palpate/view/TextStyle.h>
 
 #include <QColor>
 #include <QEvent>
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace palpate::ui {
@@ -160,6 +162,7 @@ void FingerInset::paintEvent(QPaintEvent*)
     }
     painter.setPen(ink);
     const double bar_mm = view::roundScaleLength(0.5 * halfWidth_mm());
+    const std::string barText = view::shortText(bar_mm, 6, QLocale().decimalPoint().toStdString());
     const QFontMetrics metrics = painter.fontMetrics();
     const double y = height() - kMargin_px;
     painter.fillRect(QRectF(kMargin_px, y - 3.0, scale * bar_mm, 3.0), ink);
@@ -169,7 +172,7 @@ void FingerInset::paintEvent(QPaintEvent*)
         painter.strokePath(path, QPen(back, 3.0));
         painter.fillPath(path, ink);
     };
-    write({static_cast<double>(kMargin_px), y - 6.0}, tr("%1 mm").arg(QLocale().toString(bar_mm)));
+    write({static_cast<double>(kMargin_px), y - 6.0}, tr("%1 mm").arg(QString::fromStdString(barText)));
     write({static_cast<double>(kMargin_px), static_cast<double>(metrics.ascent() + 4)},
           m_cuts.empty() ? tr("Along the finger: touch a structure") : tr("Along the finger"));
     painter.setBrush(Qt::NoBrush);

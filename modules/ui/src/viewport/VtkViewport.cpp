@@ -172,6 +172,7 @@ void VtkViewport::paintGL()
     m_window->SetReadyForRendering(true);
     m_window->SetIsCurrent(true);
     m_view.setCoarse(m_isSlow && !m_isStill && hasTurned());
+    passCovers();
     m_view.prepareFrame(devicePixelRatioF());
     m_window->Render();
     blitToWidget();
@@ -475,9 +476,43 @@ void VtkViewport::leaveEvent(QEvent* event)
 void VtkViewport::setCoveredAbove(int height_px)
 {
     m_covered_px = height_px;
-    m_view.setCoveredAbove(height_px);
     update();
     Q_EMIT coveredAboveChanged();
+}
+
+void VtkViewport::setCoveredBelow(int height_px)
+{
+    m_view.setCoveredBelow(height_px);
+    update();
+}
+
+/// Passes on what covers the upper corners: the messages and the bars of the view below them.
+void VtkViewport::passCovers()
+{
+    std::array<int, 2> above_px{m_covered_px, m_covered_px};
+    for (const QWidget* one : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        const QRect place = one->geometry();
+        if (one->isVisible() && !one->testAttribute(Qt::WA_TransparentForMouseEvents) && 2 * place.top() < height()) {
+            int& side_px = above_px[2 * place.center().x() < width() ? 0 : 1];
+            side_px = std::max(side_px, place.bottom() + 1);
+        }
+    }
+    m_view.setCoveredAbove(above_px[0], above_px[1]);
+}
+
+Eigen::Vector2d VtkViewport::fromCentre(const QPointF& place) const
+{
+    return {place.x() - 0.5 * width(), 0.5 * height() - place.y()};
+}
+
+bool VtkViewport::isOnLegend(const QPointF& place) const
+{
+    return m_view.legend().box().contains(fromCentre(place));
+}
+
+bool VtkViewport::isOnLegendClose(const QPointF& place) const
+{
+    return m_view.legend().closeBox().contains(fromCentre(place));
 }
 
 } // namespace palpate::ui

@@ -57,6 +57,11 @@ void ActionList::addSeparator(ActionGroup group)
     m_entries.push_back({group, line, {}, {}});
 }
 
+void ActionList::addSubmenu(ActionGroup group, const QString& title, ActionGroup content)
+{
+    m_entries.push_back({group, nullptr, {}, title, {}, content});
+}
+
 void ActionList::addGesture(ActionGroup group, const QString& keys, const QString& does)
 {
     m_entries.push_back({group, nullptr, keys, does});
@@ -166,10 +171,27 @@ std::vector<QAction*> ActionList::all() const
 void ActionList::fill(QMenu& menu, ActionGroup group) const
 {
     for (const Entry& entry : m_entries) {
-        if (entry.group == group && entry.action != nullptr) {
+        if (entry.group != group) {
+            continue;
+        }
+        if (entry.content) {
+            fill(*menu.addMenu(entry.does), *entry.content);
+        } else if (entry.action != nullptr) {
             menu.addAction(entry.action);
         }
     }
+}
+
+QMenu* ActionList::submenuOf(const QMenu& menu, ActionGroup content) const
+{
+    const auto entry =
+        std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& one) { return one.content == content; });
+    for (QAction* action : menu.actions()) {
+        if (entry != m_entries.end() && action->menu() != nullptr && action->text() == entry->does) {
+            return action->menu();
+        }
+    }
+    return nullptr;
 }
 
 std::vector<ActionList::KeyLine> ActionList::keyLines() const
@@ -177,6 +199,9 @@ std::vector<ActionList::KeyLine> ActionList::keyLines() const
     std::vector<KeyLine> lines;
     for (const Entry& entry : m_entries) {
         QStringList keys;
+        if (entry.content) {
+            continue;
+        }
         if (entry.action != nullptr) {
             for (const QKeySequence& key : entry.action->shortcuts()) {
                 keys << key.toString(QKeySequence::NativeText);

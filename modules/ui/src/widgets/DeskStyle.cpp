@@ -2,10 +2,13 @@
 #include "widgets/DeskStyle.h"
 
 #include "palpate/ui/Theme.h"
+#include "widgets/CutCells.h"
 
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QEvent>
+#include <QHeaderView>
 #include <QMainWindow>
 #include <QPainter>
 #include <QSlider>
@@ -94,6 +97,12 @@ void DeskStyle::polish(QWidget* widget)
         // Other tab bars keep full titles and scroll.
         tabs->setElideMode(isOfPanels(tabs) ? Qt::ElideRight : Qt::ElideNone);
         tabs->setUsesScrollButtons(!isOfPanels(tabs));
+    }
+    auto* cells = qobject_cast<QAbstractItemView*>(widget);
+    if (cells != nullptr && qobject_cast<QHeaderView*>(widget) == nullptr &&
+        cells->findChild<QObject*>(QLatin1String(CutCells::kName), Qt::FindDirectChildrenOnly) ==
+            nullptr) { // styles change
+        new CutCells(*cells);
     }
     if (turnsByWheel(widget)) {
         if (widget->focusPolicy() == Qt::WheelFocus) {

@@ -9,6 +9,8 @@ namespace palpate::ui {
 
 namespace {
 
+constexpr auto kKeptFont = "keptFont";
+
 /// Updates a widget's font when the parent's font changes, because Qt does not scale an explicitly set size.
 class KeptFont final : public QObject
 {
@@ -19,7 +21,14 @@ class KeptFont final : public QObject
         , m_ratio(ratio)
         , m_weight(weight)
     {
+        setObjectName(QLatin1String(kKeptFont));
         widget.parentWidget()->installEventFilter(this);
+        take();
+    }
+    void set(double ratio, int weight)
+    {
+        m_ratio = ratio;
+        m_weight = weight;
         take();
     }
     bool eventFilter(QObject* watched, QEvent* event) override
@@ -91,6 +100,10 @@ void keepIconSize(QWidget& widget, int usual_px)
 
 void keepFont(QWidget& widget, double ratio, int weight)
 {
+    if (auto* kept = widget.findChild<QObject*>(QLatin1String(kKeptFont), Qt::FindDirectChildrenOnly)) {
+        static_cast<KeptFont*>(kept)->set(ratio, weight);
+        return;
+    }
     new KeptFont(widget, ratio, weight); // owned by the widget
 }
 

@@ -61,17 +61,18 @@ std::string OrientationCube::left() const
     return m_cube->GetXPlusFaceText();
 }
 
-void OrientationCube::place(vtkCamera& main, const int size_px[2], const ViewFrame& frame)
+void OrientationCube::place(vtkCamera& main, const int size_px[2], const ViewFrame& frame, double below_px)
 {
     // The cube grows with the font size but stays small in a small view.
     const double most = std::max(kUsual_px * frame.pixelRatio, kMost * std::min(size_px[0], size_px[1]));
     const double side = std::min(kSide * frame.text.size_px * frame.pixelRatio, most);
     const double left = kLeft_px * frame.pixelRatio;
-    m_top_px = (left + side) / frame.pixelRatio;
+    const double low = (kLeft_px + below_px) * frame.pixelRatio;
+    m_top_px = (low + side) / frame.pixelRatio;
     const double width = std::max(1, size_px[0]);
     const double height = std::max(1, size_px[1]);
-    m_renderer->SetViewport(std::min(1.0, left / width), std::min(1.0, left / height),
-                            std::min(1.0, (left + side) / width), std::min(1.0, (left + side) / height));
+    m_renderer->SetViewport(std::min(1.0, left / width), std::min(1.0, low / height),
+                            std::min(1.0, (left + side) / width), std::min(1.0, (low + side) / height));
     const core::Vec3 back = (core::Vec3(main.GetPosition()) - core::Vec3(main.GetFocalPoint())).normalized();
     vtkCamera* camera = m_renderer->GetActiveCamera();
     camera->SetFocalPoint(0.0, 0.0, 0.0);

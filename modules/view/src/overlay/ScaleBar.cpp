@@ -72,7 +72,7 @@ void ScaleBar::setColour(const Colour& colour)
     m_text->GetTextProperty()->SetColor(colour[0], colour[1], colour[2]);
 }
 
-void ScaleBar::place(const Vec3& focus_W, const ViewFrame& frame, int width_px)
+void ScaleBar::place(const Vec3& focus_W, const ViewFrame& frame, int width_px, double below_px)
 {
     const double pixel_mm = frame.mmPerPixel(focus_W);
     const double r = frame.pixelRatio;
@@ -82,7 +82,7 @@ void ScaleBar::place(const Vec3& focus_W, const ViewFrame& frame, int width_px)
     const double length_px = length_mm / pixel_mm;
     const double right = width_px - 20.0 * r;
     const double left = right - length_px * r;
-    const double low = 18.0 * r;
+    const double low = (18.0 + below_px) * r;
     const double boxes[3][4] = {{left, low, right, low + 2.0 * r},
                                 {left, low, left + 2.0 * r, low + 7.0 * r},
                                 {right - 2.0 * r, low, right, low + 7.0 * r}};

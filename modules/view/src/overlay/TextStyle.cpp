@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/view/TextStyle.h"
 
+#include <palpate/core/Numbers.h>
+
 #include <vtkTextProperty.h>
 
 #include <algorithm>
@@ -63,7 +65,11 @@ std::string fixedText(double value, int decimals, const std::string& decimalPoin
 
 std::string shortText(double value, int digits, const std::string& decimalPoint)
 {
-    return numberText(value, std::chars_format::general, digits, decimalPoint);
+    std::string text = core::shortNumber(value, digits);
+    if (const std::size_t point = text.find('.'); point != std::string::npos) {
+        text.replace(point, 1, decimalPoint);
+    }
+    return text;
 }
 
 } // namespace palpate::view

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <utility>
 
 namespace palpate::view {
 
@@ -166,7 +167,7 @@ void SceneView::moveTo(const std::vector<std::shared_ptr<const geometry::Surface
     }
 }
 
-/// Findings and ring move with their structures.
+/// Findings, rings and targets move with their structures.
 bool SceneView::follow()
 {
     bool hasMoved = false;
@@ -186,14 +187,23 @@ bool SceneView::follow()
         const Vec3& rest_W = m_findings.rest_W(i);
         m_findings.move(i, moved == nullptr ? rest_W : moved->motion->toWorld(moved->moment, rest_W));
     }
-    if (m_placeRing.isShown()) {
-        Vec3 p_W = m_placeRing.place_W(), n_W = m_placeRing.normal_W();
-        if (const MovedSurface* moved = movedOf(m_placeRing.structure())) {
+    const auto movedBy = [](const MovedSurface* moved, Vec3 p_W, Vec3 n_W) {
+        if (moved != nullptr) {
             geometry::Mat3 F;
             p_W = moved->motion->toWorld(moved->moment, p_W, F);
             n_W = (F.inverse().transpose() * n_W).normalized();
         }
+        return std::pair(p_W, n_W);
+    };
+    if (m_placeRing.isShown()) {
+        const auto [p_W, n_W] =
+            movedBy(movedOf(m_placeRing.structure()), m_placeRing.place_W(), m_placeRing.normal_W());
         m_placeRing.moveTo(p_W, n_W);
+    }
+    for (std::size_t i = 0; i < m_targets.marks().size(); ++i) {
+        const TargetMark& mark = m_targets.marks()[i];
+        const auto [p_W, n_W] = movedBy(mark.structure ? movedOf(*mark.structure) : nullptr, mark.p_W, mark.n_W);
+        m_targets.moveTo(i, p_W, n_W);
     }
     return hasMoved;
 }
@@ -334,24 +344,56 @@ std::vector<Eigen::AlignedBox2d> SceneView::coveredBoxes() const
     return boxes;
 }
 
-/// Places the legend. The corner of a legend with marks is the one that hides less tissue. The corner is chosen when
-/// the legend appears, the view is resized or the whole scene is fitted into the view, but not while the view is
-/// turned.
-void SceneView::placeLegend(const ViewFrame& frame)
+/// Chooses corner and form of the legend: the chosen corner, or for a legend with marks the one where it hides the
+/// least tissue, and the brief form if much would still be hidden. The pointer over the legend shows the full form.
+void SceneView::chooseLegendPlace(const ViewFrame& frame, const ColourLegend::Below& below)
 {
     using Corner = ColourLegend::Corner;
-    const ColourLegend::Below below{m_cube.top_px(), m_scaleBar.top() / frame.pixelRatio, m_covered_px};
-    const LegendInputs now{m_legend.revision(), m_fitCount, frame.width_px, frame.height_px};
-    if (m_legend.isShown() && m_legend.hasMarks() && !(now == m_legendInputs)) {
-        m_legendInputs = now;
-        m_legend.setCorner(Corner::LowerRight);
+    constexpr double kMostHidden = 0.04; // share of the visible vertices
+    const auto hiddenIn = [&](Corner corner) {
+        m_legend.setCorner(corner);
         m_legend.place(*m_overlay, frame, below);
-        const std::size_t right = countTissueVertices(m_legend.box(), frame);
-        m_legend.setCorner(Corner::UpperLeft);
-        m_legend.place(*m_overlay, frame, below);
-        if (right < countTissueVertices(m_legend.box(), frame)) {
-            m_legend.setCorner(Corner::LowerRight);
+        return countTissueVertices(m_legend.box(), frame);
+    };
+    const auto chooseCorner = [&] {
+        Corner best = m_legendCorner.value_or(m_legend.hasMarks() ? Corner::UpperLeft : Corner::LowerLeft);
+        std::size_t least = hiddenIn(best);
+        for (const Corner corner : ColourLegend::kCorners) {
+            if (m_legendCorner || !m_legend.hasMarks() || least == 0) {
+                break;
+            }
+            if (const std::size_t hidden = hiddenIn(corner); hidden < least) {
+                best = corner;
+                least = hidden;
+            }
         }
+        m_legend.setCorner(best);
+        return least;
+    };
+    m_legend.setBrief(false);
+    if (m_legend.isHovered()) {
+        m_legend.setCorner(m_legendCorner.value_or(m_legend.corner())); // it must not jump away from the pointer
+        return;
+    }
+    const Eigen::Vector2d half(0.5 * frame.width_px, 0.5 * frame.height_px);
+    const auto all = static_cast<double>(countTissueVertices({-half, half}, frame));
+    if (static_cast<double>(chooseCorner()) > kMostHidden * all) {
+        m_legend.setBrief(true);
+        (void)chooseCorner();
+    }
+}
+
+/// Places the legend. Corner and form are chosen when the legend appears, the view is resized or the whole scene is
+/// fitted into the view, but not while the view is turned.
+void SceneView::placeLegend(const ViewFrame& frame)
+{
+    const ColourLegend::Below below{m_cube.top_px(), m_scaleBar.top() / frame.pixelRatio, m_coveredAbove_px[0],
+                                    m_coveredAbove_px[1]};
+    const LegendInputs now{m_legend.revision(), m_fitCount,           frame.width_px, frame.height_px,
+                           frame.text.size_px,  m_legend.isHovered(), m_legendCorner};
+    if (m_legend.isShown() && !(now == m_legendInputs)) {
+        m_legendInputs = now;
+        chooseLegendPlace(frame, below);
     }
     m_legend.place(*m_overlay, frame, below);
 }
@@ -510,9 +552,9 @@ void SceneView::prepareFrame(double pixelRatio)
     ViewFrame frame = ViewFrame::of(*m_solid, pixelRatio);
     frame.text = m_text;
     if (m_window != nullptr) {
-        m_cube.place(camera(), m_window->GetSize(), frame);
+        m_cube.place(camera(), m_window->GetSize(), frame, m_coveredBelow_px);
     }
-    m_scaleBar.place(Vec3(camera().GetFocalPoint()), frame, m_solid->GetSize()[0]);
+    m_scaleBar.place(Vec3(camera().GetFocalPoint()), frame, m_solid->GetSize()[0], m_coveredBelow_px);
     placeLegend(frame);
     bendTissue(frame);
     cutTissue();

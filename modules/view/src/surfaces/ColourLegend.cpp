@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace palpate::view {
 
@@ -22,10 +23,10 @@ namespace {
 
 constexpr int kColourRows = 10; // rows of colours, interpolated linearly
 constexpr double kBarLeft_px = 20.0, kBarWidth_px = 16.0, kBarHeight_px = 160.0;
-constexpr double kLeastHeight_px = 50.0, kTitle = 4.5; // in letters; a title of three lines
+constexpr double kLeastHeight_px = 50.0, kTitleLine = 1.5; // height of a line of the title, in letters
 constexpr double kGreyHeight_px = 16.0, kBeside_px = 8.0;
 constexpr double kLineSpacing = 1.35;                      // line spacing between marks, in letters
-constexpr double kLead_px = 14.0;                          // from the bar to the text of a mark
+constexpr double kLead_px = 14.0, kBriefLead_px = 5.0;     // from the bar to the text of a mark
 constexpr double kMostWidth = 0.36, kLeastLetter_px = 9.0; // fraction of the view; smallest font size
 constexpr double kAboveCube_px = 28.0, kAboveGrey_px = 12.0;
 
@@ -152,6 +153,14 @@ ColourLegend::ColourLegend()
         text->VisibilityOff();
     }
     m_lines->GetProperty()->SetLineWidth(1.5F);
+    m_close = vtkSmartPointer<vtkTextActor>::New();
+    m_close->SetInput(" \u00d7 ");
+    m_close->GetTextProperty()->SetVerticalJustificationToTop();
+    m_close->GetTextProperty()->SetJustificationToRight();
+    m_close->GetTextProperty()->SetColor(kTextColour[0], kTextColour[1], kTextColour[2]);
+    m_close->GetTextProperty()->SetBackgroundColor(kTextGround[0], kTextGround[1], kTextGround[2]);
+    m_close->GetTextProperty()->SetBackgroundOpacity(1.0);
+    m_close->VisibilityOff();
 }
 
 void ColourLegend::addTo(vtkRenderer& renderer)
@@ -166,27 +175,19 @@ void ColourLegend::addTo(vtkRenderer& renderer)
     for (const auto& text : m_markTexts) {
         renderer.AddActor2D(text);
     }
+    renderer.AddActor2D(m_close);
 }
 
 void ColourLegend::show(const Content& content)
 {
-    const ColourRange& range = content.range;
-    const bool isOne = !(range.high > range.low);
-    m_texts[0]->SetInput(content.title.c_str());
-    m_texts[1]->SetInput(isOne ? ""
-                               : number(range.high, range.isHighCut ? "\u2265 " : "", content.decimalPoint).c_str());
-    m_texts[2]->SetInput(number(0.5 * (range.low + range.high), "", content.decimalPoint).c_str());
-    m_texts[3]->SetInput(isOne ? "" : number(range.low, range.isLowCut ? "\u2264 " : "", content.decimalPoint).c_str());
-    m_texts[4]->SetInput(content.unknown.c_str());
-    m_hasUnknown = range.hasUnknown;
-    ++m_revision;
-    m_back->VisibilityOn();
-    m_bar->VisibilityOn();
-    m_grey->SetVisibility(m_hasUnknown);
-    for (const auto& text : m_texts) {
-        text->VisibilityOn();
-    }
-    m_texts[4]->SetVisibility(m_hasUnknown);
+    const std::size_t marksBefore = m_hasContent ? m_marks.size() : kMaxMarks + 1;
+    m_content = content;
+    m_hasContent = true;
+    m_hasUnknown = content.range.hasUnknown;
+    m_range = content.range;
+    m_marks = content.marks;
+    m_marks.resize(std::min(m_marks.size(), kMaxMarks));
+    m_revision += m_marks.size() != marksBefore ? 1 : 0;
     m_steps = static_cast<int>(content.steps.size());
     const int rows = m_steps > 0 ? 2 * m_steps : kColourRows;
     const auto colourAt = [&content](double t) {
@@ -196,32 +197,73 @@ void ColourLegend::show(const Content& content)
                    : content.steps[std::min(count - 1, static_cast<std::size_t>(t * static_cast<double>(count)))];
     };
     vtkPolyDataMapper2D::SafeDownCast(m_bar->GetMapper())->SetInputData(columnShape(rows, colourRows(rows, colourAt)));
-    m_range = range;
-    m_marks = content.marks;
-    m_marks.resize(std::min(m_marks.size(), kMaxMarks));
+    write();
+    setVisibilities();
+}
+
+/// Sets the texts of the full or the brief form.
+void ColourLegend::write()
+{
+    const auto either = [this](const std::string& text, const std::string& brief) {
+        return m_isBrief && !brief.empty() ? brief.c_str() : text.c_str();
+    };
+    const ColourRange& range = m_range;
+    const std::string& point = m_content.decimalPoint;
+    const bool isOne = !(range.high > range.low);
+    m_texts[0]->SetInput(either(m_content.title, m_content.briefTitle));
+    m_texts[1]->SetInput(isOne ? "" : number(range.high, range.isHighCut ? "\u2265 " : "", point).c_str());
+    m_texts[2]->SetInput(number(0.5 * (range.low + range.high), "", point).c_str());
+    m_texts[3]->SetInput(isOne ? "" : number(range.low, range.isLowCut ? "\u2264 " : "", point).c_str());
+    m_texts[4]->SetInput(either(m_content.unknown, m_content.briefUnknown));
     for (std::size_t i = 0; i < m_markTexts.size(); ++i) {
-        const bool isThere = i < m_marks.size();
-        m_markTexts[i]->SetInput(isThere ? m_marks[i].text.c_str() : "");
-        m_markTexts[i]->SetVisibility(isThere);
+        m_markTexts[i]->SetInput(i < m_marks.size() ? either(m_marks[i].text, m_marks[i].brief) : "");
     }
+}
+
+void ColourLegend::setVisibilities()
+{
+    const bool isShown = m_hasContent && !m_isClosed;
+    m_back->SetVisibility(isShown);
+    m_bar->SetVisibility(isShown);
+    m_grey->SetVisibility(isShown && m_hasUnknown);
+    m_lines->SetVisibility(isShown && !m_marks.empty());
+    m_close->SetVisibility(isShown && m_isHovered);
+    for (const auto& text : m_texts) {
+        text->SetVisibility(isShown);
+    }
+    m_texts[4]->SetVisibility(isShown && m_hasUnknown);
     for (std::size_t i = 1; i < 4; ++i) {
-        m_texts[i]->SetVisibility(m_marks.empty());
+        m_texts[i]->SetVisibility(isShown && m_marks.empty());
     }
-    m_lines->SetVisibility(!m_marks.empty());
+    for (std::size_t i = 0; i < m_markTexts.size(); ++i) {
+        m_markTexts[i]->SetVisibility(isShown && i < m_marks.size());
+    }
 }
 
 void ColourLegend::hide()
 {
-    m_back->VisibilityOff();
-    m_bar->VisibilityOff();
-    m_grey->VisibilityOff();
-    m_lines->VisibilityOff();
-    for (const auto& text : m_texts) {
-        text->VisibilityOff();
+    m_hasContent = false;
+    setVisibilities();
+}
+
+void ColourLegend::setClosed(bool isClosed)
+{
+    m_isClosed = isClosed;
+    setVisibilities();
+}
+
+void ColourLegend::setBrief(bool isBrief)
+{
+    if (isBrief != m_isBrief) {
+        m_isBrief = isBrief;
+        write();
     }
-    for (const auto& text : m_markTexts) {
-        text->VisibilityOff();
-    }
+}
+
+void ColourLegend::setHovered(bool isHovered)
+{
+    m_isHovered = isHovered;
+    setVisibilities();
 }
 
 std::array<std::string, 5> ColourLegend::texts() const
@@ -248,6 +290,19 @@ double ColourLegend::heightWithMarks(double letter) const
     return kLineSpacing * letter * (static_cast<double>(m_marks.size()) + 1.0);
 }
 
+/// Length of the lines from the bar to the texts of the marks. [logical px]
+double ColourLegend::lead_px() const noexcept
+{
+    return m_isBrief ? kBriefLead_px : kLead_px;
+}
+
+/// Height of the title. [device px]
+double ColourLegend::titleHeight(double letter) const
+{
+    const std::string_view title(m_texts[0]->GetInput());
+    return kTitleLine * letter * static_cast<double>(1 + std::count(title.begin(), title.end(), '\n'));
+}
+
 /// Places the texts of the marks at their values, spread apart where the values are close together.
 void ColourLegend::placeMarks(const Place& at)
 {
@@ -261,7 +316,7 @@ void ColourLegend::placeMarks(const Place& at)
     for (std::size_t i = beside.size(); i-- > 0;) {
         beside[i] = std::min(beside[i], i + 1 < beside.size() ? beside[i + 1] - apart : at.high);
     }
-    const double end = at.right + kLead_px * at.pixelRatio;
+    const double end = at.right + lead_px() * at.pixelRatio;
     for (std::size_t i = 0; i < m_marks.size(); ++i) {
         if (m_steps == 0) {
             addLine(*m_lines, {at.left, tick[i]}, {at.right, tick[i]}, kTextGround);
@@ -307,9 +362,11 @@ double ColourLegend::reach(vtkRenderer& renderer, const TextStyle& style, double
         reach = std::max(reach, pixelRatio * from_px + size[0]);
     };
     take(*m_texts[0], 0.0);
-    take(*m_texts[4], kBarWidth_px + kBeside_px);
+    for (std::size_t i = m_marks.empty() ? 1 : 4; i < m_texts.size(); ++i) {
+        take(*m_texts[i], kBarWidth_px + kBeside_px);
+    }
     for (const auto& text : m_markTexts) {
-        take(*text, kBarWidth_px + kLead_px + 0.5 * kBeside_px);
+        take(*text, kBarWidth_px + lead_px() + 0.5 * kBeside_px);
     }
     return reach;
 }
@@ -322,9 +379,9 @@ TextStyle ColourLegend::fitting(vtkRenderer& renderer, const ViewFrame& frame, d
     const double r = frame.pixelRatio;
     const double letter = letterSize_px(style, TextUse::Usual, r);
     const double apart = r * (2.0 * kAboveGrey_px + kBeside_px); // independent of the font size
-    const double words = std::max(r * kGreyHeight_px, letter) + kTitle * letter + heightWithMarks(letter);
+    const double words = std::max(r * kGreyHeight_px, letter) + titleHeight(letter) + heightWithMarks(letter);
     const double room = height - r * below_px - apart;
-    const double beside = r * (kBarWidth_px + kLead_px + kBeside_px); // independent of the font size
+    const double beside = r * (kBarWidth_px + lead_px() + kBeside_px); // independent of the font size
     const double wide = reach(renderer, style, r) - beside;
     const double across = kMostWidth * renderer.GetSize()[0] - r * kBarLeft_px - beside;
     const double least = std::min(1.0, kLeastLetter_px / style.size_px); // readability has priority over width
@@ -338,26 +395,28 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, const Be
         return;
     }
     const double r = frame.pixelRatio;
-    const double height = renderer.GetSize()[1] - r * below.covered_px;
-    const bool isRight = m_corner == Corner::LowerRight && !m_marks.empty();
+    const bool isRight = m_corner == Corner::LowerRight || m_corner == Corner::UpperRight;
+    const bool isUpper = m_corner == Corner::UpperLeft || m_corner == Corner::UpperRight;
+    const double covered_px = isRight ? below.coveredRight_px : below.coveredLeft_px;
+    const double height = renderer.GetSize()[1] - r * covered_px;
     const double below_px = (isRight ? below.scale_px : below.cube_px) + kAboveCube_px;
     const TextStyle style = m_marks.empty() ? frame.text : fitting(renderer, frame, below_px, height);
     const double letter = letterSize_px(style, TextUse::Usual, r);
-    const double margin = r * kBarLeft_px;
-    const double left = isRight ? renderer.GetSize()[0] - margin - reach(renderer, style, r) : margin;
-    const double right = left + r * kBarWidth_px;
-    const double room = r * kBeside_px;
+    const double margin = r * kBarLeft_px, room = r * kBeside_px;
+    const double farRight = renderer.GetSize()[0] - margin - reach(renderer, style, r);
     const double greyHeight = std::max(r * kGreyHeight_px, letter);
-    double greyLow = r * below_px;
-    if (!m_marks.empty() &&
-        !isRight) { // a wide legend goes into the upper corner, where it hides less, and is only as high as its texts
-        const double rest = greyHeight + 2.0 * r * kAboveGrey_px + kTitle * letter + room;
-        greyLow = std::max(greyLow, height - rest - heightWithMarks(letter));
-    }
-    const double greyHigh = greyLow + greyHeight, low = greyHigh + r * kAboveGrey_px;
-    const double above = height - low - kTitle * letter - r * kAboveGrey_px - room; // the bar is shorter in a low view
+    const double rest = greyHeight + 2.0 * r * kAboveGrey_px + titleHeight(letter) + 2.0 * room;
     const double most = m_marks.empty() ? std::max(r * kBarHeight_px, 6.0 * letter) : heightWithMarks(letter);
-    const double high = low + std::clamp(above, std::min(most, std::max(r * kLeastHeight_px, 3.0 * letter)), most);
+    double greyLow = r * below_px;
+    // The bar is shorter in a low view.
+    const double bar =
+        std::clamp(height - greyLow - rest, std::min(most, std::max(r * kLeastHeight_px, 3.0 * letter)), most);
+    const double highest = std::max(greyLow, height - rest - bar);
+    greyLow = std::clamp((isUpper ? highest : greyLow) + r * m_offset_px.y(), std::min(room, greyLow), highest);
+    const double left =
+        std::clamp((isRight ? farRight : margin) + r * m_offset_px.x(), margin, std::max(margin, farRight));
+    const double right = left + r * kBarWidth_px;
+    const double greyHigh = greyLow + greyHeight, low = greyHigh + r * kAboveGrey_px, high = low + bar;
     placeColumn(*m_bar, m_steps > 0 ? 2 * m_steps : kColourRows, {left, right, low, high}, m_steps);
     placeColumn(*m_grey, 2, {left, right, greyLow, greyHigh});
     const double beside = right + room;
@@ -389,8 +448,14 @@ void ColourLegend::place(vtkRenderer& renderer, const ViewFrame& frame, const Be
     const double bottom = (m_hasUnknown ? greyLow : low) - room;
     placeColumn(*m_back, 2, {left - room, end + room, bottom, top + room});
     const Eigen::Vector2d middle(0.5 * renderer.GetSize()[0], 0.5 * renderer.GetSize()[1]);
-    m_box = {(Eigen::Vector2d(left - room, bottom) - middle) / r,
-             (Eigen::Vector2d(end + room, top + room) - middle) / r};
+    const auto boxOf = [&](const Eigen::Vector2d& lowerLeft, const Eigen::Vector2d& upperRight) {
+        return Eigen::AlignedBox2d((lowerLeft - middle) / r, (upperRight - middle) / r);
+    };
+    const Eigen::Vector2d corner(end + room, top + room);
+    m_box = boxOf({left - room, bottom}, corner);
+    setFont(*m_close->GetTextProperty(), style, TextUse::Usual, r);
+    m_close->SetPosition(corner.x(), corner.y());
+    m_closeBox = boxOf(corner - Eigen::Vector2d::Constant(2.0 * letter), corner);
 }
 
 } // namespace palpate::view

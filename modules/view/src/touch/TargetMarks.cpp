@@ -22,6 +22,7 @@ void TargetMarks::addTo(vtkRenderer& overlay)
 void TargetMarks::set(std::vector<TargetMark> marks)
 {
     m_marks = std::move(marks);
+    m_shown.clear();
     for (auto* rings : {&m_found, &m_missed}) {
         for (const auto& ring : *rings) {
             ring->hide();
@@ -37,17 +38,29 @@ void TargetMarks::set(std::vector<TargetMark> marks)
                 rings.back()->addTo(*m_overlay);
             }
         }
-        rings[used]->show(mark.p_W, mark.n_W, mark.radius_mm, 0);
+        rings[used]->show(mark.p_W, mark.n_W, mark.radius_mm, mark.structure.value_or(0));
+        m_shown.push_back({mark.p_W, mark.n_W, rings[used].get()});
         ++used;
+    }
+}
+
+void TargetMarks::moveTo(std::size_t i, const core::Vec3& p_W, const core::Vec3& n_W)
+{
+    Shown& shown = m_shown[i];
+    if (shown.p_W != p_W || shown.n_W != n_W) {
+        shown.p_W = p_W;
+        shown.n_W = n_W;
+        shown.ring->moveTo(p_W, n_W);
     }
 }
 
 void TargetMarks::place(const std::vector<Eigen::AlignedBox2d>& taken, const ViewFrame& frame)
 {
     std::vector<TouchLabels::Item> items;
-    for (const TargetMark& mark : m_marks) {
+    for (std::size_t i = 0; i < m_marks.size(); ++i) {
+        const TargetMark& mark = m_marks[i];
         items.push_back(
-            {mark.text, mark.p_W, Eigen::Vector2d(1.0, 0.0), mark.isFound ? kFoundColour : kMissedColour, false});
+            {mark.text, m_shown[i].p_W, Eigen::Vector2d(1.0, 0.0), mark.isFound ? kFoundColour : kMissedColour, false});
     }
     m_labels.place(items, taken, frame);
 }

@@ -17,7 +17,8 @@ namespace palpate::core {
 /// Appends a number with 17 significant digits (lossless round trip), independent of the locale.
 PALPATE_EXPORT void appendNumber(std::string& out, double value);
 
-/// @return the number with `digits` significant digits for a message, independent of the locale.
+/// Writes a number for people, independent of the locale: at most `digits` significant digits (1 to 17) and no
+/// exponent, "79300" and "0.00002". Beyond 10¹⁵ and below 10⁻⁶ a power of ten follows: "2.3·10⁻¹³".
 [[nodiscard]] PALPATE_EXPORT std::string shortNumber(double value, int digits = 6);
 
 } // namespace palpate::core

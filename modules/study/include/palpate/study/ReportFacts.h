@@ -28,6 +28,8 @@ struct ReportOptions
     std::filesystem::path scene; ///< scene of the recording; empty: as stored in the recording
     /// Used if the recording's own scene is not available and this one has all its surfaces. May be null.
     std::shared_ptr<const meshio::LoadedScene> opened;
+    /// Findings of the open scene. Empty: those of the scene of the recording.
+    std::optional<std::vector<core::Finding>> findings;
     std::string caseText; ///< free text
     std::string examiner; ///< free text
     /// Progress callback (0 to 1) with the current step. May be empty.
@@ -70,6 +72,9 @@ struct ReportFacts
     std::string sha256; ///< of the recording's file, 64 hex digits
     std::string caseText, examiner;
     session::SessionMeasures measures;
+    /// Findings of the scene with a place that the recording does not contain: marked before it, after its end or in
+    /// another one.
+    std::vector<core::Finding> outside;
     ForceCurve force;
     Verification verification;
     std::shared_ptr<const meshio::LoadedScene> scene; ///< null: not available

@@ -11,6 +11,7 @@
 #include <QString>
 
 #include <initializer_list>
+#include <optional>
 #include <vector>
 
 class QAction;
@@ -25,11 +26,16 @@ enum class ActionGroup
     File,
     Edit,
     View,
-    Appearance, ///< submenu of View
-    TextSize,   ///< submenu of View
-    Section,    ///< submenu of View
-    InView,     ///< pointer and key gestures in the 3D view
-    InList,     ///< keys in the structure list
+    Directions, ///< submenu of View, as the groups up to Section
+    TouchMap,
+    Legend,
+    Coordinates,
+    Panels,
+    Appearance,
+    TextSize,
+    Section,
+    InView, ///< pointer and key gestures in the 3D view
+    InList, ///< keys in the structure list
     Session,
     Device,
     Help
@@ -74,6 +80,8 @@ class PALPATE_EXPORT ActionList : public QObject
     QAction* add(const char* id, ActionGroup group, const QString& text, const QString& tip,
                  const QList<QKeySequence>& keys, Symbol symbol);
     void addSeparator(ActionGroup group);
+    /// Adds a submenu with the commands of another group, which `fill` makes.
+    void addSubmenu(ActionGroup group, const QString& title, ActionGroup content);
     /// Adds a pointer or key gesture to the key card only.
     void addGesture(ActionGroup group, const QString& keys, const QString& does);
 
@@ -96,8 +104,10 @@ class PALPATE_EXPORT ActionList : public QObject
     [[nodiscard]] bool isWithheld(const char* id) const;
     /// All commands in the order of registration.
     [[nodiscard]] std::vector<QAction*> all() const;
-    /// Adds a group's commands and separators to a menu.
+    /// Adds a group's commands, separators and submenus to a menu.
     void fill(QMenu& menu, ActionGroup group) const;
+    /// Submenu with the commands of a group, in a filled menu. Returns nullptr if there is none.
+    [[nodiscard]] QMenu* submenuOf(const QMenu& menu, ActionGroup content) const;
     /// Content of the key card: gestures and every command with a shortcut, by group, each in the order of
     /// registration.
     [[nodiscard]] std::vector<KeyLine> keyLines() const;
@@ -109,7 +119,8 @@ class PALPATE_EXPORT ActionList : public QObject
         QAction* action = nullptr; // empty name: separator
         QString keys;              // gesture only; gestures have no action
         QString does;
-        QList<QKeySequence> keysOfAll{}; // including single-letter shortcuts
+        QList<QKeySequence> keysOfAll{};      // including single-letter shortcuts
+        std::optional<ActionGroup> content{}; // submenu, whose title is `does`
     };
     void takeKeys(const Entry& entry);
     void keepWithheld(QAction& action);

@@ -57,7 +57,7 @@ class PALPATE_EXPORT FeltPanel : public QWidget
     };
     QWidget* makeChoices();
     void makeTable();
-    void fitRows();
+    void fitRows(bool isBrief);
     void fitColumns();
     void setBrief(bool isBrief);
     void fill();

@@ -32,13 +32,16 @@ class PALPATE_EXPORT MessageRow : public QFrame
 
   protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void drawIcon();
+    void fit();
 
     Messages::Kind m_kind;
     QString m_text;
     QLabel* m_symbol = nullptr;
+    QLabel* m_line = nullptr;
 };
 
 /// Messages over the view that stay until answered or closed, newest on top. At most `kShown` are visible; older

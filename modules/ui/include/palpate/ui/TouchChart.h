@@ -24,6 +24,9 @@ class PALPATE_EXPORT TouchChart : public QWidget, public AccessibleReadout
     [[nodiscard]] QAccessible::Role accessibleRole() const override { return QAccessible::Chart; }
     [[nodiscard]] QString accessibleText() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
+    /// Allows lower lanes, for a panel without the room. `minimumSizeHint` is less by `kLowSaves_px`.
+    void setLow(bool isLow);
+    static constexpr int kLowSaves_px = 36;
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -35,6 +38,7 @@ class PALPATE_EXPORT TouchChart : public QWidget, public AccessibleReadout
     void paintOver(QPainter& painter, const QRectF& lane) const;
     void paintLayers(QPainter& painter, const QRectF& lane, double top_N) const;
     const TouchHistory& m_history;
+    bool m_isLow = false;
 };
 
 /// Bar from 0 to the device's force limit in the colours of the cursor sphere in the view.

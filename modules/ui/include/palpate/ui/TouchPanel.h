@@ -47,6 +47,8 @@ class PALPATE_EXPORT TouchPanel : public QWidget
     /// Sets the end of the bar. @param force_N  force limit of the device
     void setForceLimit(double force_N);
     [[nodiscard]] double forceLimit_N() const;
+    /// Least height, which fits a low panel: there the number and the lanes of the chart are smaller.
+    [[nodiscard]] int heightForWidth(int width) const override;
     void show(const TouchReading& reading);
     /// Last displayed reading; free space without a hand.
     [[nodiscard]] const TouchReading& reading() const noexcept { return m_reading; }
@@ -64,6 +66,8 @@ class PALPATE_EXPORT TouchPanel : public QWidget
 
   private:
     void fitFont();
+    void setLow(bool isLow);
+    [[nodiscard]] int savedHeight() const;
     void setLine(const QString& structure, const QString& detail);
     void showSource(const std::optional<double>& recorded_s);
     void setLayers(std::vector<LayerShare> layers);
@@ -81,6 +85,7 @@ class PALPATE_EXPORT TouchPanel : public QWidget
     QLabel* m_late = nullptr; ///< notice while the force lags
     ForceBar* m_bar = nullptr;
     TouchChart* m_chart = nullptr;
+    bool m_isLow = false; ///< too low for the usual sizes
 };
 
 /// Force with three significant digits: "2.31", "12.3", "123".

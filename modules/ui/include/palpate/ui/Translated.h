@@ -22,5 +22,8 @@ namespace palpate::ui {
 {
     return translated(status.text());
 }
+/// Writes a number with at most `digits` significant digits (1 to 17) and without an exponent, as `core::shortNumber`,
+/// with the decimal point of `QLocale()`.
+[[nodiscard]] PALPATE_EXPORT QString numberText(double value, int digits = 6);
 
 } // namespace palpate::ui

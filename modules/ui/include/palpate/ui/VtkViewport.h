@@ -63,6 +63,13 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     /// px]
     void setCoveredAbove(int height_px);
     [[nodiscard]] int coveredAbove_px() const noexcept { return m_covered_px; }
+    /// Sets the height of the widgets that cover the lower edge, so that orientation cube, scale bar and legend stay
+    /// above. [logical px]
+    void setCoveredBelow(int height_px);
+    /// Legend at a place of the widget, or the sign that closes it. @param place  logical pixels from the upper left
+    /// corner
+    [[nodiscard]] bool isOnLegend(const QPointF& place) const;
+    [[nodiscard]] bool isOnLegendClose(const QPointF& place) const;
 
   Q_SIGNALS:
     /// Pointer motion over the view, or view motion under the pointer. Palpation mode only, as the next signals.
@@ -112,6 +119,8 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     void setPeeking(bool isPeeking);
     void judgeSpeed();
     bool hasTurned();
+    void passCovers();
+    [[nodiscard]] Eigen::Vector2d fromCentre(const QPointF& place) const;
 
     view::SceneView m_view;
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;

@@ -27,7 +27,8 @@ class PALPATE_EXPORT OrientationCube
     /// Label of the patient's left: "L" or "L?".
     [[nodiscard]] std::string left() const;
     /// Updates the cube. @param main  camera of the main view; @param size_px  size of the window, device pixels
-    void place(vtkCamera& main, const int size_px[2], const ViewFrame& frame);
+    /// @param below_px  height of the window's bottom that something covers [logical px]
+    void place(vtkCamera& main, const int size_px[2], const ViewFrame& frame, double below_px = 0.0);
     /// Upper edge as last placed. [logical px]
     [[nodiscard]] double top_px() const noexcept { return m_top_px; }
 

@@ -22,7 +22,8 @@ class PALPATE_EXPORT ScaleBar
     ScaleBar();
     void addTo(vtkRenderer& renderer);
     /// Updates the bar. @param focus_W  point at which the length is exact [mm]
-    void place(const Vec3& focus_W, const ViewFrame& frame, int width_px);
+    /// @param below_px  height of the view's bottom that something covers [logical px]
+    void place(const Vec3& focus_W, const ViewFrame& frame, int width_px, double below_px = 0.0);
     /// Upper edge after `place`. [device px above the lower edge of the view]
     [[nodiscard]] double top() const noexcept { return m_top; }
     [[nodiscard]] const std::string& text() const noexcept { return m_caption; }

@@ -21,6 +21,7 @@
 
 #include <vtkRenderWindow.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -78,8 +79,16 @@ class PALPATE_EXPORT SceneView
     /// Moves the pictures to the places of `moveTo`, as `prepareFrame` does. Returns true if a new frame would differ.
     bool follow();
     void setBackground(const Colour& bottom, const Colour& top, const Colour& text);
-    /// Sets the height at the top of the view that something covers, which the legend avoids. [logical px]
-    void setCoveredAbove(double height_px) noexcept { m_covered_px = height_px; }
+    /// Sets the heights at the top of the view that something covers, which the legend avoids. @param left_px,right_px
+    /// in the two upper corners [logical px]
+    void setCoveredAbove(double left_px, double right_px) noexcept { m_coveredAbove_px = {left_px, right_px}; }
+    /// Sets the height at the bottom of the view that something covers; orientation cube, scale bar and legend stay
+    /// above. [logical px]
+    void setCoveredBelow(double height_px) noexcept { m_coveredBelow_px = height_px; }
+    /// Keeps the colour legend in a corner. @param corner  empty: where it hides the least tissue, and a legend without
+    /// marks above the orientation cube
+    void setLegendCorner(std::optional<ColourLegend::Corner> corner) { m_legendCorner = corner; }
+    [[nodiscard]] std::optional<ColourLegend::Corner> legendCorner() const noexcept { return m_legendCorner; }
     /// Sets a part of the view that something covers, which labels avoid. @param box_px  logical pixels from the centre
     /// of the view, y up; empty: none
     void setCovered(const Eigen::AlignedBox2d& box_px) { m_covered = box_px; }
@@ -95,6 +104,7 @@ class PALPATE_EXPORT SceneView
     [[nodiscard]] FindingMarkers& findings() noexcept { return m_findings; }
     [[nodiscard]] MeasureLines& measures() noexcept { return m_measures; }
     [[nodiscard]] ColourLegend& legend() noexcept { return m_legend; }
+    [[nodiscard]] const ColourLegend& legend() const noexcept { return m_legend; }
     /// Cuts the picture: tissue on the side of the plane's normal is not drawn, and the cut is filled from the next
     /// frame on. Hand, pointer and picking are not affected. @param plane  empty: no cut
     void setSection(const std::optional<geometry::SectionPlane>& plane);
@@ -167,6 +177,7 @@ class PALPATE_EXPORT SceneView
     void cutTissue();
     void findHiddenFindings(const ViewFrame& frame);
     void placeLegend(const ViewFrame& frame);
+    void chooseLegendPlace(const ViewFrame& frame, const ColourLegend::Below& below);
     void placeMeasures(const ViewFrame& frame);
     void takeCoarsePictures();
     [[nodiscard]] std::vector<Eigen::AlignedBox2d> coveredBoxes() const;
@@ -201,7 +212,9 @@ class PALPATE_EXPORT SceneView
     struct LegendInputs
     {
         std::size_t legend = 0, looks = 0;
-        double width_px = 0.0, height_px = 0.0;
+        double width_px = 0.0, height_px = 0.0, text_px = 0.0;
+        bool isHovered = false;
+        std::optional<ColourLegend::Corner> corner;
         friend bool operator==(const LegendInputs&, const LegendInputs&) = default;
     };
     LegendInputs m_legendInputs;
@@ -210,7 +223,9 @@ class PALPATE_EXPORT SceneView
     std::vector<ViewStructure> m_structures;
     vtkSmartPointer<vtkRenderWindow> m_window;
     TextStyle m_text;
-    double m_covered_px = 0.0;
+    std::array<double, 2> m_coveredAbove_px{}; ///< left, right
+    double m_coveredBelow_px = 0.0;
+    std::optional<ColourLegend::Corner> m_legendCorner;
     Eigen::AlignedBox2d m_covered;
     bool m_hasOcclusion = false;
     bool m_isSorted = true;

@@ -45,7 +45,7 @@ PALPATE_EXPORT void setFont(vtkTextProperty& text, const TextStyle& style, TextU
 
 /// Formats with a fixed number of decimals ("4.60"), independent of the C locale.
 [[nodiscard]] PALPATE_EXPORT std::string fixedText(double value, int decimals, const std::string& decimalPoint);
-/// Formats with at most `digits` significant digits ("0.0425"), independent of the C locale.
+/// Formats with at most `digits` significant digits and without an exponent ("0.0425"), as `core::shortNumber`.
 [[nodiscard]] PALPATE_EXPORT std::string shortText(double value, int digits, const std::string& decimalPoint);
 
 } // namespace palpate::view
