@@ -114,8 +114,8 @@ class Numbers : public QObject
         QTest::addColumn<QString>("text");
         using namespace palpate::core;
         QTest::newRow("body") << volumeText(7.9312e7, 3) << "79.3 l";
-        QTest::newRow("liver") << volumeText(1.52e6) << "1.52 l";
-        QTest::newRow("a litre by rounding") << volumeText(999999.0) << "1 l";
+        QTest::newRow("liver") << volumeText(1.52e6) << "1520 ml";
+        QTest::newRow("ten litres by rounding") << volumeText(9999990.0) << "10 l";
         QTest::newRow("lump") << volumeText(4188.79) << "4.189 ml";
         QTest::newRow("nodule") << volumeText(33.51) << "33.51 mm³";
         QTest::newRow("room") << volumeText(2.5e9) << "2.5 m³";

@@ -28,7 +28,7 @@ Message volumeText(double volume_mm3, int digits)
     if (size_mm3 >= kCubicMetre_mm3) {
         return {PALPATE_TEXT("%1 m³"), Rounded{volume_mm3 / kCubicMetre_mm3, digits}};
     }
-    if (size_mm3 >= kLitre_mm3) {
+    if (size_mm3 >= 10.0 * kLitre_mm3) { // organs are compared in ml
         return {PALPATE_TEXT("%1 l"), Rounded{volume_mm3 / kLitre_mm3, digits}};
     }
     if (size_mm3 >= 0.1 * kMl_mm3 || size_mm3 == 0.0) {

@@ -6,8 +6,8 @@
 
 namespace palpate::core {
 
-/// Writes a volume for people with the unit that fits: mm³ below 0.1 ml, ml, l from 1000 ml, m³ from 1000 l. A liver:
-/// "1.52 l". @param digits  significant digits, 1 to 17
+/// Writes a volume for people with the unit that fits: mm³ below 0.1 ml, ml, l from 10 l, m³ from 1000 l. A liver:
+/// "1520 ml". @param digits  significant digits, 1 to 17
 [[nodiscard]] PALPATE_EXPORT Message volumeText(double volume_mm3, int digits = 4);
 
 /// Writes an area for people with the unit that fits: mm² below 1 cm², cm², m² from 10,000 cm². A liver: "873 cm²".
