@@ -49,6 +49,14 @@ bool sharesStructure(const HapticScene& before, const HapticLayer& was, const Ha
     });
 }
 
+/// Returns true if a ball has the same room in two layers: nothing was shown, hidden, replaced or resized.
+bool hasSameSurfaces(const HapticLayer& was, const HapticLayer& is) noexcept
+{
+    return was.fingertip_mm == is.fingertip_mm && was.motion == is.motion &&
+           std::equal(was.structures.begin(), was.structures.end(), is.structures.begin(), is.structures.end(),
+                      [&](std::uint32_t a, std::uint32_t b) { return was.surfaces[a] == is.surfaces[b]; });
+}
+
 /// Fills a contact except for its force and layer.
 /// @pre the god-object has an active constraint after its step
 PALPATE_ALWAYS_INLINE law::Touch touchOf(Contact& contact, const GodObject& god, const HapticScene& scene,
@@ -383,14 +391,16 @@ bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noex
             const HapticLayer& layer = scene->layer(i);
             me.numbers[i] = {layer.number, layer.lastNumber, shapeOf(layer), layer.motion != nullptr};
             Vec3 hip = last.p_WH;
+            bool isSame = !isOther;
             if (const auto j = me.previousLayer(i, before, numbers)) {
                 kept = last.layers[*j];
                 hip = numbers[*j].isMoving ? last.p_RH[*j] : hip;
+                isSame = isSame || (old != nullptr && hasSameSurfaces(old->layer(*j), layer));
             }
             if (old != nullptr && kept.placed != GodObjectState::kNotPlaced) {
                 kept.p_WG = internal::carryOverPosition(*old, *scene, layer, kept, hip);
             }
-            if (kept.placed != GodObjectState::kNotPlaced && isOther && me.isBall) {
+            if (kept.placed != GodObjectState::kNotPlaced && !isSame && me.isBall) {
                 kept.placed = GodObjectState::kTight;
             }
             if (layer.motion != nullptr) {

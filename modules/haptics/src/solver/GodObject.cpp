@@ -18,10 +18,11 @@ namespace {
 // (bench_touch, ball4: from 450 to 1,100).
 constexpr std::uint32_t kLight = 800;
 
-// The search for the room of a ball ends after this share of the work of a tick, so that the ball can always move, but
-// not before kLeastSearch: a start with room is then found even where other layers have used up the tick.
+// Work for the search for the room of a ball: a quarter of a tick's. Always the same, because a part that is not found
+// counts as one with room: what is found must not depend on the work of other layers. At most a share of what is left
+// of the tick is charged, so that the ball can always move.
+constexpr std::uint32_t kSearch = 5500;
 constexpr std::uint32_t kShareOfSearch = 4;
-constexpr std::uint32_t kLeastSearch = 4000;
 
 } // namespace
 
@@ -68,8 +69,7 @@ GodObjectStep GodObject::step(const Vec3& p_WH, double dt_s, const HapticLayer& 
         m_state.placed = GodObjectState::kTight;
     }
     TightRoom room;
-    const std::uint32_t most = std::max(limits.work / kShareOfSearch, kLeastSearch);
-    TickWork search(most);
+    TickWork search(kSearch);
     if (layer.fingertip_mm > 0.0) {
         room.search(layer, m_state.p_WG, search);
     }
@@ -78,7 +78,7 @@ GodObjectStep GodObject::step(const Vec3& p_WH, double dt_s, const HapticLayer& 
         m_state.placed = GodObjectState::kPlaced;
         return step(p_WH, dt_s, layer, limits, ball);
     }
-    const std::uint32_t searched = std::min(limits.work / kShareOfSearch, most - search.left());
+    const std::uint32_t searched = std::min(limits.work / kShareOfSearch, kSearch - search.left());
     m_room = &room;
     GodObjectStep result = step(p_WH, dt_s, layer, {limits.iterations, limits.work - searched}, ball);
     m_room = nullptr;
