@@ -159,7 +159,7 @@ class ReportCommand : public QObject
                     captures(line, "  (liver): (\\S+) % of (\\S+) cm² covered \\(within (\\S+) mm\\), "
                                    "longest dwell at a point (\\S+) s");
                 hasRow({v[0], v[1], v[4]});
-                hasRow({"liver", v[2]}); // area in the table of sizes
+                hasRow({"liver", v[2] + " cm²"}); // area in the table of sizes
                 hasRow({"Distance that counts as touched", v[3] + " mm"});
             } else if (line.startsWith("  tumour in liver: ")) {
                 hasRow({"tumour", "liver", captures(line, ".* under the hand (.*)").value(0)}, 2);

@@ -55,7 +55,7 @@ class MeshCheckTest : public QObject
             "vertex 3 has the coordinate inf, expected a finite number");
         row(
             "large", [](Mesh& m) { m.vertices[1].x() = -2e7; }, MeshError::CoordinateTooLarge, StatusCode::OutOfRange,
-            "vertex 1 has the coordinate -2e+07 mm, expected at most 1e+07 mm; check the unit");
+            "vertex 1 has the coordinate -20000000 mm, expected at most 10000000 mm; check the unit");
         row(
             "array of vertices",
             [](Mesh& m) {
