@@ -12,6 +12,7 @@
 #include <palpate/study/RecordedScene.h>
 #include <palpate/study/StructureSources.h>
 #include <palpate/ui/FindingsModel.h>
+#include <palpate/ui/LumpMaps.h>
 #include <palpate/ui/MessageBar.h>
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/Playback.h>
@@ -165,17 +166,23 @@ class ReportWriting : public QObject
         const auto& last = m_desk->window().palpation().lastPress();
         return last ? last->reading.depth_mm : 0.0;
     }
+    /// Waits for the press: on tissue that is oblique to the press, it is less deep than the hand has moved.
+    void awaitDepth() const
+    {
+        PALPATE_TRY_VERIFY(depth_mm() > 0.5 * m_desk->window().palpation().depth_mm());
+        QTest::qWait(300);
+    }
     /// Presses over the tumour with the mouse button, then deeper with the wheel.
     void press(int notches)
     {
         m_place = viewport().placeOf(m_above_W).toPoint();
         QTest::mouseMove(&viewport(), m_place);
         QTest::mousePress(&viewport(), Qt::LeftButton, {}, m_place);
-        PALPATE_TRY_VERIFY(depth_mm() > 0.9 * m_desk->window().palpation().depth_mm());
+        awaitDepth();
         for (int notch = 0; notch < notches; ++notch) {
             Q_EMIT viewport().depthTurned(1.0);
         }
-        PALPATE_TRY_VERIFY(depth_mm() > 0.9 * m_desk->window().palpation().depth_mm());
+        awaitDepth();
     }
     /// Releases the mouse button. @return the force before [N]
     double letGo()
@@ -301,6 +308,7 @@ class ReportWriting : public QObject
         QCOMPARE(test::answerOf(messages())->text(), QString("Record"));
         click(test::answerOf(messages()));
         QVERIFY(m_desk->window().palpation().isPalpating());
+        PALPATE_TRY_VERIFY(m_desk->window().findChild<ui::LumpMaps*>()->isHandUpToDate());
         press(16);
         keepPicture("window-walk-2.png", m_desk->picture());
         const double force_N = letGo();
