@@ -391,16 +391,16 @@ bool Palpator::borrowScene(const HapticScene* scene, Continuity continuity) noex
             const HapticLayer& layer = scene->layer(i);
             me.numbers[i] = {layer.number, layer.lastNumber, shapeOf(layer), layer.motion != nullptr};
             Vec3 hip = last.p_WH;
-            bool isSame = !isOther;
-            if (const auto j = me.previousLayer(i, before, numbers)) {
+            const auto j = me.previousLayer(i, before, numbers);
+            if (j) {
                 kept = last.layers[*j];
                 hip = numbers[*j].isMoving ? last.p_RH[*j] : hip;
-                isSame = isSame || (old != nullptr && hasSameSurfaces(old->layer(*j), layer));
             }
             if (old != nullptr && kept.placed != GodObjectState::kNotPlaced) {
                 kept.p_WG = internal::carryOverPosition(*old, *scene, layer, kept, hip);
             }
-            if (kept.placed != GodObjectState::kNotPlaced && !isSame && me.isBall) {
+            if (kept.placed != GodObjectState::kNotPlaced && isOther && me.isBall &&
+                !(old != nullptr && hasSameSurfaces(old->layer(*j), layer))) {
                 kept.placed = GodObjectState::kTight;
             }
             if (layer.motion != nullptr) {
