@@ -145,6 +145,10 @@ class CrashSafety : public QObject
             } else {
                 QVERIFY2(last - extent.lastTick <= 1000, std::to_string(last - extent.lastTick).c_str());
             }
+            if (extent.ticks == 0) {
+                QVERIFY(shared.stall.value().load() > kSlow); // killed in the first commit
+                continue;
+            }
             QVERIFY2(reader.value()->verify().isOk(), reader.value()->verify().message().c_str());
             std::int64_t expected = extent.firstTick; // a prefix without gaps
             QVERIFY(reader.value()
