@@ -155,8 +155,12 @@ class ReportWriting : public QObject
         QAction* file = bar->actions().front();
         QTest::mouseClick(bar, Qt::LeftButton, {}, bar->actionGeometry(file).center());
         PALPATE_TRY_VERIFY(file->menu()->isVisible());
-        QTest::mouseClick(file->menu(), Qt::LeftButton, {},
-                          file->menu()->actionGeometry(&m_desk->command("report")).center());
+        QAction& report = m_desk->command("report");
+        const QPoint place = file->menu()->actionGeometry(&report).center();
+        QVERIFY(file->menu()->actionAt(place) == &report && report.isEnabled());
+        // Qt 6.8 closes the menu when a test clicks into it without a real pointer.
+        file->menu()->close();
+        report.trigger();
     }
     /// Answers the next file dialog, which blocks the click that opens it.
     static void atDialog(const std::filesystem::path& folder, const QString& names)
