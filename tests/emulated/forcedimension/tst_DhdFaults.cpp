@@ -254,7 +254,7 @@ class DhdFaults : public QObject
         std::mt19937 random{11};
         const auto chance = [&random](double p) { return std::uniform_real_distribution<double>(0, 1)(random) < p; };
         int faults = 0, forces = 0;
-        for (int round = 0; round < 32; ++round) {
+        for (int round = 0; round < 48; ++round) {
             m_bench->with([&](standin::DhdBench& b) {
                 standin::DhdFaults& f = first(b).faults;
                 f = {};
@@ -289,9 +289,9 @@ class DhdFaults : public QObject
             QCOMPARE(m_bench->violation(), QString());
             QVERIFY(m_hand->loop->isRunning());
         }
-        qInfo("%d faults, force in %d of 32 rounds, lost %llu times", faults, forces,
+        qInfo("%d faults, force in %d of 48 rounds, lost %llu times", faults, forces,
               static_cast<unsigned long long>(m_hand->device->report().losses));
-        QVERIFY(faults > 10 && forces > 5 && m_hand->device->report().losses > 3);
+        QVERIFY(faults > 10 && forces > 10 && m_hand->device->report().losses > 3);
     }
 };
 
