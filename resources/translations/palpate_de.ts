@@ -3553,120 +3553,16 @@
         <translation>Kopf: %1</translation>
     </message>
     <message>
-        <source>header: the file of its voxels</source>
-        <translation>Kopf: die Datei der Voxel</translation>
-    </message>
-    <message>
-        <source>an empty LIST</source>
-        <translation>eine leere LIST</translation>
-    </message>
-    <message>
-        <source>a file name on each line below it</source>
-        <translation>ein Dateiname in jeder Zeile darunter</translation>
-    </message>
-    <message>
-        <source>a LIST of compressed files</source>
-        <translation>eine LIST komprimierter Dateien</translation>
-    </message>
-    <message>
-        <source>a single file, or uncompressed files</source>
-        <translation>eine einzelne Datei oder unkomprimierte Dateien</translation>
-    </message>
-    <message>
-        <source>the name of one file, or LIST and one file name on each line</source>
-        <translation>der Name einer Datei oder LIST und ein Dateiname je Zeile</translation>
-    </message>
-    <message>
         <source>no file %1</source>
         <translation>keine Datei %1</translation>
-    </message>
-    <message>
-        <source>this file in the folder of the header</source>
-        <translation>diese Datei im Ordner des Kopfes</translation>
-    </message>
-    <message>
-        <source>%1 twice</source>
-        <translation>%1 zweimal</translation>
     </message>
     <message>
         <source>each field once</source>
         <translation>jedes Feld einmal</translation>
     </message>
     <message>
-        <source>no field `dimension` before `sizes`</source>
-        <translation>kein Feld `dimension` vor `sizes`</translation>
-    </message>
-    <message>
-        <source>`dimension` first</source>
-        <translation>zuerst `dimension`</translation>
-    </message>
-    <message>
-        <source>three numbers of voxels</source>
-        <translation>drei Anzahlen von Voxeln</translation>
-    </message>
-    <message>
-        <source>both &quot;data file&quot; and &quot;datafile&quot;</source>
-        <translation>sowohl &quot;data file&quot; als auch &quot;datafile&quot;</translation>
-    </message>
-    <message>
         <source>one of the two</source>
         <translation>eines von beiden</translation>
-    </message>
-    <message>
-        <source>the name of one file</source>
-        <translation>der Name einer Datei</translation>
-    </message>
-    <message>
-        <source>unreadable directions of its axes</source>
-        <translation>unlesbare Richtungen der Achsen</translation>
-    </message>
-    <message>
-        <source>three vectors that are not in one plane</source>
-        <translation>drei Vektoren, die nicht in einer Ebene liegen</translation>
-    </message>
-    <message>
-        <source>it has no end</source>
-        <translation>er hat kein Ende</translation>
-    </message>
-    <message>
-        <source>a header that ends before the voxels, or with the name of their file</source>
-        <translation>ein Kopf, der vor den Voxeln oder mit dem Namen ihrer Datei endet</translation>
-    </message>
-    <message>
-        <source>a byte of 0 in its text</source>
-        <translation>ein Byte 0 im Text</translation>
-    </message>
-    <message>
-        <source>a header that consists of text only</source>
-        <translation>ein Kopf, der nur aus Text besteht</translation>
-    </message>
-    <message>
-        <source>not a digit</source>
-        <translation>keine Ziffer</translation>
-    </message>
-    <message>
-        <source>a line of %1 characters</source>
-        <translation>eine Zeile mit %1 Zeichen</translation>
-    </message>
-    <message>
-        <source>voxels in another encoding</source>
-        <translation>Voxel in einer anderen Kodierung</translation>
-    </message>
-    <message>
-        <source>no NIfTI header</source>
-        <translation>kein NIfTI-Kopf</translation>
-    </message>
-    <message>
-        <source>a header of %1 or %2 bytes</source>
-        <translation>ein Kopf von %1 oder %2 Bytes</translation>
-    </message>
-    <message>
-        <source>voxels of type %1</source>
-        <translation>Voxel vom Typ %1</translation>
-    </message>
-    <message>
-        <source>a type of the NIfTI format, e.g. 16 for float</source>
-        <translation>ein Typ des NIfTI-Formats, z. B. 16 für float</translation>
     </message>
     <message>
         <source>%1 axes</source>
@@ -3917,20 +3813,12 @@
         <translation>so viele, wie in seine %1 Bytes passen</translation>
     </message>
     <message>
-        <source>its compressed voxels are cut off or broken</source>
-        <translation>seine komprimierten Voxel sind abgeschnitten oder beschädigt</translation>
-    </message>
-    <message>
         <source>%1 bytes when unpacked</source>
         <translation>%1 Bytes, wenn sie entpackt sind</translation>
     </message>
     <message>
         <source>%1 bytes of voxels</source>
         <translation>%1 Bytes an Voxeln</translation>
-    </message>
-    <message>
-        <source>an unknown file extension</source>
-        <translation>eine unbekannte Dateiendung</translation>
     </message>
     <message>
         <source>a volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz</source>
@@ -4421,10 +4309,6 @@
         <translation>3 oder 4</translation>
     </message>
     <message>
-        <source>one count of at least 1 for each of %1 axes</source>
-        <translation>eine Anzahl von mindestens 1 für jede der %1 Achsen</translation>
-    </message>
-    <message>
         <source>1</source>
         <translation>1</translation>
     </message>
@@ -4437,28 +4321,12 @@
         <translation>True: Voxel als Binärzahlen</translation>
     </message>
     <message>
-        <source>0: voxels from the first byte on</source>
-        <translation>0: Voxel vom ersten Byte an</translation>
-    </message>
-    <message>
         <source>one file, or uncompressed files in a LIST</source>
         <translation>eine Datei oder unkomprimierte Dateien in einer LIST</translation>
     </message>
     <message>
         <source>the name of one file, or LIST and one name on each line</source>
         <translation>der Name einer Datei, oder LIST und ein Name in jeder Zeile</translation>
-    </message>
-    <message>
-        <source>header: dim</source>
-        <translation>Kopf: dim</translation>
-    </message>
-    <message>
-        <source>%1 axes of %2 × %3 × %4 voxels</source>
-        <translation>%1 Achsen mit %2 × %3 × %4 Voxeln</translation>
-    </message>
-    <message>
-        <source>1 to 7 axes of at least 1 voxel</source>
-        <translation>1 bis 7 Achsen mit mindestens 1 Voxel</translation>
     </message>
     <message>
         <source>no complete header of a NIfTI file</source>
@@ -4533,16 +4401,8 @@
         <translation>ein Name in jeder Zeile nach LIST</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 voxels in %4 layers</source>
-        <translation>%1 × %2 × %3 Voxel in %4 Schichten</translation>
-    </message>
-    <message>
         <source>1 to %1 voxels</source>
         <translation>1 bis %1 Voxel</translation>
-    </message>
-    <message>
-        <source>three perpendicular axes with a voxel size above 0</source>
-        <translation>drei senkrechte Achsen mit einer Voxelgröße über 0</translation>
     </message>
     <message>
         <source>voxels of %1 × %2 × %3 mm</source>
@@ -7219,6 +7079,34 @@
     <message>
         <source>Marked</source>
         <translation>Markiert</translation>
+    </message>
+    <message>
+        <source>a count from 1 to %1 for each of %2 axes</source>
+        <translation>eine Anzahl von 1 bis %1 für jede von %2 Achsen</translation>
+    </message>
+    <message>
+        <source>0, or the bytes before uncompressed voxels, or -1 if the voxels end with their file</source>
+        <translation>0, die Anzahl der Bytes vor unkomprimierten Voxeln oder -1, wenn die Voxel am Ende der Datei stehen</translation>
+    </message>
+    <message>
+        <source>more than %1 numbers per voxel</source>
+        <translation>mehr als %1 Zahlen je Voxel</translation>
+    </message>
+    <message>
+        <source>0: voxels from the first line on</source>
+        <translation>0: Voxel ab der ersten Zeile</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels</source>
+        <translation>%1 × %2 × %3 Voxel</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels with %4 numbers each</source>
+        <translation>%1 × %2 × %3 Voxel mit je %4 Zahlen</translation>
+    </message>
+    <message>
+        <source>three axes that are not in one plane, with a voxel size above 0</source>
+        <translation>drei Achsen, die nicht in einer Ebene liegen, und eine Voxelgröße über 0</translation>
     </message>
 </context>
 <context>

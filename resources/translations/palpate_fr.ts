@@ -3553,120 +3553,16 @@
         <translation>en-tête&#x202f;: %1</translation>
     </message>
     <message>
-        <source>header: the file of its voxels</source>
-        <translation>en-tête&#x202f;: le fichier de ses voxels</translation>
-    </message>
-    <message>
-        <source>an empty LIST</source>
-        <translation>une LIST vide</translation>
-    </message>
-    <message>
-        <source>a file name on each line below it</source>
-        <translation>un nom de fichier sur chaque ligne suivante</translation>
-    </message>
-    <message>
-        <source>a LIST of compressed files</source>
-        <translation>une LIST de fichiers compressés</translation>
-    </message>
-    <message>
-        <source>a single file, or uncompressed files</source>
-        <translation>un seul fichier, ou des fichiers non compressés</translation>
-    </message>
-    <message>
-        <source>the name of one file, or LIST and one file name on each line</source>
-        <translation>le nom d’un fichier, ou LIST et un nom de fichier par ligne</translation>
-    </message>
-    <message>
         <source>no file %1</source>
         <translation>aucun fichier %1</translation>
-    </message>
-    <message>
-        <source>this file in the folder of the header</source>
-        <translation>ce fichier dans le dossier de l’en-tête</translation>
-    </message>
-    <message>
-        <source>%1 twice</source>
-        <translation>%1 deux fois</translation>
     </message>
     <message>
         <source>each field once</source>
         <translation>chaque champ une fois</translation>
     </message>
     <message>
-        <source>no field `dimension` before `sizes`</source>
-        <translation>aucun champ `dimension` avant `sizes`</translation>
-    </message>
-    <message>
-        <source>`dimension` first</source>
-        <translation>`dimension` d’abord</translation>
-    </message>
-    <message>
-        <source>three numbers of voxels</source>
-        <translation>trois nombres de voxels</translation>
-    </message>
-    <message>
-        <source>both &quot;data file&quot; and &quot;datafile&quot;</source>
-        <translation>à la fois &quot;data file&quot; et &quot;datafile&quot;</translation>
-    </message>
-    <message>
         <source>one of the two</source>
         <translation>l’un des deux</translation>
-    </message>
-    <message>
-        <source>the name of one file</source>
-        <translation>le nom d’un seul fichier</translation>
-    </message>
-    <message>
-        <source>unreadable directions of its axes</source>
-        <translation>des directions d’axes illisibles</translation>
-    </message>
-    <message>
-        <source>three vectors that are not in one plane</source>
-        <translation>trois vecteurs qui ne sont pas dans un même plan</translation>
-    </message>
-    <message>
-        <source>it has no end</source>
-        <translation>il n’a pas de fin</translation>
-    </message>
-    <message>
-        <source>a header that ends before the voxels, or with the name of their file</source>
-        <translation>un en-tête qui se termine avant les voxels, ou par le nom de leur fichier</translation>
-    </message>
-    <message>
-        <source>a byte of 0 in its text</source>
-        <translation>un octet 0 dans son texte</translation>
-    </message>
-    <message>
-        <source>a header that consists of text only</source>
-        <translation>un en-tête uniquement en texte</translation>
-    </message>
-    <message>
-        <source>not a digit</source>
-        <translation>pas un chiffre</translation>
-    </message>
-    <message>
-        <source>a line of %1 characters</source>
-        <translation>une ligne de %1 caractères</translation>
-    </message>
-    <message>
-        <source>voxels in another encoding</source>
-        <translation>des voxels dans un autre codage</translation>
-    </message>
-    <message>
-        <source>no NIfTI header</source>
-        <translation>pas d’en-tête NIfTI</translation>
-    </message>
-    <message>
-        <source>a header of %1 or %2 bytes</source>
-        <translation>un en-tête de %1 ou %2 octets</translation>
-    </message>
-    <message>
-        <source>voxels of type %1</source>
-        <translation>des voxels de type %1</translation>
-    </message>
-    <message>
-        <source>a type of the NIfTI format, e.g. 16 for float</source>
-        <translation>un type du format NIfTI, par exemple 16 pour float</translation>
     </message>
     <message>
         <source>%1 axes</source>
@@ -3917,20 +3813,12 @@
         <translation>autant que ses %1 octets peuvent en contenir</translation>
     </message>
     <message>
-        <source>its compressed voxels are cut off or broken</source>
-        <translation>ses voxels compressés sont tronqués ou endommagés</translation>
-    </message>
-    <message>
         <source>%1 bytes when unpacked</source>
         <translation>%1 octets une fois décompressés</translation>
     </message>
     <message>
         <source>%1 bytes of voxels</source>
         <translation>%1 octets de voxels</translation>
-    </message>
-    <message>
-        <source>an unknown file extension</source>
-        <translation>une extension de fichier inconnue</translation>
     </message>
     <message>
         <source>a volume: .vti, .mha, .mhd, .nrrd, .nhdr, .nii or .nii.gz</source>
@@ -4421,10 +4309,6 @@
         <translation>3 ou 4</translation>
     </message>
     <message>
-        <source>one count of at least 1 for each of %1 axes</source>
-        <translation>un nombre d’au moins 1 pour chacun des %1 axes</translation>
-    </message>
-    <message>
         <source>1</source>
         <translation>1</translation>
     </message>
@@ -4437,28 +4321,12 @@
         <translation>True&#x202f;: des voxels en nombres binaires</translation>
     </message>
     <message>
-        <source>0: voxels from the first byte on</source>
-        <translation>0&#x202f;: des voxels dès le premier octet</translation>
-    </message>
-    <message>
         <source>one file, or uncompressed files in a LIST</source>
         <translation>un fichier, ou des fichiers non compressés dans une LIST</translation>
     </message>
     <message>
         <source>the name of one file, or LIST and one name on each line</source>
         <translation>le nom d’un fichier, ou LIST et un nom par ligne</translation>
-    </message>
-    <message>
-        <source>header: dim</source>
-        <translation>en-tête&#x202f;: dim</translation>
-    </message>
-    <message>
-        <source>%1 axes of %2 × %3 × %4 voxels</source>
-        <translation>%1 axes de %2 × %3 × %4 voxels</translation>
-    </message>
-    <message>
-        <source>1 to 7 axes of at least 1 voxel</source>
-        <translation>1 à 7 axes d’au moins 1 voxel</translation>
     </message>
     <message>
         <source>no complete header of a NIfTI file</source>
@@ -4533,16 +4401,8 @@
         <translation>un nom par ligne après LIST</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 voxels in %4 layers</source>
-        <translation>%1 × %2 × %3 voxels en %4 couches</translation>
-    </message>
-    <message>
         <source>1 to %1 voxels</source>
         <translation>1 à %1 voxels</translation>
-    </message>
-    <message>
-        <source>three perpendicular axes with a voxel size above 0</source>
-        <translation>trois axes perpendiculaires avec une taille de voxel supérieure à 0</translation>
     </message>
     <message>
         <source>voxels of %1 × %2 × %3 mm</source>
@@ -7219,6 +7079,34 @@
     <message>
         <source>Marked</source>
         <translation>Marqué</translation>
+    </message>
+    <message>
+        <source>a count from 1 to %1 for each of %2 axes</source>
+        <translation>un nombre de 1 à %1 pour chacun des %2 axes</translation>
+    </message>
+    <message>
+        <source>0, or the bytes before uncompressed voxels, or -1 if the voxels end with their file</source>
+        <translation>0, le nombre d’octets avant des voxels non compressés, ou -1 si les voxels sont à la fin du fichier</translation>
+    </message>
+    <message>
+        <source>more than %1 numbers per voxel</source>
+        <translation>plus de %1 nombres par voxel</translation>
+    </message>
+    <message>
+        <source>0: voxels from the first line on</source>
+        <translation>0 : voxels dès la première ligne</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels</source>
+        <translation>%1 × %2 × %3 voxels</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels with %4 numbers each</source>
+        <translation>%1 × %2 × %3 voxels de %4 nombres chacun</translation>
+    </message>
+    <message>
+        <source>three axes that are not in one plane, with a voxel size above 0</source>
+        <translation>trois axes qui ne sont pas dans un même plan et une taille de voxel supérieure à 0</translation>
     </message>
 </context>
 <context>

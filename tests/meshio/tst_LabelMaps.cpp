@@ -536,7 +536,8 @@ class LabelMaps : public QObject
         row("in a plane", "v.nrrd", withReplaced(nrrd, "(0,1,0)", "(2,0,0)") + bytes,
             "v.nrrd: header: axes that lie in one plane");
         row("no length", "v.mha", withReplaced(meta, "ElementSpacing = 1 1 1", "ElementSpacing = 1 0 1") + bytes,
-            "v.mha: header: voxels of 1 × 0 × 1 mm; expected three perpendicular axes with a voxel size above 0");
+            "v.mha: header: voxels of 1 × 0 × 1 mm; expected three axes that are not in one plane, with a voxel size "
+            "above 0");
         row("no numbers", "v.nii", nifti(280, std::nanf("")), "v.nii: header: voxels of ");
         row("cut off", "v.nrrd", nrrd + bytes.substr(0, 200),
             "v.nrrd: 240 voxels declared; expected as many as its 200 bytes can hold");
@@ -550,7 +551,7 @@ class LabelMaps : public QObject
             withReplaced(test::labelNrrd(grid, "uchar", "gzip"), "sizes: 8 6 5", "sizes: 8 6 4") + test::gzipped(bytes),
             "v.nrrd: more bytes than its 192 voxels have");
         row("too many", "v.mha", withReplaced(meta, "DimSize = 8 6 5", "DimSize = 80000 60000 5") + bytes,
-            "v.mha: header: 80,000 × 60,000 × 5 voxels in 1 layers; expected 1 to 1,073,741,824 voxels");
+            "v.mha: header: 80,000 × 60,000 × 5 voxels; expected 1 to 1,073,741,824 voxels");
         row("a bomb", "v.nrrd",
             withReplaced(test::labelNrrd(grid, "uchar", "gzip"), "sizes: 8 6 5", "sizes: 1000 1000 1000") +
                 test::gzipped(bytes),

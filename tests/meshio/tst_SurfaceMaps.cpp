@@ -444,7 +444,7 @@ class SurfaceMaps : public QObject
         QTest::newRow("missing") << "gone.mha" << QByteArray() << "no such file";
         QTest::newRow("another kind") << "v.dcm" << QByteArray("x") << "expected a volume";
         QTest::newRow("no image") << "v.nii" << QByteArray("not an image")
-                                  << "v.nii: header: no NIfTI header; expected a header of 348";
+                                  << "v.nii: an unknown format; expected a volume";
         QTest::newRow("cut short") << "v.mha"
                                    << QByteArray(
                                           metaImage([](const core::Vec3&) { return 1.0; }).substr(0, 900).c_str())

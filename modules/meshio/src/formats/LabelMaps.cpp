@@ -137,6 +137,9 @@ Result<TriangleSoup> readLabels(const FileImage& image, const ScanContext& conte
     if (!layout.isOk()) {
         return layout.status();
     }
+    if (Status status = checkRightAngles(layout.value(), file); !status.isOk()) {
+        return status;
+    }
     const auto share = [&context](double from, double to) -> std::function<bool(double)> {
         return [&context, from, to](double done) {
             return !context.progress || context.progress(from + (to - from) * done);

@@ -29,17 +29,14 @@ using core::Vec3;
 Result<VolumeLayout> fieldLayout(std::string_view bytes, const std::string& file)
 {
     Result<VolumeLayout> layout =
-        looksLikeNrrd(bytes)        ? nrrdLayout(bytes, file)
-        : looksLikeMetaImage(bytes) ? metaLayout(bytes, file)
-        : looksLikeNifti(bytes)
-            ? niftiLayout(bytes, file)
-            : Result<VolumeLayout>(fault(StatusCode::Unsupported, file, {}, {PALPATE_TEXT("an unknown format")},
-                                         {PALPATE_TEXT("a displacement field as .nrrd, .mha "
-                                                       "or .nii")}));
+        volumeLayout(bytes, file, {PALPATE_TEXT("a displacement field as .nrrd, .mha or .nii")});
     if (!layout.isOk()) {
         return layout;
     }
     const VolumeLayout& found = layout.value();
+    if (Status status = checkRightAngles(found, file); !status.isOk()) {
+        return status;
+    }
     if (found.layers != 3) {
         return fault(StatusCode::BadFormat, file, {}, {PALPATE_TEXT("%1 components per voxel"), Count(found.layers)},
                      {PALPATE_TEXT("a displacement field with 3")});

@@ -20,7 +20,7 @@ namespace palpate::meshio::internal {
 enum class ImportKind : std::uint8_t
 {
     Mesh,
-    Volume, ///< by path: VTK's readers depend on the extension, and some formats store the numbers in a separate file
+    Volume, ///< by path: some formats store the numbers in a separate file
     Field,  ///< a displacement field, by path
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace palpate::meshio::internal {
@@ -135,7 +136,8 @@ Status MetaParser::takeSizes()
     if (sizes.size() != static_cast<std::size_t>(axes[0]) || !std::all_of(sizes.begin(), sizes.end(), [](double size) {
             return size >= 1.0 && size <= kMostAlong && size == std::floor(size);
         })) {
-        return wrong("DimSize", Message(PALPATE_TEXT("one count of at least 1 for each of %1 axes"), axes[0]));
+        return wrong("DimSize", Message(PALPATE_TEXT("a count from 1 to %1 for each of %2 axes"),
+                                        core::Count(kMostAlong), axes[0]));
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         m_layout.size[axis] = static_cast<std::uint32_t>(sizes[axis]);
@@ -184,9 +186,6 @@ Status MetaParser::takeNumbers()
     }
     m_layout.isBigEndian = isTrue({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
     m_layout.isPacked = isTrue({"CompressedData"});
-    if (const std::string skipped = value({"HeaderSize"}); !skipped.empty() && skipped != "0") {
-        return wrong("HeaderSize", Message(PALPATE_TEXT("0: voxels from the first byte on")), StatusCode::Unsupported);
-    }
     return {};
 }
 
@@ -230,10 +229,23 @@ Status MetaParser::takeAxes()
 Status MetaParser::takeDataFiles()
 {
     const std::string name = value({"ElementDataFile"});
-    if (name == "LOCAL" || name == "Local" || name == "local") {
+    const bool isLocal = name == "LOCAL" || name == "Local" || name == "local";
+    m_layout.offset = isLocal ? m_layout.offset : 0;
+    if (const std::string skipped = value({"HeaderSize"}); !skipped.empty() && skipped != "0") {
+        const std::optional<std::int64_t> bytes = wordToInteger(skipped); // from the beginning of the file
+        if (m_layout.isPacked || !bytes || *bytes < -1 ||
+            (*bytes >= 0 && static_cast<std::uint64_t>(*bytes) < m_layout.offset)) {
+            return wrong("HeaderSize",
+                         Message(PALPATE_TEXT("0, or the bytes before uncompressed voxels, or -1 if the "
+                                              "voxels end with their file")),
+                         StatusCode::Unsupported);
+        }
+        m_layout.isAtEnd = *bytes < 0;
+        m_layout.offset = m_layout.isAtEnd ? m_layout.offset : static_cast<std::uint64_t>(*bytes);
+    }
+    if (isLocal) {
         return {};
     }
-    m_layout.offset = 0;
     const bool isList = name == "LIST";
     if (name.empty() || (isList && (m_layout.isPacked || m_list.empty()))) {
         return wrong("ElementDataFile", Message(PALPATE_TEXT("one file, or uncompressed files in a LIST")),

@@ -119,19 +119,27 @@ Status takeNiftiSizes(const NiftiHead& head, const std::string& file, VolumeLayo
     const auto axes = head.either<std::int16_t>(40, 16, 0);
     std::array<std::int64_t, 7> sizes{1, 1, 1, 1, 1, 1, 1};
     constexpr auto kMostCount = static_cast<std::int64_t>(kMostAlong);
-    bool isGood = axes >= 1 && axes <= 7;
-    for (std::size_t axis = 0; isGood && axis < static_cast<std::size_t>(axes); ++axis) {
+    const Message place(PALPATE_TEXT("header: %1"), "dim");
+    if (axes < 1 || axes > 7) {
+        return fault(StatusCode::BadFormat, file, place, Message(PALPATE_TEXT("%1 axes"), axes),
+                     Message(PALPATE_TEXT("%1 to %2"), 1, 7));
+    }
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(axes); ++axis) {
         sizes[axis] = head.either<std::int16_t>(40, 16, axis + 1);
-        isGood = sizes[axis] >= 1 && sizes[axis] <= kMostCount;
+        if (sizes[axis] < 1 || sizes[axis] > kMostCount) {
+            return fault(StatusCode::BadFormat, file, place,
+                         Message(PALPATE_TEXT("%1 voxels along axis %2"), core::Count(sizes[axis]), axis + 1),
+                         Message(PALPATE_TEXT("%1 to %2"), 1, core::Count(kMostAlong)));
+        }
     }
     std::int64_t layers = 1;
     for (std::size_t axis = 3; axis < sizes.size(); ++axis) {
         layers = layers > kMostCount ? layers : layers * sizes[axis];
     }
-    if (!isGood || layers > kMostCount) {
-        return fault(StatusCode::BadFormat, file, Message(PALPATE_TEXT("header: dim")),
-                     Message(PALPATE_TEXT("%1 axes of %2 × %3 × %4 voxels"), axes, sizes[0], sizes[1], sizes[2]),
-                     Message(PALPATE_TEXT("1 to 7 axes of at least 1 voxel")));
+    if (layers > kMostCount) {
+        return fault(StatusCode::BadFormat, file, place,
+                     Message(PALPATE_TEXT("more than %1 numbers per voxel"), core::Count(kMostAlong)),
+                     Message(PALPATE_TEXT("%1 to %2"), 1, core::Count(kMostAlong)));
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         layout.size[axis] = static_cast<std::uint32_t>(sizes[axis]);

@@ -219,6 +219,7 @@ class NrrdParser
     Status takePlace();
     Status takeComponents();
     Status takeDataFiles();
+    Status takeSkip();
 
     NrrdFields m_fields;
     const std::string& m_file;
@@ -239,7 +240,8 @@ Status NrrdParser::takeSizes()
                             return size >= 1.0 && size <= kMostAlong && size == std::floor(size);
                         });
     if (!isGood) {
-        return wrong("sizes", Message(PALPATE_TEXT("one count of at least 1 for each of %1 axes"), dimension[0]));
+        return wrong("sizes", Message(PALPATE_TEXT("a count from 1 to %1 for each of %2 axes"), core::Count(kMostAlong),
+                                      dimension[0]));
     }
     m_sizes.assign(sizes.begin(), sizes.end());
     return {};
@@ -262,11 +264,6 @@ Status NrrdParser::takeNumbers()
     m_layout.isPacked = encoding == "gzip" || encoding == "gz";
     if (!m_layout.isPacked && encoding != "raw") {
         return wrong("encoding", Message(PALPATE_TEXT("\"raw\" or \"gzip\"")), StatusCode::Unsupported);
-    }
-    for (const char* skip : {"line skip", "lineskip", "byte skip", "byteskip"}) {
-        if (const std::string skipped = value(skip); !skipped.empty() && skipped != "0") {
-            return wrong(skip, Message(PALPATE_TEXT("0: voxels from the first byte on")), StatusCode::Unsupported);
-        }
     }
     return {};
 }
@@ -409,6 +406,33 @@ Status NrrdParser::takeDataFiles()
         if (m_layout.dataFiles.empty()) {
             return wrong(field, Message(PALPATE_TEXT("one name on each line after LIST")));
         }
+    }
+    return takeSkip();
+}
+
+/// Finds the bytes between the header, or the beginning of a data file, and the voxels.
+Status NrrdParser::takeSkip()
+{
+    for (const char* field : {"line skip", "lineskip"}) {
+        if (const std::string skipped = value(field); !skipped.empty() && skipped != "0") {
+            return wrong(field, Message(PALPATE_TEXT("0: voxels from the first line on")), StatusCode::Unsupported);
+        }
+    }
+    for (const char* field : {"byte skip", "byteskip"}) {
+        const std::string skipped = value(field);
+        if (skipped.empty() || skipped == "0") {
+            continue;
+        }
+        const std::optional<std::int64_t> bytes = wordToInteger(skipped);
+        constexpr std::int64_t kMost = std::int64_t{1} << 40; // far above any file that can be read
+        if (m_layout.isPacked || !bytes || *bytes < -1 || *bytes > kMost) {
+            return wrong(field,
+                         Message(PALPATE_TEXT("0, or the bytes before uncompressed voxels, or -1 if the voxels "
+                                              "end with their file")),
+                         StatusCode::Unsupported);
+        }
+        m_layout.isAtEnd = *bytes < 0;
+        m_layout.offset += m_layout.isAtEnd ? 0 : static_cast<std::uint64_t>(*bytes);
     }
     return {};
 }

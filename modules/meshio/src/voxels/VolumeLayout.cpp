@@ -16,6 +16,16 @@ using core::Message;
 using core::Status;
 using core::StatusCode;
 
+namespace {
+
+/// @return unit column vectors
+Eigen::Matrix3d axesOf(const VolumeLayout& layout)
+{
+    return layout.steps * layout.voxel_mm().cwiseInverse().asDiagonal();
+}
+
+} // namespace
+
 std::vector<double> numbersIn(std::string_view text, std::size_t most)
 {
     std::vector<double> numbers;
@@ -29,6 +39,16 @@ std::vector<double> numbersIn(std::string_view text, std::size_t most)
     return numbers;
 }
 
+core::Result<VolumeLayout> volumeLayout(std::string_view bytes, const std::string& file, const Message& expected)
+{
+    return looksLikeNrrd(bytes)        ? nrrdLayout(bytes, file)
+           : looksLikeMetaImage(bytes) ? metaLayout(bytes, file)
+           : looksLikeNifti(bytes)
+               ? niftiLayout(bytes, file)
+               : core::Result<VolumeLayout>(fault(StatusCode::Unsupported, file, Message(),
+                                                  Message(PALPATE_TEXT("an unknown format")), expected));
+}
+
 Status checkLayout(const VolumeLayout& layout, const std::string& file)
 {
     const Message header(PALPATE_TEXT("header"));
@@ -38,31 +58,39 @@ Status checkLayout(const VolumeLayout& layout, const std::string& file)
         voxels = voxels > kMostLayoutVoxels ? voxels : voxels * along;
     }
     if (voxels < 1 || voxels > kMostLayoutVoxels) {
+        const core::Count across(layout.size[0]), along(layout.size[1]), up(layout.size[2]);
         return fault(StatusCode::OutOfRange, file, header,
-                     Message(PALPATE_TEXT("%1 × %2 × %3 voxels in %4 layers"), core::Count(layout.size[0]),
-                             core::Count(layout.size[1]), core::Count(layout.size[2]), core::Count(layout.layers)),
+                     layout.layers == 1 ? Message(PALPATE_TEXT("%1 × %2 × %3 voxels"), across, along, up)
+                                        : Message(PALPATE_TEXT("%1 × %2 × %3 voxels with %4 numbers each"), across,
+                                                  along, up, core::Count(layout.layers)),
                      Message(PALPATE_TEXT("1 to %1 voxels"), core::Count(kMostLayoutVoxels)));
     }
     constexpr double kShortest_mm = 1e-6, kLongest_mm = 1e6;
     const core::Vec3 edges_mm = layout.voxel_mm();
-    const Message expected(PALPATE_TEXT("three perpendicular axes with a voxel size above 0"));
+    const Message expected(PALPATE_TEXT("three axes that are not in one plane, with a voxel size above 0"));
     if (!layout.steps.allFinite() || !layout.origin.allFinite() || !(edges_mm.minCoeff() >= kShortest_mm) ||
         !(edges_mm.maxCoeff() <= kLongest_mm)) {
         return fault(StatusCode::BadFormat, file, header,
                      Message(PALPATE_TEXT("voxels of %1 × %2 × %3 mm"), edges_mm.x(), edges_mm.y(), edges_mm.z()),
                      expected);
     }
-    const Eigen::Matrix3d axes = layout.steps * edges_mm.cwiseInverse().asDiagonal();
-    constexpr double kFlat = 1e-3, kMostSkew = 1e-3; // the latter is 0.06 degrees
-    if (!(std::abs(axes.determinant()) > kFlat)) {
+    constexpr double kFlat = 1e-3;
+    if (!(std::abs(axesOf(layout).determinant()) > kFlat)) {
         return fault(StatusCode::BadFormat, file, header, Message(PALPATE_TEXT("axes that lie in one plane")),
                      expected);
     }
+    return {};
+}
+
+Status checkRightAngles(const VolumeLayout& layout, const std::string& file)
+{
+    const Eigen::Matrix3d axes = axesOf(layout);
+    constexpr double kMostSkew = 1e-3; // 0.06 degrees
     for (int axis = 0; axis < 3; ++axis) {
         const int next = (axis + 1) % 3;
         const double skew = std::abs(axes.col(axis).dot(axes.col(next)));
         if (skew > kMostSkew) {
-            return fault(StatusCode::Unsupported, file, header,
+            return fault(StatusCode::Unsupported, file, Message(PALPATE_TEXT("header")),
                          Message(PALPATE_TEXT("axes %1 and %2 are sheared by %3°"), axis + 1, next + 1,
                                  core::shortNumber(std::asin(std::min(skew, 1.0)) * 180.0 / std::numbers::pi, 3)),
                          Message(PALPATE_TEXT("perpendicular axes: resample the volume first (3D Slicer: Resample "

@@ -41,7 +41,7 @@ enum class VoxelType : std::uint8_t
 }
 
 /// Header of a volume: the place of its voxels in the file and in the patient. All counts are at least 1, their product
-/// is at most kMostLayoutVoxels, and the axes are perpendicular.
+/// is at most kMostLayoutVoxels, and the axes do not lie in one plane.
 struct VolumeLayout
 {
     std::string format;                  ///< for users: "NRRD", "NIfTI", "MetaImage"
@@ -57,7 +57,8 @@ struct VolumeLayout
     core::FileFrame frame = core::FileFrame::Untagged; ///< axes of the file
     bool isPacked = false;                             ///< voxels compressed by zlib or gzip
     bool isWholePacked = false;                        ///< header and voxels are compressed together (`.nii.gz`)
-    std::uint64_t offset = 0;                          ///< of the first voxel in its file, after unpacking [bytes]
+    std::uint64_t offset = 0;                          ///< of the first voxel in each file, after unpacking [bytes]
+    bool isAtEnd = false;                              ///< the voxels are the last bytes of each file, see `offset`
     std::vector<std::string> dataFiles{};              ///< files of the voxels beside the header; empty: the same file
     bool isVector = false;                             ///< the layers are marked as the components of a vector
     /// Columns: direction of each component of a vector, in the axes of the file. NaN if unreadable.
@@ -71,7 +72,7 @@ struct VolumeLayout
     [[nodiscard]] core::Vec3 voxel_mm() const { return steps.colwise().norm().transpose(); }
 };
 
-inline constexpr double kMostAlong = 1 << 30;                              ///< voxels along one axis
+inline constexpr std::uint64_t kMostAlong = std::uint64_t{1} << 30;        ///< voxels along one axis
 inline constexpr std::uint64_t kMostLayoutVoxels = std::uint64_t{1} << 30; ///< of all layers
 
 [[nodiscard]] bool looksLikeNrrd(std::string_view bytes);
@@ -86,8 +87,16 @@ inline constexpr std::uint64_t kMostLayoutVoxels = std::uint64_t{1} << 30; ///< 
 [[nodiscard]] core::Result<VolumeLayout> metaLayout(std::string_view bytes, const std::string& file);
 [[nodiscard]] core::Result<VolumeLayout> niftiLayout(std::string_view bytes, const std::string& file);
 
+/// Parses the header of a volume in any of these formats, which the content decides.
+/// @param expected  for the error about another format
+[[nodiscard]] core::Result<VolumeLayout> volumeLayout(std::string_view bytes, const std::string& file,
+                                                      const core::Message& expected);
+
 /// Checks counts and axes, which every format has.
 [[nodiscard]] core::Status checkLayout(const VolumeLayout& layout, const std::string& file);
+
+/// Checks that the axes are perpendicular, to 0.06 degrees.
+[[nodiscard]] core::Status checkRightAngles(const VolumeLayout& layout, const std::string& file);
 
 /// @return the numbers of a text, at most `most`; empty if a word is not a finite number
 [[nodiscard]] std::vector<double> numbersIn(std::string_view text, std::size_t most);

@@ -24,11 +24,19 @@ constexpr std::size_t kVoxelBlock = std::size_t{1} << 16; ///< voxels
 constexpr std::size_t kFilePiece = std::size_t{1} << 20;  ///< of a separate file [bytes]
 constexpr std::uint64_t kMostInflated = 1100;             ///< bytes that zlib can make of one
 
+/// A separate file of voxels.
+struct DataFile
+{
+    std::filesystem::path path;
+    std::uint64_t bytes = 0; ///< its size
+    std::uint64_t begin = 0; ///< of the voxels [bytes]
+};
+
 /// Stored bytes of the voxels: in the file of the header, or in separate files one after the other.
 class StoredBytes
 {
   public:
-    StoredBytes(std::string_view here, std::vector<std::filesystem::path> files)
+    StoredBytes(std::string_view here, std::vector<DataFile> files)
         : m_here(here)
         , m_files(std::move(files))
     {
@@ -41,7 +49,8 @@ class StoredBytes
         m_piece.resize(kFilePiece);
         while (m_at < m_files.size()) {
             if (!m_in.is_open()) {
-                m_in.open(m_files[m_at], std::ios::binary);
+                m_in.open(m_files[m_at].path, std::ios::binary);
+                m_in.seekg(static_cast<std::streamoff>(m_files[m_at].begin));
             }
             m_in.read(m_piece.data(), static_cast<std::streamsize>(m_piece.size()));
             if (const auto got = static_cast<std::size_t>(m_in.gcount()); got > 0) {
@@ -55,7 +64,7 @@ class StoredBytes
 
   private:
     std::string_view m_here;
-    std::vector<std::filesystem::path> m_files;
+    std::vector<DataFile> m_files;
     std::size_t m_at = 0;
     std::ifstream m_in;
     std::string m_piece;
@@ -131,15 +140,11 @@ Status checkStored(const VolumeLayout& layout, std::uint64_t stored, const std::
     return {};
 }
 
-} // namespace
-
-Status readVoxels(const VolumeLayout& layout, std::string_view bytes, const std::filesystem::path& path,
-                  const std::function<bool(double)>& progress, const std::function<bool(std::span<const double>)>& take)
+/// Finds the files that the header names. @param path  of the header
+core::Result<std::vector<DataFile>> dataFilesOf(const VolumeLayout& layout, const std::filesystem::path& path)
 {
     const std::string file = path.filename().string();
-    std::vector<std::filesystem::path> files;
-    std::uint64_t stored =
-        bytes.size() - std::min<std::uint64_t>(bytes.size(), layout.isWholePacked ? 0 : layout.offset);
+    std::vector<DataFile> files;
     for (const std::string& name : layout.dataFiles) {
         const Message place(PALPATE_TEXT("header: file of the voxels"));
         const Message expected(PALPATE_TEXT("a file in this folder or below it"));
@@ -148,20 +153,46 @@ Status readVoxels(const VolumeLayout& layout, std::string_view bytes, const std:
             return fault(StatusCode::Unsupported, file, place, Message(PALPATE_TEXT("%1"), inQuotes(name)), expected);
         }
         std::error_code error;
-        files.push_back(path.parent_path() / below);
-        const std::uintmax_t size = std::filesystem::file_size(files.back(), error);
-        if (error || !std::filesystem::is_regular_file(files.back(), error)) {
+        const std::filesystem::path whole = path.parent_path() / below;
+        const std::uintmax_t size = std::filesystem::file_size(whole, error);
+        if (error || !std::filesystem::is_regular_file(whole, error)) {
             return fault(StatusCode::NotFound, file, place, Message(PALPATE_TEXT("no file %1"), inQuotes(name)),
                          expected);
         }
-        stored = (files.size() == 1 ? 0 : stored) + size;
+        files.push_back({whole, size, 0});
+    }
+    return files;
+}
+
+/// @return the first byte of the voxels in a file of `stored` bytes, of which the voxels have `declared`
+std::uint64_t beginOf(const VolumeLayout& layout, std::uint64_t stored, std::uint64_t declared)
+{
+    const std::uint64_t fromEnd = layout.isAtEnd ? stored - std::min(stored, declared) : 0;
+    return std::min(stored, std::max(layout.offset, fromEnd));
+}
+
+} // namespace
+
+Status readVoxels(const VolumeLayout& layout, std::string_view bytes, const std::filesystem::path& path,
+                  const std::function<bool(double)>& progress, const std::function<bool(std::span<const double>)>& take)
+{
+    const std::string file = path.filename().string();
+    core::Result<std::vector<DataFile>> found = dataFilesOf(layout, path);
+    if (!found.isOk()) {
+        return found.status();
+    }
+    std::vector<DataFile> files = std::move(found).value();
+    const std::uint64_t declared = layout.voxels() * bytesOf(layout.type);
+    const std::uint64_t begin = layout.isWholePacked ? 0 : beginOf(layout, bytes.size(), declared);
+    std::uint64_t stored = files.empty() ? bytes.size() - begin : 0;
+    for (DataFile& each : files) {
+        each.begin = beginOf(layout, each.bytes, declared / files.size());
+        stored += each.bytes - each.begin;
     }
     if (Status status = checkStored(layout, stored, file); !status.isOk()) {
         return status;
     }
-    StoredBytes source(layout.isWholePacked ? bytes
-                                            : bytes.substr(std::min<std::uint64_t>(bytes.size(), layout.offset)),
-                       std::move(files));
+    StoredBytes source(bytes.substr(begin), std::move(files));
     ByteStream stream([&source] { return source.next(); }, layout.isPacked);
     const std::size_t each = bytesOf(layout.type);
     std::string raw(kVoxelBlock * each, '\0');
