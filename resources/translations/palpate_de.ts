@@ -1937,10 +1937,6 @@
         <translation>eingebettete Oberfläche %1...: Indizes oder Koordinaten außerhalb des Bereichs, erwartet: Dreiecke aus drei Ecken innerhalb von 10⁷ mm</translation>
     </message>
     <message>
-        <source>%1: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
-        <translation>%1: nicht von Palpate erstellt oder beschädigt (palpate session recover rettet, was heil ist)</translation>
-    </message>
-    <message>
         <source>found more than %1 tables and views, expected the tables of a recording</source>
         <translation>mehr als %1 Tabellen und Sichten gefunden, erwartet: die Tabellen einer Aufzeichnung</translation>
     </message>
@@ -7107,6 +7103,14 @@
     <message>
         <source>three axes that are not in one plane, with a voxel size above 0</source>
         <translation>drei Achsen, die nicht in einer Ebene liegen, und eine Voxelgröße über 0</translation>
+    </message>
+    <message>
+        <source>%1; copy the readable parts with `palpate session recover`</source>
+        <translation>%1; kopieren Sie die lesbaren Teile mit `palpate session recover`</translation>
+    </message>
+    <message>
+        <source>%1: not made by Palpate, or damaged</source>
+        <translation>%1: nicht von Palpate erstellt oder beschädigt</translation>
     </message>
 </context>
 <context>

@@ -1937,10 +1937,6 @@
         <translation>surface incluse %1...&#x202f;: indices ou coordonnées hors limites, attendu des triangles de trois sommets à moins de 10⁷ mm</translation>
     </message>
     <message>
-        <source>%1: not made by Palpate, or damaged (palpate session recover gathers what is whole)</source>
-        <translation>%1&#x202f;: pas créé par Palpate, ou endommagé (palpate session recover rassemble ce qui est intact)</translation>
-    </message>
-    <message>
         <source>found more than %1 tables and views, expected the tables of a recording</source>
         <translation>plus de %1 tables et vues trouvées, attendu les tables d’un enregistrement</translation>
     </message>
@@ -7107,6 +7103,14 @@
     <message>
         <source>three axes that are not in one plane, with a voxel size above 0</source>
         <translation>trois axes qui ne sont pas dans un même plan et une taille de voxel supérieure à 0</translation>
+    </message>
+    <message>
+        <source>%1; copy the readable parts with `palpate session recover`</source>
+        <translation>%1&#x202f;; copiez les parties lisibles avec `palpate session recover`</translation>
+    </message>
+    <message>
+        <source>%1: not made by Palpate, or damaged</source>
+        <translation>%1&#x202f;: pas créé par Palpate, ou endommagé</translation>
     </message>
 </context>
 <context>

@@ -32,6 +32,12 @@ using Step = internal::Statement::Step;
 
 namespace {
 
+/// Adds the next step to an error about a damaged recording.
+Status withRecovery(const Status& status)
+{
+    return {status.code(), PALPATE_TEXT("%1; copy the readable parts with `palpate session recover`"), status.text()};
+}
+
 constexpr std::string_view kSqliteMagic{"SQLite format 3", 16}; // including the terminating zero
 
 } // namespace
@@ -203,15 +209,18 @@ core::Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::
         return Status(StatusCode::Unreadable, PALPATE_TEXT("%1: cannot be opened: %2"), path, core::systemError(errno));
     }
     if (!isRecordingFile(path)) {
-        return Status(StatusCode::BadFormat, PALPATE_TEXT("%1: found no SQLite database, expected a recording"), path);
+        const Status none(StatusCode::BadFormat, PALPATE_TEXT("%1: found no SQLite database, expected a recording"),
+                          path);
+        return path.extension() == ".palpate" ? withRecovery(none) : none; // the first page may be damaged
     }
     auto opened = Database::open(path, Database::Mode::Read);
     if (!opened.isOk()) {
         return opened.status();
     }
     auto d = std::make_unique<Private>(std::move(opened).value(), path);
-    if (Status status = d->readAll(); !status.isOk()) {
-        return status;
+    if (const Status status = d->readAll(); !status.isOk()) {
+        const bool isDamaged = status.code() == StatusCode::Unreadable || status.code() == StatusCode::BadFormat;
+        return isDamaged ? withRecovery(status) : status;
     }
     return std::unique_ptr<RecordingReader>(new RecordingReader(std::move(d)));
 }

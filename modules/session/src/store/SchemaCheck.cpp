@@ -29,8 +29,7 @@ constexpr std::string_view kOptionalTable = "maps"; // exists only in a recordin
 
 Status refuse(const core::Message& wrong)
 {
-    return {StatusCode::BadFormat,
-            PALPATE_TEXT("%1: not made by Palpate, or damaged (palpate session recover gathers what is whole)"), wrong};
+    return {StatusCode::BadFormat, PALPATE_TEXT("%1: not made by Palpate, or damaged"), wrong};
 }
 
 /// @pre `table` is a table name of Palpate
