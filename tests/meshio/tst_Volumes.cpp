@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests volumes for maps, read in this process: every format gives the same values at the same positions, and invalid
 // files are rejected.
+#include "MemoryLimit.h"
 #include "TestRunner.h"
 #include "Volumes.h"
+#include "read/FieldFile.h"
 #include "read/VolumeFile.h"
+
+#include <palpate/meshio/MeshFile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -277,6 +281,48 @@ class Volumes : public QObject
         QVERIFY2(message.find("; expected ") != std::string::npos, message.c_str());
         QVERIFY(
             std::none_of(message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }));
+    }
+
+    /// Voxels that are only declared need no memory, whatever they are read for.
+    void aSmallFileNeedsLittleMemory_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("bytes");
+        const auto row = [](const char* what, const char* name, const std::string& bytes) {
+            QTest::newRow(what) << QString(name) << QByteArray::fromStdString(bytes);
+        };
+        const auto meta = [](const char* sizes, const std::string& more) {
+            std::string text = test::metaHeader("MET_FLOAT", "LOCAL", more);
+            return text.replace(text.find("12 3 2"), 6, sizes) + test::volumeNumbers();
+        };
+        row("voxels", "v.mha", meta("1024 1024 1024", ""));
+        row("layers", "v.mha", meta("1 1 1", "ElementNumberOfChannels = 1073741824\n"));
+        row("vectors", "v.mha", meta("1024 1024 300", "ElementNumberOfChannels = 3\n"));
+        std::string nrrd = test::nrrdHeader("raw");
+        row("NRRD", "v.nrrd", nrrd.replace(nrrd.find("12 3 2"), 6, "1024 1024 1024") + test::volumeNumbers());
+        row("NIfTI, layers", "v.nii", test::niftiWideHeader(std::int64_t{1} << 27, 1) + test::volumeNumbers());
+    }
+    void aSmallFileNeedsLittleMemory()
+    {
+        QFETCH(QString, name);
+        QFETCH(QByteArray, bytes);
+        const test::Folder folder;
+        const std::filesystem::path path = folder.write(name.toStdString(), bytes.toStdString());
+        std::vector<std::string> messages;
+        {
+            const test::MemoryLimit limit(rlim_t{256} << 20);
+            QVERIFY(limit.isSet());
+            messages = {readVolumeHere(path, core::FileFrame::Untagged, {}).status().message(),
+                        meshio::internal::readFieldHere(path, core::FileFrame::Untagged, {}).status().message(),
+                        meshio::readMesh(path).status().message()};
+        }
+        for (const std::string& message : messages) {
+            QVERIFY2(message.find(" voxels declared; expected as many as its 288 bytes can hold") !=
+                             std::string::npos ||
+                         message.find("components per voxel; expected") != std::string::npos,
+                     message.c_str());
+        }
+        QVERIFY2(messages[2].find(" voxels declared; ") != std::string::npos, messages[2].c_str());
     }
 
     void voxelsBehindOtherBytesAreFound()

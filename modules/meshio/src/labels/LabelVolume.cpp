@@ -23,8 +23,6 @@ constexpr double kMostValue = std::numeric_limits<std::uint32_t>::max();
 
 LabelCollector::LabelCollector(const VolumeLayout& layout)
     : m_layout(layout)
-    , m_voxels(layout.voxels(), 0)
-    , m_last(layout.layers, {0.0, 0})
 {
 }
 
@@ -72,6 +70,10 @@ void LabelCollector::add(double value)
 
 bool LabelCollector::take(std::span<const double> numbers)
 {
+    if (m_voxels.empty()) { // only now is it certain that the file has as many voxels as its header states
+        m_voxels.assign(m_layout.voxels(), 0);
+        m_last.assign(m_layout.layers, {0.0, 0});
+    }
     const auto& size = m_layout.size;
     for (const double number : numbers) {
         add(number);

@@ -66,17 +66,17 @@ class FieldCollector
     FieldCollector(const VolumeLayout& layout, const Eigen::Matrix3d& toLps, FieldGrid& grid)
         : m_toLps(toLps)
         , m_isInterleaved(layout.isInterleaved)
+        , m_count(layout.voxels() / 3)
         , m_grid(grid)
     {
-        grid.values.resize(layout.voxels() / 3);
     }
     /// @return false at a number that is not finite
     bool take(std::span<const double> numbers)
     {
-        const std::size_t count = m_grid.values.size();
+        m_grid.values.resize(m_count); // only now is it certain that the file has as many voxels as its header states
         for (const double number : numbers) {
-            const std::size_t voxel = m_isInterleaved ? m_taken / 3 : m_taken % count;
-            m_grid.values[voxel][m_isInterleaved ? m_taken % 3 : m_taken / count] = static_cast<float>(number);
+            const std::size_t voxel = m_isInterleaved ? m_taken / 3 : m_taken % m_count;
+            m_grid.values[voxel][m_isInterleaved ? m_taken % 3 : m_taken / m_count] = static_cast<float>(number);
             if (!std::isfinite(static_cast<float>(number))) {
                 m_wrong = voxel;
                 return false;
@@ -102,6 +102,7 @@ class FieldCollector
   private:
     Eigen::Matrix3d m_toLps;
     bool m_isInterleaved;
+    std::size_t m_count; ///< voxels
     FieldGrid& m_grid;
     std::size_t m_taken = 0; ///< numbers
     std::optional<std::size_t> m_wrong;
