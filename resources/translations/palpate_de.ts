@@ -3413,10 +3413,6 @@
         <translation>ein Dokumenttyp oder eine Entität gefunden</translation>
     </message>
     <message>
-        <source>a VTP file without them</source>
-        <translation>eine VTP-Datei ohne solche Angaben</translation>
-    </message>
-    <message>
         <source>elements nested in more than %1 levels</source>
         <translation>Elemente in mehr als %1 Ebenen verschachtelt</translation>
     </message>
@@ -3569,36 +3565,8 @@
         <translation>%1 Voxel entlang der Achse %2</translation>
     </message>
     <message>
-        <source>it does not end with its last tag</source>
-        <translation>es endet nicht mit seinem letzten Tag</translation>
-    </message>
-    <message>
-        <source>`&lt;/VTKFile&gt;` at the end</source>
-        <translation>`&lt;/VTKFile&gt;` am Ende</translation>
-    </message>
-    <message>
-        <source>a document type or an entity</source>
-        <translation>ein Dokumenttyp oder eine Entität</translation>
-    </message>
-    <message>
-        <source>a VTI file without these</source>
-        <translation>eine VTI-Datei ohne diese</translation>
-    </message>
-    <message>
-        <source>an array with more numbers than its file can hold</source>
-        <translation>ein Datenfeld mit mehr Zahlen, als seine Datei enthalten kann</translation>
-    </message>
-    <message>
-        <source>values of NumberOfComponents and NumberOfTuples that match the data</source>
-        <translation>Werte von NumberOfComponents und NumberOfTuples, die zu den Daten passen</translation>
-    </message>
-    <message>
         <source>the XML is broken: %1</source>
         <translation>das XML ist fehlerhaft: %1</translation>
-    </message>
-    <message>
-        <source>well-formed XML to the end</source>
-        <translation>fehlerfreies XML bis zum Ende</translation>
     </message>
     <message>
         <source>a label map: whole numbers from 0, one for each structure. As a map of stiffness, a volume is named in a scene (maps.md)</source>
@@ -3793,14 +3761,6 @@
         <translation>eine Zahl für jedes Voxel</translation>
     </message>
     <message>
-        <source>an axis without a voxel</source>
-        <translation>eine Achse ohne Voxel</translation>
-    </message>
-    <message>
-        <source>at least one along each axis</source>
-        <translation>mindestens eines entlang jeder Achse</translation>
-    </message>
-    <message>
         <source>%1 voxels declared</source>
         <translation>%1 Voxel sind angekündigt</translation>
     </message>
@@ -3829,24 +3789,8 @@
         <translation>%1 Zahlen für %2 Voxel</translation>
     </message>
     <message>
-        <source>axes or spacings of its voxels that do not define positions</source>
-        <translation>Achsen oder Abstände der Voxel, die keine Positionen festlegen</translation>
-    </message>
-    <message>
-        <source>three directions that are not in one plane, and spacings other than 0</source>
-        <translation>drei Richtungen, die nicht in einer Ebene liegen, und Abstände ungleich 0</translation>
-    </message>
-    <message>
-        <source>voxels of a non-numeric type</source>
-        <translation>Voxel eines nicht numerischen Typs</translation>
-    </message>
-    <message>
         <source>VTK could not read it: %1</source>
         <translation>VTK konnte es nicht lesen: %1</translation>
-    </message>
-    <message>
-        <source>a readable volume</source>
-        <translation>ein lesbares Volumen</translation>
     </message>
     <message>
         <source>no such file</source>
@@ -4297,10 +4241,6 @@
         <translation>der Kopf endet nicht</translation>
     </message>
     <message>
-        <source>a line with ElementDataFile</source>
-        <translation>eine Zeile mit ElementDataFile</translation>
-    </message>
-    <message>
         <source>3 or 4</source>
         <translation>3 oder 4</translation>
     </message>
@@ -4359,10 +4299,6 @@
     <message>
         <source>a field and its value</source>
         <translation>ein Feld und sein Wert</translation>
-    </message>
-    <message>
-        <source>an empty line after it</source>
-        <translation>eine leere Zeile danach</translation>
     </message>
     <message>
         <source>a type of number, as &quot;uchar&quot; or &quot;short&quot;</source>
@@ -7111,6 +7047,62 @@
     <message>
         <source>%1: not made by Palpate, or damaged</source>
         <translation>%1: nicht von Palpate erstellt oder beschädigt</translation>
+    </message>
+    <message>
+        <source>a file without them</source>
+        <translation>eine Datei ohne diese</translation>
+    </message>
+    <message>
+        <source>a line with ElementDataFile, within %1 bytes</source>
+        <translation>eine Zeile mit ElementDataFile innerhalb von %1 Bytes</translation>
+    </message>
+    <message>
+        <source>an empty line after it, within %1 bytes</source>
+        <translation>eine Leerzeile danach innerhalb von %1 Bytes</translation>
+    </message>
+    <message>
+        <source>a number for each axis in space</source>
+        <translation>eine Zahl für jede räumliche Achse</translation>
+    </message>
+    <message>
+        <source>a unit for each of three axes: &quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; or &quot;um&quot;</source>
+        <translation>eine Einheit für jede der drei Achsen: &quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; oder &quot;um&quot;</translation>
+    </message>
+    <message>
+        <source>an origin that is not finite</source>
+        <translation>ein Ursprung, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>%1 with %2 bytes of voxels</source>
+        <translation>%1 mit %2 Bytes an Voxeln</translation>
+    </message>
+    <message>
+        <source>%1 in each of %2 files</source>
+        <translation>%1 in jeder von %2 Dateien</translation>
+    </message>
+    <message>
+        <source>%1 finite numbers</source>
+        <translation>%1 endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>the first and last number of a voxel along each axis, at most %1 apart</source>
+        <translation>die erste und letzte Nummer eines Voxels auf jeder Achse, höchstens %1 auseinander</translation>
+    </message>
+    <message>
+        <source>%1 arrays, none of them marked as the scalars</source>
+        <translation>%1 Felder, keines als Skalare gekennzeichnet</translation>
+    </message>
+    <message>
+        <source>numbers of type %1</source>
+        <translation>Zahlen vom Typ %1</translation>
+    </message>
+    <message>
+        <source>a part of the whole, %1</source>
+        <translation>ein Teil des Ganzen, %1</translation>
+    </message>
+    <message>
+        <source>pieces that cover the whole extent</source>
+        <translation>Teile, die die ganze Ausdehnung abdecken</translation>
     </message>
 </context>
 <context>

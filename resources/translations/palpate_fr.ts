@@ -3413,10 +3413,6 @@
         <translation>trouvé un type de document ou une entité</translation>
     </message>
     <message>
-        <source>a VTP file without them</source>
-        <translation>un fichier VTP qui n’en contient pas</translation>
-    </message>
-    <message>
         <source>elements nested in more than %1 levels</source>
         <translation>éléments imbriqués sur plus de %1 niveaux</translation>
     </message>
@@ -3569,36 +3565,8 @@
         <translation>%1 voxels le long de l’axe %2</translation>
     </message>
     <message>
-        <source>it does not end with its last tag</source>
-        <translation>il ne se termine pas par sa dernière balise</translation>
-    </message>
-    <message>
-        <source>`&lt;/VTKFile&gt;` at the end</source>
-        <translation>`&lt;/VTKFile&gt;` à la fin</translation>
-    </message>
-    <message>
-        <source>a document type or an entity</source>
-        <translation>un type de document ou une entité</translation>
-    </message>
-    <message>
-        <source>a VTI file without these</source>
-        <translation>un fichier VTI sans ceux-ci</translation>
-    </message>
-    <message>
-        <source>an array with more numbers than its file can hold</source>
-        <translation>un tableau avec plus de nombres que son fichier ne peut en contenir</translation>
-    </message>
-    <message>
-        <source>values of NumberOfComponents and NumberOfTuples that match the data</source>
-        <translation>des valeurs de NumberOfComponents et de NumberOfTuples conformes aux données</translation>
-    </message>
-    <message>
         <source>the XML is broken: %1</source>
         <translation>le XML est défectueux&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>well-formed XML to the end</source>
-        <translation>du XML bien formé jusqu’à la fin</translation>
     </message>
     <message>
         <source>a label map: whole numbers from 0, one for each structure. As a map of stiffness, a volume is named in a scene (maps.md)</source>
@@ -3793,14 +3761,6 @@
         <translation>un nombre pour chaque voxel</translation>
     </message>
     <message>
-        <source>an axis without a voxel</source>
-        <translation>un axe sans voxel</translation>
-    </message>
-    <message>
-        <source>at least one along each axis</source>
-        <translation>au moins un le long de chaque axe</translation>
-    </message>
-    <message>
         <source>%1 voxels declared</source>
         <translation>%1 voxels annoncés</translation>
     </message>
@@ -3829,24 +3789,8 @@
         <translation>%1 nombres pour %2 voxels</translation>
     </message>
     <message>
-        <source>axes or spacings of its voxels that do not define positions</source>
-        <translation>des axes ou des espacements de voxels qui ne définissent pas de positions</translation>
-    </message>
-    <message>
-        <source>three directions that are not in one plane, and spacings other than 0</source>
-        <translation>trois directions qui ne sont pas dans un même plan, et des espacements non nuls</translation>
-    </message>
-    <message>
-        <source>voxels of a non-numeric type</source>
-        <translation>des voxels d’un type non numérique</translation>
-    </message>
-    <message>
         <source>VTK could not read it: %1</source>
         <translation>VTK n’a pas pu le lire&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>a readable volume</source>
-        <translation>un volume lisible</translation>
     </message>
     <message>
         <source>no such file</source>
@@ -4297,10 +4241,6 @@
         <translation>l’en-tête ne se termine pas</translation>
     </message>
     <message>
-        <source>a line with ElementDataFile</source>
-        <translation>une ligne avec ElementDataFile</translation>
-    </message>
-    <message>
         <source>3 or 4</source>
         <translation>3 ou 4</translation>
     </message>
@@ -4359,10 +4299,6 @@
     <message>
         <source>a field and its value</source>
         <translation>un champ et sa valeur</translation>
-    </message>
-    <message>
-        <source>an empty line after it</source>
-        <translation>une ligne vide après lui</translation>
     </message>
     <message>
         <source>a type of number, as &quot;uchar&quot; or &quot;short&quot;</source>
@@ -7111,6 +7047,62 @@
     <message>
         <source>%1: not made by Palpate, or damaged</source>
         <translation>%1&#x202f;: pas créé par Palpate, ou endommagé</translation>
+    </message>
+    <message>
+        <source>a file without them</source>
+        <translation>un fichier sans ceux-ci</translation>
+    </message>
+    <message>
+        <source>a line with ElementDataFile, within %1 bytes</source>
+        <translation>une ligne avec ElementDataFile, dans les %1 premiers octets</translation>
+    </message>
+    <message>
+        <source>an empty line after it, within %1 bytes</source>
+        <translation>une ligne vide après, dans les %1 premiers octets</translation>
+    </message>
+    <message>
+        <source>a number for each axis in space</source>
+        <translation>un nombre pour chaque axe dans l’espace</translation>
+    </message>
+    <message>
+        <source>a unit for each of three axes: &quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; or &quot;um&quot;</source>
+        <translation>une unité pour chacun des trois axes&#x202f;: &quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; ou &quot;um&quot;</translation>
+    </message>
+    <message>
+        <source>an origin that is not finite</source>
+        <translation>une origine qui n’est pas finie</translation>
+    </message>
+    <message>
+        <source>%1 with %2 bytes of voxels</source>
+        <translation>%1 avec %2 octets de voxels</translation>
+    </message>
+    <message>
+        <source>%1 in each of %2 files</source>
+        <translation>%1 dans chacun des %2 fichiers</translation>
+    </message>
+    <message>
+        <source>%1 finite numbers</source>
+        <translation>%1 nombres finis</translation>
+    </message>
+    <message>
+        <source>the first and last number of a voxel along each axis, at most %1 apart</source>
+        <translation>le premier et le dernier numéro d’un voxel sur chaque axe, distants d’au plus %1</translation>
+    </message>
+    <message>
+        <source>%1 arrays, none of them marked as the scalars</source>
+        <translation>%1 tableaux, aucun n’est marqué comme scalaires</translation>
+    </message>
+    <message>
+        <source>numbers of type %1</source>
+        <translation>des nombres de type %1</translation>
+    </message>
+    <message>
+        <source>a part of the whole, %1</source>
+        <translation>une partie du tout, %1</translation>
+    </message>
+    <message>
+        <source>pieces that cover the whole extent</source>
+        <translation>des morceaux qui couvrent toute l’étendue</translation>
     </message>
 </context>
 <context>

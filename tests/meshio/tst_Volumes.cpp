@@ -9,6 +9,12 @@
 
 #include <palpate/meshio/MeshFile.h>
 
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkXMLImageDataWriter.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -66,16 +72,22 @@ class Volumes : public QObject
         const std::string meta = test::metaHeader("MET_FLOAT", list);
         for (const test::VolumeSample& sample :
              {test::VolumeSample{"list.nhdr", test::nrrdHeader("raw", "data file: " + list)},
+              test::VolumeSample{"named.nhdr", test::nrrdHeader("raw", "Data File: " + list)},
+              test::VolumeSample{"list2.mhd", test::metaHeader("MET_FLOAT", "LIST 2\nfirst.raw\nsecond.raw\n")},
               test::VolumeSample{"list.mhd", meta}}) {
             const auto grid = readSample(folder, sample);
             QVERIFY2(grid.isOk(), grid.status().message().c_str());
             QVERIFY2(isWhole(grid.value()), sample.name.c_str());
         }
-        (void)folder.write("second.raw", floats.substr(0, 10));
-        const auto cut = readSample(folder, {"list.mhd", meta});
-        QVERIFY(!cut.isOk());
-        QCOMPARE(cut.status().message(),
-                 std::string("list.mhd: 72 voxels declared; expected as many as its 154 bytes can hold"));
+        // Files of other lengths would shift the voxels behind them, even if the sum is right.
+        (void)folder.write("first.raw", floats.substr(0, floats.size() / 2 + 4));
+        (void)folder.write("second.raw", floats.substr(floats.size() / 2 + 4));
+        const auto shifted = readSample(folder, {"list.mhd", meta});
+        QVERIFY(!shifted.isOk());
+        QCOMPARE(
+            shifted.status().message(),
+            std::string("list.mhd: header: file of the voxels: \"first.raw\" with 148 bytes of voxels; expected 144 in "
+                        "each of 2 files"));
     }
 
     void whatIsCutShortIsRefused()
@@ -182,7 +194,7 @@ class Volumes : public QObject
             "v.nrrd: header: data file: \"%s%n 1 9 0\"; expected the name of one file");
         row("NRRD, the name of a data file twice", "v.nrrd",
             nrrd("endian: little", "endian: little\ndata file: a\ndatafile: b"),
-            "v.nrrd: header: datafile: \"b\"; expected one file");
+            "v.nrrd: line 10: \"datafile\" a second time; expected each field once");
         row("MetaImage, text", "v.mha", meta("BinaryData = True", "BinaryData = False"),
             "v.mha: header: BinaryData: \"False\"; expected True: voxels as binary numbers");
         row("MetaImage, a key in another spelling", "v.mha",
@@ -234,38 +246,56 @@ class Volumes : public QObject
             "v.nii: header: dim: 4,294,967,308 voxels along axis 1; expected 1 to 1,073,741,824");
         row("NIfTI-2, less than none", "v.nii", test::niftiWideHeader(1, -12) + floats,
             "v.nii: header: dim: -12 voxels along axis 1; expected 1 to 1,073,741,824");
-        const char* beyond = "v.vti: line 5: an array with more numbers than its file can hold; expected values "
-                             "of NumberOfComponents and NumberOfTuples that match the data";
-        row("VTI, many numbers a voxel", "v.vti", vti("Name=", "NumberOfComponents=\"200000000\" Name="), beyond);
-        row("VTI, many numbers of each cell", "v.vti",
-            vti("</PointData>", "</PointData><CellData><DataArray type=\"Int8\" Name=\"t\" "
-                                "NumberOfComponents=\"200000000\"/></CellData>"),
-            beyond);
-        row("VTI, many numbers of a field", "v.vti",
-            vti("<PointData", "<FieldData><DataArray type=\"Int8\" Name=\"t\" NumberOfTuples=\"2000000000\"/>"
-                              "</FieldData><PointData"),
-            beyond);
-        row("VTI, less than no number", "v.vti", vti("Name=", "NumberOfComponents=\"-1\" Name="), beyond);
+        row("VTI, many numbers a voxel", "v.vti", vti("Name=", "NumberOfComponents=\"200000000\" Name="),
+            "v.vti: line 5: 200,000,000 components per voxel; expected one number for each voxel");
+        row("VTI, less than no number", "v.vti", vti("Name=", "NumberOfComponents=\"-1\" Name="),
+            "v.vti: line 5: found NumberOfComponents=\"-1\"; expected a whole number from 0");
         std::string arrays;
         for (int n = 0; n < 200; ++n) {
             arrays += "<DataArray type=\"Int8\" Name=\"t" + std::to_string(n) + "\" NumberOfComponents=\"1000\"/>";
         }
         row("VTI, many arrays", "v.vti", vti("</PointData>", arrays + "</PointData>"),
-            "v.vti: 72 voxels declared; expected as many as its ");
+            "v.vti: line 5: 3 numbers for 72 voxels; expected one number for each voxel");
+        row("VTI, arrays without a mark", "v.vti",
+            vti("<PointData Scalars=\"s\">", "<PointData><DataArray type=\"Int8\" Name=\"t\"/>"),
+            "v.vti: line 4: 2 arrays, none of them marked as the scalars; expected one number for each voxel");
+        row("VTI, a piece of the whole", "v.vti",
+            vti("<Piece Extent=\"0 11 0 2 0 1\"", "<Piece Extent=\"0 11 0 2 0 0\""),
+            "v.vti: 36 numbers for 72 voxels; expected pieces that cover the whole extent");
+        row("VTI, a piece beside the whole", "v.vti", vti("<Piece Extent=\"0 11 0 2", "<Piece Extent=\"0 11 1 3"),
+            "v.vti: line 4: found Extent=\"0 11 1 3 0 1\"; expected a part of the whole, \"0 11 0 2 0 1\"");
+        const auto appended = [&floats](const std::string& from, const std::string& to) {
+            std::string text = test::vtiAppended(floats);
+            return text.replace(text.find(from), from.size(), to);
+        };
+        row("VTI, lengths of another width", "v.vti", appended("byte_order", "header_type=\"UInt64\" byte_order"),
+            "v.vti: line 5: array \"s\": size of its data");
+        row("VTI, another begin", "v.vti", appended("offset=\"0\"", "offset=\"-4\""),
+            "v.vti: line 5: found offset=\"-4\"; expected a whole number from 0");
+        row("VTI, more numbers behind it", "v.vti", test::vtiAppended(floats + "1234"),
+            "v.vti: line 5: array \"s\": 292 bytes; expected 288 bytes of voxels");
+        for (const char* spacing : {"1 nan 3", "1 inf 3", "a b c", "1 2", "1 2 3 4"}) {
+            row(spacing, "v.vti", vti("Spacing=\"1 2 3\"", std::string("Spacing=\"") + spacing + "\""),
+                "v.vti: header: Spacing: \"");
+        }
+        row("VTI, an origin without an axis", "v.vti", vti("10 20 30", "10 20"),
+            "v.vti: header: Origin: \"10 20\"; expected 3 finite numbers");
+        row("VTI, directions of two axes", "v.vti", vti("Origin=", "Direction=\"1 0 0 0 1 0\" Origin="),
+            "v.vti: header: Direction: \"1 0 0 0 1 0\"; expected 9 finite numbers");
         row("VTI, a document type", "v.vti", vti("<VTKFile", "<!DOCTYPE VTKFile>\n<VTKFile"),
-            "v.vti: line 2: a document type or an entity; expected a VTI file without these");
+            "v.vti: line 2: found a document type or an entity; expected a file without them");
         row("VTI, fewer numbers than voxels", "v.vti", test::vtiText("1 2 3"), "v.vti: ");
         row("VTI, a vast extent", "v.vti", test::vtiText("1 2 3", "0 2000000000 0 2000000000 0 2000000000"),
-            "v.vti: 1,000,000,000,000,000,000 voxels declared");
+            "v.vti: header: WholeExtent: \"0 2000000000 0 2000000000 0 2000000000\"; expected the first and last");
         row("VTI, a bomb", "v.vti", test::vtiText("1 2 3", "0 999 0 999 0 999"),
             "v.vti: 1,000,000,000 voxels declared");
         row("VTI, fewer numbers behind it", "v.vti", test::vtiAppended(floats.substr(0, 100)), "v.vti: ");
         row("VTI, no image", "v.vti", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\"></VTKFile>", "v.vti: ");
         row("VTI, cut off", "v.vti", test::vtiText("1 2 3").substr(0, 300),
-            "v.vti: it does not end with its last tag; expected `</VTKFile>` at the end");
+            "v.vti: line 6: invalid XML: \"Premature end of document.\"");
         std::string flat = test::vtiAppended(floats);
         row("VTI, a distance of 0", "v.vti", flat.replace(flat.find("1 2 3"), 5, "1 0 3"),
-            "v.vti: axes or spacings of its voxels that do not define positions");
+            "v.vti: header: voxels of 1 × 0 × 3 mm; expected three axes that are not in one plane");
         row("nothing", "v.vti", "", "v.vti: ");
     }
     void whatIsWrongIsRefused()
@@ -355,6 +385,110 @@ class Volumes : public QObject
         }
     }
 
+    void namesOfAnNrrdHaveManySpellings()
+    {
+        const std::string floats = test::volumeNumbers(), plain = test::nrrdHeader("raw");
+        const auto changed = [&](const std::vector<std::pair<std::string, std::string>>& words) {
+            std::string text = plain;
+            for (const auto& [from, to] : words) {
+                text.replace(text.find(from), from.size(), to);
+            }
+            return text + floats;
+        };
+        const test::Folder folder;
+        int number = 0;
+        for (const std::string& bytes :
+             {changed({{"space directions", "Space Directions"}, {"space origin", "Space Origin"}}),
+              changed({{"space directions", "spacedirections"}, {"space origin", "spaceorigin"}}),
+              changed({{"space directions:", "space directions :"}, {"encoding: raw", "Encoding: RAW"}}),
+              changed({{"type: float", "Type: Float"}, {"endian: little", "endian: Little"}}),
+              changed({{"space: left-posterior-superior", "Space: Left Posterior Superior"}}),
+              changed({{"space: left-posterior-superior", "space: LPS\nspaceunits: \"mm\" \"mm\" \"mm\""}}),
+              changed({{"left-posterior-superior", "lps"}})}) {
+            const auto grid = readSample(folder, {"v" + std::to_string(number++) + ".nrrd", bytes});
+            QVERIFY2(grid.isOk(), grid.status().message().c_str());
+            QVERIFY2(isWhole(grid.value()), bytes.substr(0, plain.size()).c_str());
+        }
+        for (const char* ras : {"RAS", "ras", "right anterior superior", "Right-Anterior-Superior"}) {
+            const auto grid = readSample(folder, {"r.nrrd", changed({{"left-posterior-superior", ras}})});
+            QVERIFY2(grid.isOk(), grid.status().message().c_str());
+            const core::Vec3 p_W = test::volumePlace(4, 1, 1).cwiseProduct(core::Vec3(-1, -1, 1));
+            QVERIFY((grid.value().toVoxel * p_W - core::Vec3(4, 1, 1)).norm() < 1e-9);
+        }
+    }
+
+    void anNrrdWithoutASpaceHasSpacingsUnitsAndMinima()
+    {
+        const auto header = [](const std::string& more) {
+            return "NRRD0004\ntype: float\ndimension: 3\nsizes: 12 3 2\nendian: little\nencoding: raw\n" + more + "\n" +
+                   test::volumeNumbers();
+        };
+        const test::Folder folder;
+        const std::string spacings = "spacings: 0.1 0.2 0.3\nunits: \"cm\" \"cm\" \"cm\"\n";
+        const auto at = [&](const std::string& more) {
+            const auto grid = readSample(folder, {"v.nrrd", header(more)});
+            return grid.isOk() ? core::Vec3(grid.value().toVoxel.inverse() * core::Vec3(4, 1, 1)) : core::Vec3::Zero();
+        };
+        QVERIFY((at(spacings) - core::Vec3(4, 2, 3)).norm() < 1e-9);
+        QVERIFY((at(spacings + "axis mins: 1 2 3\ncenters: node node node\n") - core::Vec3(14, 22, 33)).norm() < 1e-9);
+        QVERIFY((at(spacings + "axismins: 1 2 3\n") - core::Vec3(14.5, 23, 34.5)).norm() < 1e-9);
+        for (const char* bad :
+             {"spacings: 1 nan 3\n", "spacings: 1 2\n", "spacings: 1 2 3\nunits: \"s\" \"mm\" \"mm\"\n"}) {
+            QVERIFY2(!readSample(folder, {"v.nrrd", header(bad)}).isOk(), bad);
+        }
+    }
+
+    void everyVtiOfVtkSaysTheSame()
+    {
+        vtkNew<vtkImageData> image;
+        image->SetExtent(5, 16, -2, 0, 7, 8);
+        image->SetOrigin(5, 24, 9);
+        image->SetSpacing(1, 2, 3);
+        const test::Folder folder;
+        int number = 0;
+        for (const int type : {VTK_FLOAT, VTK_SHORT, VTK_UNSIGNED_CHAR, VTK_DOUBLE, VTK_LONG_LONG}) {
+            image->AllocateScalars(type, 1);
+            for (int n = 0; n < 72; ++n) {
+                image->GetPointData()->GetScalars()->SetTuple1(n, test::volumeValue(n % 12, n / 12 % 3, n / 36));
+            }
+            for (const int compressor :
+                 {vtkXMLWriter::NONE, vtkXMLWriter::ZLIB, vtkXMLWriter::LZ4, vtkXMLWriter::LZMA}) {
+                constexpr int kEncoded = -1;
+                for (const int mode :
+                     std::array<int, 4>{vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended, kEncoded}) {
+                    vtkNew<vtkXMLImageDataWriter> writer;
+                    const std::filesystem::path path = folder.path("v" + std::to_string(number++) + ".vti");
+                    writer->SetFileName(path.c_str());
+                    writer->SetInputData(image);
+                    writer->SetCompressorType(compressor);
+                    writer->SetDataMode(mode == kEncoded ? static_cast<int>(vtkXMLWriter::Appended) : mode);
+                    writer->SetEncodeAppendedData(mode == kEncoded ? 1 : 0);
+                    writer->SetHeaderType(number % 2 == 0 ? vtkXMLWriter::UInt32 : vtkXMLWriter::UInt64);
+                    writer->SetByteOrder(number % 3 == 0 ? vtkXMLWriter::BigEndian : vtkXMLWriter::LittleEndian);
+                    writer->SetNumberOfPieces(number % 5 == 0 ? 2 : 1);
+                    QCOMPARE(writer->Write(), 1);
+                    const auto grid = readVolumeHere(path, core::FileFrame::Untagged, {});
+                    QVERIFY2(grid.isOk(), grid.status().message().c_str());
+                    QVERIFY2(type == VTK_UNSIGNED_CHAR || isWhole(grid.value()), path.c_str());
+                    QCOMPARE(grid.value().values[14], test::volumeValue(2, 1, 0));
+                }
+            }
+        }
+    }
+
+    void aVtiOfCellsHasItsVoxelsBetweenThePoints()
+    {
+        std::string text = test::vtiText("1 2 3 4", "0 2 0 2 0 1");
+        for (const std::string& word : {std::string("PointData"), std::string("/PointData")}) {
+            text.replace(text.find(word), word.size(), word[0] == '/' ? "/CellData" : "CellData");
+        }
+        const test::Folder folder;
+        const auto grid = readSample(folder, {"v.VTI", text});
+        QVERIFY2(grid.isOk(), grid.status().message().c_str());
+        QCOMPARE(grid.value().size, (std::array<std::uint32_t, 3>{2, 2, 1}));
+        QVERIFY((grid.value().toVoxel * core::Vec3(10.5, 21, 31.5)).norm() < 1e-9);
+    }
+
     void aVtiStatesExtentAndDirections()
     {
         std::string numbers;
@@ -391,6 +525,45 @@ class Volumes : public QObject
         const auto grid = readSample(folder, {"v.nii", header + test::volumeNumbers()});
         QVERIFY2(grid.isOk(), grid.status().message().c_str());
         QCOMPARE(grid.value().values[71], 0.5F * test::volumeValue(11, 2, 1) - 3.0F);
+    }
+
+    void aQuaternionOfANiftiIsAUnit()
+    {
+        const test::Folder folder;
+        const auto place = [&folder](float d, float across) {
+            std::string header = test::niftiHeader();
+            header[254] = '\0'; // no sform
+            const auto put = [&header](std::size_t at, auto value) { std::memcpy(&header[at], &value, sizeof(value)); };
+            put(252, std::int16_t{1});
+            put(80, across);
+            put(264, d);
+            const auto grid = readSample(folder, {"v.nii", header + test::volumeNumbers()});
+            return grid.isOk() ? core::Vec3(grid.value().toVoxel.inverse() * core::Vec3(4, 1, 1)) : core::Vec3::Zero();
+        };
+        QVERIFY((place(0.0F, 1.0F) - core::Vec3(-4, -2, 3)).norm() < 1e-6); // RAS to LPS
+        QVERIFY((place(1.0F, 1.0F) - core::Vec3(4, 2, 3)).norm() < 1e-6);   // half a turn about z
+        QVERIFY((place(1.5F, 1.0F) - core::Vec3(4, 2, 3)).norm() < 1e-6);
+        QVERIFY((place(1.0F, -1.0F) - core::Vec3(4, 2, 3)).norm() < 1e-6); // a size has no sign
+    }
+
+    void fillersBehindVoxelsAreIgnored()
+    {
+        const std::string floats = test::volumeNumbers();
+        const test::Folder folder;
+        for (const test::VolumeSample& sample :
+             {test::VolumeSample{"a.nii.gz", test::gzipped(test::niftiHeader() + floats) + std::string(300, '\0')},
+              test::VolumeSample{"b.mha", test::metaHeader("MET_FLOAT", "LOCAL") + floats + "\r\n"}}) {
+            const auto grid = readSample(folder, sample);
+            QVERIFY2(grid.isOk(), grid.status().message().c_str());
+            QVERIFY(isWhole(grid.value()));
+        }
+        std::string header = test::niftiHeader();
+        const float none = 0.0F;
+        std::memcpy(&header[108], &none, sizeof(none)); // no offset of the voxels
+        const auto grid = readSample(folder, {"c.nii", header + floats});
+        QVERIFY2(grid.isOk(), grid.status().message().c_str());
+        QVERIFY(!readSample(folder, {"d.nii", test::niftiHeader() + floats + "1234"}).isOk());
+        QVERIFY(!readSample(folder, {"e.nii.gz", test::gzipped(test::niftiHeader() + floats) + "1234"}).isOk());
     }
 
     void aNiftiWithoutAPlaceIsInTheChosenFrame()

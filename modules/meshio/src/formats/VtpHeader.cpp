@@ -84,7 +84,7 @@ void HeaderReader::startFile(VtpHeader& header)
 {
     if (const std::string type = attribute("type"); type != m_type) {
         (void)fail(StatusCode::Unsupported, {PALPATE_TEXT("a VTK file of type %1"), inQuotes(type)},
-                   {PALPATE_TEXT("the type %1"), "\"PolyData\""});
+                   {PALPATE_TEXT("the type %1"), inQuotes(m_type)});
     }
     const std::string order = attribute("byte_order");
     header.isBigEndian = order == "BigEndian";
@@ -117,6 +117,7 @@ void HeaderReader::startPiece(VtpHeader& header)
     piece.strips.count = count("NumberOfStrips").value_or(0);
     piece.polys.count = count("NumberOfPolys").value_or(0);
     piece.cells.count = count("NumberOfCells").value_or(0);
+    piece.extent = attribute("Extent");
 }
 
 VtpDataArray* HeaderReader::place(VtpHeader& header, const std::string& parent, const std::string& name)
@@ -199,6 +200,10 @@ void HeaderReader::startElement(VtpHeader& header)
         startFile(header);
     } else if (name == "Piece") {
         startPiece(header);
+    } else if (name == kImageType && m_path.size() == 2) {
+        header.image = {attribute("WholeExtent"), attribute("Origin"), attribute("Spacing"), attribute("Direction")};
+    } else if (name == "PointData" && parent == "Piece") {
+        header.pieces.back().scalars = attribute("Scalars");
     } else if (isArray) {
         startArray(header, parent);
     } else if (name == "AppendedData") {
@@ -218,7 +223,7 @@ Status HeaderReader::run(VtpHeader& header)
         case QXmlStreamReader::DTD:
         case QXmlStreamReader::EntityReference:
             return wrong(StatusCode::BadFormat, {PALPATE_TEXT("found a document type or an entity")},
-                         {PALPATE_TEXT("a VTP file without them")});
+                         {PALPATE_TEXT("a file without them")});
         case QXmlStreamReader::StartElement:
             m_array = nullptr; // VTK's reader takes an array's text up to the first tag: information keys do not belong
                                // to the text

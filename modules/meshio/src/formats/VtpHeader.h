@@ -57,7 +57,15 @@ struct VtpPiece
     std::optional<VtpDataArray> coordinates;
     std::vector<VtpDataArray> pointData;
     std::vector<VtpDataArray> cellData;
+    std::string extent;  ///< attribute of a piece of an image
+    std::string scalars; ///< attribute of its point data
     std::uint64_t line = 0;
+};
+
+/// Attributes of an image, as text; empty if absent.
+struct VtpImage
+{
+    std::string extent, origin, spacing, direction;
 };
 
 /// Content of the XML of a VTP file, without the appended data.
@@ -68,6 +76,7 @@ struct VtpHeader
     VtpCompressor compressor = VtpCompressor::None;
     std::vector<VtpDataArray> fieldData;
     std::vector<VtpPiece> pieces;
+    VtpImage image;
     bool isAppendedBase64 = false;
     std::string_view appended;       ///< content after the underscore, up to the end of the file
     std::uint64_t appendedBegin = 0; ///< [bytes]
@@ -75,6 +84,8 @@ struct VtpHeader
 
 /// Type of the VTK files of unstructured grids, `.vtu`.
 inline constexpr std::string_view kGridType = "UnstructuredGrid";
+/// Type of the VTK files of images, `.vti`.
+inline constexpr std::string_view kImageType = "ImageData";
 
 /// Reads the XML; a document type, another kind of VTK file, deep nesting and counts that are not whole numbers are
 /// errors.

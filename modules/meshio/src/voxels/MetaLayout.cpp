@@ -22,6 +22,12 @@ using core::Vec3;
 
 constexpr std::size_t kMostMetaHeader = 65536; ///< [bytes]
 
+/// @return true for "LIST", which the number of dimensions of each file may follow
+bool isFileList(const std::string& text)
+{
+    return text == "LIST" || text == "LIST 2" || text == "LIST 3";
+}
+
 /// Parses one header, which ends with ElementDataFile.
 class MetaParser
 {
@@ -112,16 +118,17 @@ Status MetaParser::takeFields()
                          Message(PALPATE_TEXT("each field once")));
         }
         if (key == "ElementDataFile") { // the last field
-            isList = text == "LIST";
+            isList = isFileList(text);
             if (!isList) {
                 return {};
             }
         }
     }
     if (!isList) {
-        return fault(StatusCode::BadFormat, m_file, Message(PALPATE_TEXT("header")),
-                     Message(PALPATE_TEXT("the header does not end")),
-                     Message(PALPATE_TEXT("a line with ElementDataFile")));
+        return fault(
+            StatusCode::BadFormat, m_file, Message(PALPATE_TEXT("header")),
+            Message(PALPATE_TEXT("the header does not end")),
+            Message(PALPATE_TEXT("a line with ElementDataFile, within %1 bytes"), core::Count(kMostMetaHeader)));
     }
     return {};
 }
@@ -246,7 +253,7 @@ Status MetaParser::takeDataFiles()
     if (isLocal) {
         return {};
     }
-    const bool isList = name == "LIST";
+    const bool isList = isFileList(name);
     if (name.empty() || (isList && (m_layout.isPacked || m_list.empty()))) {
         return wrong("ElementDataFile", Message(PALPATE_TEXT("one file, or uncompressed files in a LIST")),
                      StatusCode::Unsupported);

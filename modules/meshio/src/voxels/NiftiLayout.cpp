@@ -23,7 +23,7 @@ using core::StatusCode;
 using core::Vec3;
 
 constexpr std::size_t kNifti1 = 348, kNifti2 = 540;            ///< bytes of the header: NIfTI-1, NIfTI-2
-constexpr std::size_t kMostNiftiHeader = std::size_t{1} << 20; ///< header and extensions [bytes]
+constexpr std::size_t kMostNiftiHeader = std::size_t{1} << 26; ///< header and extensions [bytes]
 
 bool isPackedNifti(std::string_view bytes)
 {
@@ -161,9 +161,9 @@ void takePlace(const NiftiHead& head, VolumeLayout& layout)
     const auto code = [&head](std::size_t first, std::size_t second) {
         return head.isSecond() ? head.at<std::int32_t>(second) : std::int32_t{head.at<std::int16_t>(first)};
     };
-    std::array<double, 4> size{};
+    std::array<double, 4> size{}; // the first number is the direction of the slices
     for (std::size_t i = 0; i < size.size(); ++i) {
-        size[i] = head.either<float>(76, 104, i);
+        size[i] = i == 0 ? head.either<float>(76, 104, i) : std::abs(double{head.either<float>(76, 104, i)});
     }
     if (code(254, 348) > 0) { // sform
         for (std::size_t row = 0; row < 3; ++row) {
@@ -175,9 +175,16 @@ void takePlace(const NiftiHead& head, VolumeLayout& layout)
         }
         layout.frame = core::FileFrame::Ras;
     } else if (code(252, 344) > 0) { // qform: a quaternion with b, c, d
-        const double b = head.either<float>(256, 352, 0), c = head.either<float>(256, 352, 1),
-                     d = head.either<float>(256, 352, 2);
-        const double a = std::sqrt(std::max(0.0, 1.0 - (b * b + c * c + d * d)));
+        double b = head.either<float>(256, 352, 0), c = head.either<float>(256, 352, 1),
+               d = head.either<float>(256, 352, 2);
+        const double squares = b * b + c * c + d * d;
+        const double a = squares < 1.0 ? std::sqrt(1.0 - squares) : 0.0;
+        if (squares > 1.0) { // half a turn; as in nifti1_io.c, nifti_quatern_to_mat44
+            const double length = std::sqrt(squares);
+            b /= length;
+            c /= length;
+            d /= length;
+        }
         Eigen::Matrix3d R;
         R << a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c), 2 * (b * c + a * d),
             a * a + c * c - b * b - d * d, 2 * (c * d - a * b), 2 * (b * d - a * c), 2 * (c * d + a * b),
@@ -232,7 +239,11 @@ bool looksLikeNifti(std::string_view bytes)
 
 Result<VolumeLayout> niftiLayout(std::string_view bytes, const std::string& file)
 {
-    const NiftiHead head(beginningOf(bytes, kMostNiftiHeader));
+    const NiftiHead first(beginningOf(bytes, kNifti2));
+    const double stated =
+        first.isSecond() ? static_cast<double>(first.at<std::int64_t>(168)) : double{first.at<float>(108)};
+    const double whole = std::isfinite(stated) ? std::clamp(stated, double{kNifti2}, double{kMostNiftiHeader}) : 0.0;
+    const NiftiHead head(beginningOf(bytes, std::max(kNifti2, static_cast<std::size_t>(whole))));
     const Message place(PALPATE_TEXT("header"));
     if (!head.isWhole()) {
         return fault(StatusCode::BadFormat, file, place, Message(PALPATE_TEXT("no complete header of a NIfTI file")),
@@ -257,9 +268,8 @@ Result<VolumeLayout> niftiLayout(std::string_view bytes, const std::string& file
     if (Status status = takeNiftiSizes(head, file, layout); !status.isOk()) {
         return status;
     }
-    const double offset =
-        head.isSecond() ? static_cast<double>(head.at<std::int64_t>(168)) : double{head.at<float>(108)};
-    constexpr double kMostOffset = 1e9;
+    constexpr double kMostOffset = 1e9, kNoExtension = 4.0;
+    const double offset = stated == 0.0 ? static_cast<double>(head.size()) + kNoExtension : stated; // as in nibabel
     if (!(offset >= static_cast<double>(head.size())) || offset > kMostOffset || offset != std::floor(offset)) {
         return fault(StatusCode::BadFormat, file, Message(PALPATE_TEXT("header: vox_offset")),
                      Message(PALPATE_TEXT("%1"), offset),

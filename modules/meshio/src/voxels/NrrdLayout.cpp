@@ -23,18 +23,33 @@ using core::Vec3;
 
 constexpr std::size_t kMostNrrdHeader = std::size_t{1} << 20; ///< [bytes]
 constexpr std::size_t kMostAxes = 4;
+constexpr const char* kDataFile = "datafile"; ///< a plain name
 
 /// Fields of a header; the end of the header is the first voxel, or the file's end if there is a data file.
 struct NrrdFields
 {
-    std::map<std::string, std::string> fields, pairs;
+    std::map<std::string, std::string> fields; ///< by `plain` names
+    std::map<std::string, std::string> pairs;
     std::vector<std::string> dataFiles; ///< lines after "data file: LIST"
     std::uint64_t size = 0;             ///< of the header [bytes]
 };
 
-bool isDataFile(const std::string& field)
+std::string lowerCase(std::string_view text)
 {
-    return field == "data file" || field == "datafile";
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return out;
+}
+
+/// @return a name without case, blanks and hyphens: Teem's reader takes "space directions", "Space Directions" and
+/// "spacedirections" for the same field, and likewise the names of spaces, types and encodings
+/// @par Source Teem, enumsNrrd.c
+std::string plain(std::string_view name)
+{
+    std::string out = lowerCase(name);
+    std::erase_if(out, [](char c) { return c == ' ' || c == '\t' || c == '-'; });
+    return out;
 }
 
 Result<NrrdFields> fieldsOf(std::string_view bytes, const std::string& file)
@@ -65,17 +80,18 @@ Result<NrrdFields> fieldsOf(std::string_view bytes, const std::string& file)
             return wrong(Message(PALPATE_TEXT("%1"), inQuotes(line)), Message(PALPATE_TEXT("a field and its value")));
         }
         const bool isPair = line.substr(colon).starts_with(":=");
-        const std::string key(line.substr(0, colon));
+        const std::string key = isPair ? std::string(line.substr(0, colon)) : plain(line.substr(0, colon));
         const std::string value(trimmed(line.substr(colon + (isPair ? 2 : 1))));
         if (!(isPair ? out.pairs : out.fields).emplace(key, value).second && !isPair) {
-            return wrong(Message(PALPATE_TEXT("%1 a second time"), inQuotes(key)),
+            return wrong(Message(PALPATE_TEXT("%1 a second time"), inQuotes(line.substr(0, colon))),
                          Message(PALPATE_TEXT("each field once")));
         }
-        isList = isDataFile(key) && value.starts_with("LIST");
+        isList = key == kDataFile && value.starts_with("LIST");
     }
-    const bool hasData = out.fields.contains("data file") || out.fields.contains("datafile");
+    const bool hasData = out.fields.contains(kDataFile);
     if (!isEnded && !(hasData && out.size == bytes.size())) {
-        return wrong(Message(PALPATE_TEXT("the header does not end")), Message(PALPATE_TEXT("an empty line after it")));
+        return wrong(Message(PALPATE_TEXT("the header does not end")),
+                     Message(PALPATE_TEXT("an empty line after it, within %1 bytes"), core::Count(kMostNrrdHeader)));
     }
     return out;
 }
@@ -123,8 +139,9 @@ std::optional<VoxelType> typeNamed(const std::string& name)
                                                                {"uint64_t", VoxelType::UInt64},
                                                                {"float", VoxelType::Float32},
                                                                {"double", VoxelType::Float64}});
+    const std::string wanted = plain(name);
     const auto* const found =
-        std::find_if(kNames.begin(), kNames.end(), [&](const auto& one) { return one.first == name; });
+        std::find_if(kNames.begin(), kNames.end(), [&](const auto& one) { return plain(one.first) == wanted; });
     return found == kNames.end() ? std::nullopt : std::optional(found->second);
 }
 
@@ -135,22 +152,37 @@ struct Space
     Vec3 sign = Vec3::Ones();
 };
 
-Space spaceNamed(std::string name)
+/// @return nothing for an unknown name
+std::optional<Space> spaceNamed(const std::string& name)
 {
-    constexpr std::string_view kTime = "-time";
-    if (name.ends_with(kTime)) {
-        name.resize(name.size() - kTime.size());
+    std::string known = plain(name);
+    constexpr std::string_view kTime = "time";
+    if (known.ends_with(kTime)) {
+        known.resize(known.size() - kTime.size());
     }
-    if (name == "left-posterior-superior" || name == "LPS" || name == "LPST") {
-        return {FileFrame::Lps, Vec3::Ones()};
+    if (known == "leftposteriorsuperior" || known == "lps" || known == "lpst") {
+        return Space{FileFrame::Lps, Vec3::Ones()};
     }
-    if (name == "right-anterior-superior" || name == "RAS" || name == "RAST") {
-        return {FileFrame::Ras, Vec3::Ones()};
+    if (known == "rightanteriorsuperior" || known == "ras" || known == "rast") {
+        return Space{FileFrame::Ras, Vec3::Ones()};
     }
-    if (name == "left-anterior-superior" || name == "LAS" || name == "LAST") {
-        return {FileFrame::Lps, Vec3(1, -1, 1)};
+    if (known == "leftanteriorsuperior" || known == "las" || known == "last") {
+        return Space{FileFrame::Lps, Vec3(1, -1, 1)};
     }
-    return {};
+    constexpr std::array<std::string_view, 4> kNotAnatomical{"", "scannerxyz", "3drighthanded", "3dlefthanded"};
+    return std::find(kNotAnatomical.begin(), kNotAnatomical.end(), known) != kNotAnatomical.end()
+               ? std::optional(Space())
+               : std::nullopt;
+}
+
+/// @return millimetres per unit; nothing for an unknown one
+std::optional<double> unitNamed(std::string_view word)
+{
+    static constexpr auto kUnits = std::to_array<std::pair<std::string_view, double>>(
+        {{"\"mm\"", 1.0}, {"\"m\"", 1000.0}, {"\"cm\"", 10.0}, {"\"um\"", 1e-3}});
+    const auto* const known =
+        std::find_if(kUnits.begin(), kUnits.end(), [word](const auto& one) { return one.first == word; });
+    return known == kUnits.end() ? std::nullopt : std::optional(known->second);
 }
 
 /// Reads "(1,0,0)". @return NaN for "none"; nothing if unreadable
@@ -203,7 +235,7 @@ class NrrdParser
   private:
     [[nodiscard]] std::string value(const char* field) const
     {
-        const auto found = m_fields.fields.find(field);
+        const auto found = m_fields.fields.find(plain(field));
         return found == m_fields.fields.end() ? std::string() : found->second;
     }
     [[nodiscard]] Status wrong(const char* field, const Message& expected,
@@ -215,7 +247,7 @@ class NrrdParser
     Status takeSizes();
     Status takeNumbers();
     Status takeAxes();
-    [[nodiscard]] std::vector<Vec3> directionsWithoutSpace() const;
+    Status takeSpacings(std::vector<Vec3>& directions);
     Status takePlace();
     Status takeComponents();
     Status takeDataFiles();
@@ -255,12 +287,12 @@ Status NrrdParser::takeNumbers()
                      StatusCode::Unsupported);
     }
     m_layout.type = *type;
-    const std::string endian = value("endian");
+    const std::string endian = plain(value("endian"));
     if (bytesOf(*type) > 1 && endian != "little" && endian != "big") {
         return wrong("endian", Message(PALPATE_TEXT("\"little\" or \"big\"")));
     }
     m_layout.isBigEndian = endian == "big";
-    const std::string encoding = value("encoding");
+    const std::string encoding = plain(value("encoding"));
     m_layout.isPacked = encoding == "gzip" || encoding == "gz";
     if (!m_layout.isPacked && encoding != "raw") {
         return wrong("encoding", Message(PALPATE_TEXT("\"raw\" or \"gzip\"")), StatusCode::Unsupported);
@@ -268,27 +300,40 @@ Status NrrdParser::takeNumbers()
     return {};
 }
 
-/// @return directions along x, y and z by the spacings, and NaN for the axis of the layers: the first of another kind
-/// than a domain, or the last
-std::vector<Vec3> NrrdParser::directionsWithoutSpace() const
+/// Sets the directions of a header without a space: along x, y and z by the spacings, and NaN for the axis of the
+/// layers, which is the first of another kind than a domain, or the last. The minimum of an axis is the border of the
+/// first voxel unless the voxels are centred on nodes, as in ITK.
+Status NrrdParser::takeSpacings(std::vector<Vec3>& directions)
 {
-    const std::string kinds = value("kinds"), spacings = value("spacings");
-    std::string_view kind = kinds, spacing = spacings;
-    std::vector<Vec3> directions;
+    const std::string kinds = lowerCase(value("kinds")), spacings = value("spacings"), units = value("units"),
+                      minima = value("axis mins"), centerings = lowerCase(value("centers") + value("centerings"));
+    std::string_view kind = kinds, spacing = spacings, unit = units, minimum = minima, centering = centerings;
     bool isLayerMissing = m_sizes.size() == kMostAxes;
-    for (std::size_t axis = 0, place = 0; axis < m_sizes.size(); ++axis) {
-        const std::string_view word = takeWord(kind);
-        const std::optional<double> along = wordToNumber(takeWord(spacing));
-        if (isLayerMissing && (axis + 1 == kMostAxes || (!word.empty() && word != "domain" && word != "space"))) {
+    for (std::size_t axis = 0; axis < m_sizes.size(); ++axis) {
+        const std::string_view ofKind = takeWord(kind), length = takeWord(spacing), ofUnit = takeWord(unit),
+                               first = takeWord(minimum), centre = takeWord(centering);
+        if (isLayerMissing && (axis + 1 == kMostAxes || (!ofKind.empty() && ofKind != "domain" && ofKind != "space"))) {
             isLayerMissing = false;
             directions.emplace_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
             continue;
         }
-        directions.emplace_back((along && std::isfinite(*along) ? *along : 1.0) *
-                                Vec3::Unit(static_cast<Eigen::Index>(std::min<std::size_t>(place, 2))));
-        ++place;
+        const std::optional<double> unit_mm = ofUnit.empty() || ofUnit == "\"\"" ? 1.0 : unitNamed(ofUnit);
+        if (!unit_mm) {
+            return wrong("units", Message(PALPATE_TEXT("\"mm\", \"cm\", \"m\" or \"um\"")), StatusCode::Unsupported);
+        }
+        const std::optional<double> along = spacings.empty() ? 1.0 : wordToNumber(length);
+        if (!along || !std::isfinite(*along)) {
+            return wrong("spacings", Message(PALPATE_TEXT("a number for each axis in space")));
+        }
+        const auto place = static_cast<Eigen::Index>(std::count_if(
+            directions.begin(), directions.end(), [](const Vec3& before) { return !std::isnan(before.x()); }));
+        directions.emplace_back(*unit_mm * *along * Vec3::Unit(std::min<Eigen::Index>(place, 2)));
+        const std::optional<double> begin = wordToNumber(first);
+        if (begin && std::isfinite(*begin) && value("space origin").empty() && place < 3) {
+            m_layout.origin[place] = *unit_mm * (*begin + (centre == "node" ? 0.0 : 0.5 * *along));
+        }
     }
-    return directions;
+    return {};
 }
 
 /// Finds the axis of the layers, and the directions of the others.
@@ -305,7 +350,9 @@ Status NrrdParser::takeAxes()
         directions.push_back(*direction);
     }
     if (directions.empty()) { // without a space
-        directions = directionsWithoutSpace();
+        if (Status status = takeSpacings(directions); !status.isOk()) {
+            return status;
+        }
     }
     if (directions.size() != m_sizes.size()) {
         return wrong("space directions", Message(PALPATE_TEXT("a vector of three numbers for each axis, or none")));
@@ -335,30 +382,36 @@ Status NrrdParser::takeAxes()
 
 Status NrrdParser::takePlace()
 {
-    const Space space = spaceNamed(value("space"));
+    const std::optional<Space> space = spaceNamed(value("space"));
+    if (!space) {
+        return wrong("space",
+                     Message(PALPATE_TEXT("%1, %2 or %3"), "left-posterior-superior", "right-anterior-superior",
+                             "left-anterior-superior"),
+                     StatusCode::Unsupported);
+    }
     const std::string origin = value("space origin");
     std::string_view rest = origin;
     const std::optional<Vec3> place = origin.empty() ? Vec3(Vec3::Zero()) : takeVector(rest);
     if (!place || !place->allFinite()) {
         return wrong("space origin", Message(PALPATE_TEXT("a vector of three numbers")));
     }
-    double unit_mm = 1.0;
+    Vec3 units_mm = Vec3::Ones(); // along the axes of the space
     if (const std::string units = value("space units"); !units.empty()) {
-        static constexpr auto kUnits = std::to_array<std::pair<std::string_view, double>>(
-            {{"\"mm\"", 1.0}, {"\"m\"", 1000.0}, {"\"cm\"", 10.0}, {"\"um\"", 1e-3}});
         std::string_view words = units;
-        const std::string_view first = takeWord(words);
-        const auto* const known =
-            std::find_if(kUnits.begin(), kUnits.end(), [&](const auto& one) { return one.first == first; });
-        if (known == kUnits.end()) {
-            return wrong("space units", Message(PALPATE_TEXT("\"mm\", \"cm\", \"m\" or \"um\"")),
-                         StatusCode::Unsupported);
+        for (double& unit_mm : units_mm) {
+            const std::optional<double> known = unitNamed(takeWord(words));
+            if (!known) {
+                return wrong("space units",
+                             Message(PALPATE_TEXT("a unit for each of three axes: \"mm\", \"cm\", \"m\" or \"um\"")),
+                             StatusCode::Unsupported);
+            }
+            unit_mm = *known;
         }
-        unit_mm = known->second;
     }
-    m_layout.frame = space.frame;
-    m_layout.steps = unit_mm * (space.sign.asDiagonal() * m_layout.steps);
-    m_layout.origin = unit_mm * space.sign.cwiseProduct(*place);
+    const Vec3 scale = units_mm.cwiseProduct(space->sign);
+    m_layout.frame = space->frame;
+    m_layout.steps = (scale.asDiagonal() * m_layout.steps).eval();
+    m_layout.origin = origin.empty() ? m_layout.origin : Vec3(scale.cwiseProduct(*place));
     return {};
 }
 
@@ -366,7 +419,7 @@ Status NrrdParser::takePlace()
 /// leads from the components to the space; an unreadable one gives NaN, which only matters to vectors.
 Status NrrdParser::takeComponents()
 {
-    const std::string kinds = value("kinds");
+    const std::string kinds = lowerCase(value("kinds"));
     std::string_view rest = kinds, kind;
     for (std::size_t axis = 0; axis <= m_listAxis; ++axis) {
         kind = takeWord(rest);
@@ -374,12 +427,13 @@ Status NrrdParser::takeComponents()
     constexpr std::string_view kUnknown = "???";
     m_layout.isVector =
         m_sizes.size() == kMostAxes && (kind.empty() || kind == kUnknown || kind == "none" || kind.ends_with("vector"));
-    m_layout.components = spaceNamed(value("space")).sign.asDiagonal();
+    const Vec3 sign = spaceNamed(value("space")).value_or(Space()).sign;
+    m_layout.components = sign.asDiagonal();
     const std::string frame = value("measurement frame");
     std::string_view vectors = frame;
     for (Eigen::Index column = 0; column < 3 && !frame.empty(); ++column) {
         const Vec3 direction = takeVector(vectors).value_or(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
-        m_layout.components.col(column) = spaceNamed(value("space")).sign.cwiseProduct(direction);
+        m_layout.components.col(column) = sign.cwiseProduct(direction);
     }
     return {};
 }
@@ -387,25 +441,24 @@ Status NrrdParser::takeComponents()
 Status NrrdParser::takeDataFiles()
 {
     m_layout.offset = m_fields.size;
-    for (const char* field : {"data file", "datafile"}) {
-        const std::string name = value(field);
-        if (name.empty()) {
-            continue;
-        }
-        const bool isList = name.starts_with("LIST");
-        if (!m_layout.dataFiles.empty() || (isList && m_layout.isPacked)) {
-            return wrong(field, Message(PALPATE_TEXT("one file, or uncompressed files in a LIST")),
-                         StatusCode::Unsupported);
-        }
-        if (!isList && name.find('%') != std::string::npos) {
-            return wrong(field, Message(PALPATE_TEXT("the name of one file, or LIST and one name on each line")),
-                         StatusCode::Unsupported);
-        }
-        m_layout.dataFiles = isList ? m_fields.dataFiles : std::vector<std::string>{name};
-        m_layout.offset = 0;
-        if (m_layout.dataFiles.empty()) {
-            return wrong(field, Message(PALPATE_TEXT("one name on each line after LIST")));
-        }
+    const char* field = "data file";
+    const std::string name = value(field);
+    if (name.empty()) {
+        return takeSkip();
+    }
+    const bool isList = name.starts_with("LIST");
+    if (isList && m_layout.isPacked) {
+        return wrong(field, Message(PALPATE_TEXT("one file, or uncompressed files in a LIST")),
+                     StatusCode::Unsupported);
+    }
+    if (!isList && name.find('%') != std::string::npos) {
+        return wrong(field, Message(PALPATE_TEXT("the name of one file, or LIST and one name on each line")),
+                     StatusCode::Unsupported);
+    }
+    m_layout.dataFiles = isList ? m_fields.dataFiles : std::vector<std::string>{name};
+    m_layout.offset = 0;
+    if (m_layout.dataFiles.empty()) {
+        return wrong(field, Message(PALPATE_TEXT("one name on each line after LIST")));
     }
     return takeSkip();
 }
@@ -413,27 +466,23 @@ Status NrrdParser::takeDataFiles()
 /// Finds the bytes between the header, or the beginning of a data file, and the voxels.
 Status NrrdParser::takeSkip()
 {
-    for (const char* field : {"line skip", "lineskip"}) {
-        if (const std::string skipped = value(field); !skipped.empty() && skipped != "0") {
-            return wrong(field, Message(PALPATE_TEXT("0: voxels from the first line on")), StatusCode::Unsupported);
-        }
+    if (const std::string skipped = value("line skip"); !skipped.empty() && skipped != "0") {
+        return wrong("line skip", Message(PALPATE_TEXT("0: voxels from the first line on")), StatusCode::Unsupported);
     }
-    for (const char* field : {"byte skip", "byteskip"}) {
-        const std::string skipped = value(field);
-        if (skipped.empty() || skipped == "0") {
-            continue;
-        }
-        const std::optional<std::int64_t> bytes = wordToInteger(skipped);
-        constexpr std::int64_t kMost = std::int64_t{1} << 40; // far above any file that can be read
-        if (m_layout.isPacked || !bytes || *bytes < -1 || *bytes > kMost) {
-            return wrong(field,
-                         Message(PALPATE_TEXT("0, or the bytes before uncompressed voxels, or -1 if the voxels "
-                                              "end with their file")),
-                         StatusCode::Unsupported);
-        }
-        m_layout.isAtEnd = *bytes < 0;
-        m_layout.offset += m_layout.isAtEnd ? 0 : static_cast<std::uint64_t>(*bytes);
+    const std::string skipped = value("byte skip");
+    if (skipped.empty() || skipped == "0") {
+        return {};
     }
+    const std::optional<std::int64_t> bytes = wordToInteger(skipped);
+    constexpr std::int64_t kMost = std::int64_t{1} << 40; // far above any file that can be read
+    if (m_layout.isPacked || !bytes || *bytes < -1 || *bytes > kMost) {
+        return wrong("byte skip",
+                     Message(PALPATE_TEXT("0, or the bytes before uncompressed voxels, or -1 if the voxels "
+                                          "end with their file")),
+                     StatusCode::Unsupported);
+    }
+    m_layout.isAtEnd = *bytes < 0;
+    m_layout.offset += m_layout.isAtEnd ? 0 : static_cast<std::uint64_t>(*bytes);
     return {};
 }
 

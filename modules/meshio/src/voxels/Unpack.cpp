@@ -65,6 +65,8 @@ std::size_t ByteStream::inflateInto(std::span<char> to)
 {
     z_stream& z = m_inflater->stream;
     if (m_inflater->isAtEnd) {
+        // Zeros behind the last member fill a block, as gzip accepts.
+        m_rest.remove_prefix(std::min(m_rest.find_first_not_of('\0'), m_rest.size()));
         if (m_rest.empty()) {
             return 0;
         }

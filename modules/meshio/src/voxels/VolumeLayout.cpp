@@ -68,8 +68,11 @@ Status checkLayout(const VolumeLayout& layout, const std::string& file)
     constexpr double kShortest_mm = 1e-6, kLongest_mm = 1e6;
     const core::Vec3 edges_mm = layout.voxel_mm();
     const Message expected(PALPATE_TEXT("three axes that are not in one plane, with a voxel size above 0"));
-    if (!layout.steps.allFinite() || !layout.origin.allFinite() || !(edges_mm.minCoeff() >= kShortest_mm) ||
-        !(edges_mm.maxCoeff() <= kLongest_mm)) {
+    if (!layout.origin.allFinite()) {
+        return fault(StatusCode::BadFormat, file, header, Message(PALPATE_TEXT("an origin that is not finite")),
+                     Message(PALPATE_TEXT("positions in mm")));
+    }
+    if (!layout.steps.allFinite() || !(edges_mm.minCoeff() >= kShortest_mm) || !(edges_mm.maxCoeff() <= kLongest_mm)) {
         return fault(StatusCode::BadFormat, file, header,
                      Message(PALPATE_TEXT("voxels of %1 × %2 × %3 mm"), edges_mm.x(), edges_mm.y(), edges_mm.z()),
                      expected);

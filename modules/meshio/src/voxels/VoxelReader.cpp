@@ -186,8 +186,16 @@ Status readVoxels(const VolumeLayout& layout, std::string_view bytes, const std:
     const std::uint64_t begin = layout.isWholePacked ? 0 : beginOf(layout, bytes.size(), declared);
     std::uint64_t stored = files.empty() ? bytes.size() - begin : 0;
     for (DataFile& each : files) {
-        each.begin = beginOf(layout, each.bytes, declared / files.size());
+        const std::uint64_t share = declared / files.size();
+        each.begin = beginOf(layout, each.bytes, share);
         stored += each.bytes - each.begin;
+        if (files.size() > 1 && each.bytes - each.begin != share) { // otherwise all that follows would be shifted
+            return fault(
+                StatusCode::BadFormat, file, Message(PALPATE_TEXT("header: file of the voxels")),
+                Message(PALPATE_TEXT("%1 with %2 bytes of voxels"), inQuotes(each.path.filename().string()),
+                        core::Count(each.bytes - each.begin)),
+                Message(PALPATE_TEXT("%1 in each of %2 files"), core::Count(share), core::Count(files.size())));
+        }
     }
     if (Status status = checkStored(layout, stored, file); !status.isOk()) {
         return status;
@@ -226,7 +234,8 @@ Status readVoxels(const VolumeLayout& layout, std::string_view bytes, const std:
         }
     }
     const std::size_t more = stream.read(raw);
-    if (more > 1 || (more == 1 && raw[0] != '\n') || stream.isDamaged()) {
+    const std::string_view end(raw.data(), std::min<std::size_t>(more, 3));
+    if ((!end.empty() && end != "\n" && end != "\r\n") || stream.isDamaged()) {
         return fault(StatusCode::BadFormat, file, Message(),
                      stream.isDamaged()
                          ? Message(PALPATE_TEXT("damaged compressed data"))
