@@ -7104,6 +7104,10 @@
         <source>pieces that cover the whole extent</source>
         <translation>Teile, die die ganze Ausdehnung abdecken</translation>
     </message>
+    <message>
+        <source>files that name files in more than %1 levels</source>
+        <translation>Dateien, die in mehr als %1 Ebenen Dateien nennen</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::AxisCheckDialog</name>

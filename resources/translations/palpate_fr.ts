@@ -7104,6 +7104,10 @@
         <source>pieces that cover the whole extent</source>
         <translation>des morceaux qui couvrent toute l’étendue</translation>
     </message>
+    <message>
+        <source>files that name files in more than %1 levels</source>
+        <translation>des fichiers qui nomment des fichiers sur plus de %1 niveaux</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::AxisCheckDialog</name>

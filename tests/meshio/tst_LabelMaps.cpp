@@ -596,6 +596,13 @@ class LabelMaps : public QObject
         QVERIFY(loaded.value().losses.empty());
         QVERIFY(
             test::mentions(loaded.value().warnings, "left out: ct.nii: a NIfTI volume with 3 intensities, not labels"));
+        // A structure that was not found: TotalSegmentator writes an empty mask for it.
+        (void)folder.write("lung.nii", test::labelNifti(grid, 2) + std::string(grid.values.size(), '\0'));
+        const auto empty = meshio::loadScene(folder.path("."));
+        QVERIFY2(empty.isOk(), empty.status().message().c_str());
+        QCOMPARE(empty.value().structures.size(), std::size_t{2});
+        QVERIFY(empty.value().losses.empty());
+        QVERIFY(test::mentions(empty.value().warnings, "left out: lung.nii: a NIfTI volume without labels"));
     }
 
     void aLabelMapOfTheReportsOpens()

@@ -651,6 +651,31 @@ void ReportedFiles::blockFilesNameStructures()
     const auto one = meshio::loadScene(folder.write("s.pvd", replaced(collection, "STEP", "0")));
     QVERIFY2(one.isOk(), one.status().message().c_str());
     QCOMPARE(one.value().structures.size(), std::size_t{2});
+    // Block files may name others, with separators of Windows, and have empty blocks.
+    const auto outer = [&](const char* name, const std::string& blocks) {
+        return meshio::loadScene(folder.write(name, begin + blocks + end));
+    };
+    std::filesystem::create_directory(folder.path("in"));
+    folder.write("in/a.vtp", xml("PolyData", false));
+    folder.write("in/b.vtp", xml("PolyData", false));
+    folder.write("in/in.vtm", begin + "<DataSet file=\"a.vtp\"/><DataSet name=\"own\" file=\"b.vtp\"/>" + end);
+    const auto nested =
+        outer("o.vtm", "<DataSet name=\"x\" file=\"in\\in.vtm\"/><DataSet index=\"1\"/><Block index=\"2\"/>"
+                       "<DataSet name=\"x\" file=\"b.obj\"/>");
+    QVERIFY2(nested.isOk(), nested.status().message().c_str());
+    QCOMPARE(nested.value().structures.size(), std::size_t{3});
+    QCOMPARE(nested.value().structures[0].description.name, std::string("x"));
+    QCOMPARE(nested.value().structures[1].description.name, std::string("own"));
+    QCOMPARE(nested.value().structures[2].description.name, std::string("x 2"));
+    QVERIFY(nested.value().losses.empty());
+    const auto endless = outer("e.vtm", "<DataSet file=\"e.vtm\"/><DataSet name=\"liver\" file=\"a.vtp\"/>");
+    QVERIFY2(endless.isOk(), endless.status().message().c_str());
+    QVERIFY(test::mentions(endless.value().losses, "files that name files in more than 8 levels"));
+    const auto parts = meshio::loadScene(folder.write(
+        "p.vtpd", "<VTKFile><vtkPartitionedDataSetCollection><Partitions name=\"liver\"><DataSet index=\"0\" "
+                  "file=\"a.vtp\"/></Partitions></vtkPartitionedDataSetCollection></VTKFile>"));
+    QVERIFY2(parts.isOk(), parts.status().message().c_str());
+    QCOMPARE(parts.value().structures[0].description.name, std::string("liver"));
     const auto series = meshio::loadScene(folder.write("s.pvd", replaced(collection, "STEP", "1")));
     QVERIFY(!series.isOk() && series.status().message().find("2 time steps") != std::string::npos);
 }
@@ -658,7 +683,7 @@ void ReportedFiles::blockFilesNameStructures()
 void ReportedFiles::blockFilesStayInTheirFolder()
 {
     const test::Folder folder;
-    for (const char* name : {"../a.vtp", "/etc/passwd", "a/../../b.vtp", ""}) {
+    for (const char* name : {"../a.vtp", "/etc/passwd", "a/../../b.vtp", "..\\a.vtp"}) {
         const auto scene = meshio::loadScene(
             folder.write("s.vtm", "<VTKFile><DataSet file=\"" + std::string(name) + "\"/></VTKFile>"));
         QVERIFY(!scene.isOk());
@@ -667,6 +692,7 @@ void ReportedFiles::blockFilesStayInTheirFolder()
     }
     QVERIFY(!meshio::loadScene(folder.write("s.vtm", "<VTKFile><DataSet")).isOk());
     QVERIFY(!meshio::loadScene(folder.write("s.vtm", "<VTKFile/>")).isOk());
+    QVERIFY(!meshio::loadScene(folder.write("s.vtm", "<VTKFile><DataSet file=\"\"/></VTKFile>")).isOk());
 }
 
 void ReportedFiles::foldersSkipHiddenFiles()

@@ -59,6 +59,15 @@ class SlicerScene : public QObject
     }
 
   private Q_SLOTS:
+    void filesOfOtherComputersAreBesideTheScene()
+    {
+        for (const char* file : {"/home/anna/case/a%20b.off", "C:/case/a%20b.off", "C:\\case\\a%20b.off",
+                                 "\\\\server\\case\\a%20b.off", ".\\a%20b.off"}) {
+            const auto scene = open(mrml(model("1", "liver", file)));
+            QVERIFY2(scene.isOk() && scene.value().losses.empty(), file);
+        }
+    }
+
     void modelsHaveTheirNamesAndLooks()
     {
         const auto scene =

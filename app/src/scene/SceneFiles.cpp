@@ -301,7 +301,7 @@ void SceneFiles::offerReadingAsMetres(double size_mm)
 
 void SceneFiles::choose()
 {
-    QString endings = QStringLiteral("*.json *.palpate *.vtm *.pvd *.mrml");
+    QString endings = QStringLiteral("*.json *.palpate *.vtm *.pvd *.vtpd *.vtpc *.mrml");
     for (const std::string& extension : meshio::meshExtensions()) {
         endings += QStringLiteral(" *") + QString::fromStdString(extension);
     }

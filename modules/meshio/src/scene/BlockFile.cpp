@@ -8,9 +8,12 @@
 
 #include <QXmlStreamReader>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace palpate::meshio::internal {
@@ -65,8 +68,11 @@ Status BlockReader::startElement()
     if (m_xml.name() != QLatin1String("DataSet")) {
         return {};
     }
-    const fs::path name = fs::path(attribute("file")).lexically_normal();
-    if (name.empty() || name.is_absolute() || *name.begin() == "..") {
+    if (attribute("file").empty()) { // an empty block
+        return {};
+    }
+    const fs::path name = fs::path(withSlashes(attribute("file"))).lexically_normal();
+    if (name.is_absolute() || *name.begin() == "..") {
         return wrong(StatusCode::Unsupported, {PALPATE_TEXT("the file name %1"), inQuotes(attribute("file"))},
                      {PALPATE_TEXT("a file in this folder or below it")});
     }
@@ -118,10 +124,6 @@ Result<Blocks> BlockReader::run()
     return Blocks{std::move(m_blocks), {}};
 }
 
-} // namespace
-
-namespace {
-
 bool isMrml(const fs::path& path)
 {
     return sameWord(path.extension().string(), ".mrml");
@@ -132,10 +134,14 @@ bool isMrml(const fs::path& path)
 bool isBlockFile(const fs::path& path)
 {
     const std::string extension = path.extension().string();
-    return sameWord(extension, ".vtm") || sameWord(extension, ".pvd") || isMrml(path);
+    constexpr std::array<std::string_view, 5> kExtensions{".vtm", ".pvd", ".vtpd", ".vtpc", ".mrml"};
+    return std::any_of(kExtensions.begin(), kExtensions.end(),
+                       [&extension](std::string_view known) { return sameWord(extension, known); });
 }
 
-Result<Blocks> readBlocks(const fs::path& path)
+namespace {
+
+Result<Blocks> readOne(const fs::path& path)
 {
     const Result<OpenFile> file = openFile(path);
     if (!file.isOk()) {
@@ -152,6 +158,71 @@ Result<Blocks> readBlocks(const fs::path& path)
         return image.status();
     }
     return isMrml(path) ? readMrml(image.value().bytes(), path) : BlockReader(image.value(), path).run();
+}
+
+/// Replaces the block files among the blocks by their blocks. @param depth  of the files that led to these
+void expand(Blocks& blocks, int depth)
+{
+    constexpr int kDeepest = 8;
+    std::vector<Block> all;
+    for (Block& block : blocks.blocks) {
+        if (!isBlockFile(block.file) || isMrml(block.file)) {
+            all.push_back(std::move(block));
+            continue;
+        }
+        const std::string file = utf8Of(block.file.filename().string());
+        Result<Blocks> inner =
+            depth < kDeepest
+                ? readOne(block.file)
+                : Result<Blocks>(fault(StatusCode::OutOfRange, file, {},
+                                       {PALPATE_TEXT("files that name files in more than %1 levels"), kDeepest},
+                                       {PALPATE_TEXT("at most %1"), kDeepest}));
+        if (!inner.isOk()) {
+            blocks.losses.push_back(inner.status().text());
+            continue;
+        }
+        Blocks found = std::move(inner).value();
+        expand(found, depth + 1);
+        blocks.losses.insert(blocks.losses.end(), found.losses.begin(), found.losses.end());
+        for (Block& one : found.blocks) {
+            one.name = one.name.empty() ? block.name : one.name;
+            all.push_back(std::move(one));
+        }
+        if (all.size() > kMostBlocks) {
+            blocks.losses.push_back(fault(StatusCode::OutOfRange, file, {},
+                                          {PALPATE_TEXT("more than %1 files"), Count(kMostBlocks)},
+                                          {PALPATE_TEXT("at most %1"), Count(kMostBlocks)})
+                                        .text());
+            break;
+        }
+    }
+    blocks.blocks = std::move(all);
+}
+
+} // namespace
+
+std::string withSlashes(std::string path)
+{
+    std::replace(path.begin(), path.end(), '\\', '/');
+    return path;
+}
+
+Result<Blocks> readBlocks(const fs::path& path)
+{
+    Result<Blocks> blocks = readOne(path);
+    if (!blocks.isOk()) {
+        return blocks;
+    }
+    Blocks out = std::move(blocks).value();
+    expand(out, 0);
+    std::set<std::string> used;
+    for (Block& block : out.blocks) {
+        const std::string plain = block.name;
+        for (int number = 2; !plain.empty() && !used.insert(block.name).second; ++number) {
+            block.name = plain + " " + std::to_string(number);
+        }
+    }
+    return out;
 }
 
 } // namespace palpate::meshio::internal

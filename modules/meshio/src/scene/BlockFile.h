@@ -36,11 +36,15 @@ struct Blocks
 };
 
 /// @return true for a file that only names other files: a multi-block data set of VTK (.vtm), a collection of
-/// ParaView (.pvd), or a scene of 3D Slicer (.mrml).
+/// ParaView (.pvd), partitioned data sets (.vtpd, .vtpc), or a scene of 3D Slicer (.mrml).
 [[nodiscard]] bool isBlockFile(const std::filesystem::path& path);
 
-/// Reads the names of the mesh files. A file in another folder tree, a collection of several time steps, more than 4
-/// MiB (64 MiB for a scene of 3D Slicer) and broken XML are errors.
+/// @return a path of Windows with the separators of this system
+[[nodiscard]] std::string withSlashes(std::string path);
+
+/// Reads the names of the mesh files, also of files that other such files name, and numbers equal names. A file in
+/// another folder tree, a collection of several time steps, more than 4 MiB (64 MiB for a scene of 3D Slicer) and
+/// broken XML are errors.
 [[nodiscard]] core::Result<Blocks> readBlocks(const std::filesystem::path& path);
 
 /// Reads the models and segmentations of a scene of 3D Slicer: name, colour, opacity, visibility, and the transforms

@@ -632,8 +632,9 @@ Result<LoadedScene> Loader::open(const std::string& name)
         return cancelled;
     }
     for (const Source& source : m_sources) {
-        if (m_isFolder && !source.file->isOk() && source.file->status().code() == StatusCode::Unsupported &&
-            hasLabelMapExtension(source.path)) { // an image beside the structures
+        const StatusCode code = source.file->isOk() ? StatusCode::Ok : source.file->status().code();
+        if (m_isFolder && (code == StatusCode::Unsupported || code == StatusCode::Empty) &&
+            hasLabelMapExtension(source.path)) { // an image beside the structures, or a structure that was not found
             warn(PALPATE_TEXT("left out: %1"), source.file->status().text());
             m_firstFailure = m_firstFailure.isOk() ? source.file->status() : m_firstFailure;
         } else if (!source.file->isOk()) {

@@ -131,11 +131,13 @@ Status MrmlReader::readNodes()
 std::optional<fs::path> MrmlReader::fileOf(const MrmlNode& storage) const
 {
     const QByteArray stored = QByteArray::fromStdString(storage.at("fileName"));
-    const fs::path name = fs::path(QUrl::fromPercentEncoding(stored).toStdString()).lexically_normal();
+    const std::string decoded = withSlashes(QUrl::fromPercentEncoding(stored).toStdString());
+    const fs::path name = fs::path(decoded).lexically_normal();
+    const bool isOfWindows = decoded.size() > 2 && decoded[1] == ':' && decoded[2] == '/'; // "C:/…"
     if (name.empty() || !name.has_filename() || *name.begin() == "..") {
         return std::nullopt;
     }
-    return m_path.parent_path() / (name.is_absolute() ? name.filename() : name);
+    return m_path.parent_path() / (name.is_absolute() || isOfWindows ? name.filename() : name);
 }
 
 /// Multiplies the transforms above a node. @return false for one that is not linear, or that changes angles
