@@ -139,6 +139,17 @@ std::vector<std::string> volumeSeeds(std::string_view ending)
             seeds.push_back(sample.bytes);
         }
     }
+    // Kinds that fuzzing found: declared layers, keys in other spellings, the end before other keys.
+    if (ending == ".nii") {
+        seeds.push_back(test::niftiWideHeader(std::int64_t{1} << 27, 1) + test::volumeNumbers());
+    } else if (ending == ".mha") {
+        seeds.push_back(test::metaHeader("MET_LONG_LONG", "LOCAL", "ElemenTNumberOfChannels = 3\n") +
+                        test::volumeNumbers());
+        seeds.push_back(test::metaHeader("MET_FLOAT", "LOCAL", "ElementDataFile = LOCAL\n") + test::volumeNumbers());
+        seeds.push_back(test::metaHeader("MET_FLOAT", "LOCAL", "HeaderSize = -1\n") + test::volumeNumbers());
+    } else if (ending == ".vti") {
+        seeds.push_back(test::vtiText("1 2 3", "-1 2 0 0 7 7"));
+    }
     return seeds;
 }
 
