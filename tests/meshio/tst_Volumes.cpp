@@ -95,8 +95,8 @@ class Volumes : public QObject
         for (const test::VolumeSample& sample : test::volumeSamples()) {
             const bool isBeside = !sample.dataName.empty();
             const std::size_t size = isBeside ? sample.data.size() : sample.bytes.size();
+            const test::Folder folder;
             for (std::size_t kept = 0; kept < size; ++kept) {
-                const test::Folder folder;
                 test::VolumeSample cut = sample;
                 (isBeside ? cut.data : cut.bytes).resize(kept);
                 const auto grid = readSample(folder, cut);

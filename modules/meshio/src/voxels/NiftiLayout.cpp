@@ -33,9 +33,18 @@ bool isPackedNifti(std::string_view bytes)
 /// @return up to `size` first bytes of the file, unpacked
 std::string beginningOf(std::string_view bytes, std::size_t size)
 {
-    std::string out(size, '\0');
-    ByteStream stream([&] { return std::exchange(bytes, {}); }, isPackedNifti(bytes));
-    out.resize(stream.read(out));
+    if (!isPackedNifti(bytes)) {
+        return std::string(bytes.substr(0, size));
+    }
+    constexpr std::size_t kPiece = std::size_t{1} << 16;
+    ByteStream stream([&] { return std::exchange(bytes, {}); }, true);
+    std::string out;
+    for (std::size_t got = 1; out.size() < size && got > 0;) {
+        const std::size_t before = out.size();
+        out.resize(std::min(size, before + kPiece));
+        got = stream.read({&out[before], out.size() - before});
+        out.resize(before + got);
+    }
     return out;
 }
 
