@@ -513,6 +513,9 @@ void MeshReading::partialKeepsWhatIsWhole_data()
     const std::string ply = test::asciiPly("0 0 0\n2.5 0 0\n0 1.5 0\n", "3 0 1 2\n3 0 ", 3, 4);
     row("ply in a face", "a.ply", ply, 1,
         "a.ply: byte " + std::to_string(ply.size()) + ": the file ends there: 3 of 4 faces lost");
+    const std::string surplus = test::asciiPly("0 0 0\n2.5 0 0\n0 1.5 0\n", "3 0 1 2 0\n3 0 1 2 0\n3 0 ", 3, 4);
+    row("ply with surplus numbers in a face", "a.ply", surplus, 2,
+        "a.ply: byte " + std::to_string(surplus.size()) + ": the file ends there: 2 of 4 faces lost");
     row("ply in a vertex", "a.ply", test::asciiPly("0 0 0\n2.5 0 0\n0 ", "", 3, 1), 0, "");
     const std::string vtp = test::asciiVtp();
     row("vtp", "a.vtp", vtp.substr(0, vtp.size() - 30), 0, "");

@@ -370,6 +370,21 @@ void ReportedFiles::opensAsTheBox_data()
     row("ply, surplus numbers of vertices", ".ply",
         plyHeader(8, 12) + replaced(vertices(kA, ""), "\n", " 255\n") + faces(0, "3 "),
         "lines with more numbers than the header declares: 8");
+    // As many surplus numbers as further elements: read word by word, these bodies hold other triangles.
+    row("ply, surplus of a number", ".ply", plyHeader(8, 12) + vertices(kA, "") + faces(0, "3 ", "5"),
+        "lines with more numbers than the header declares: 12");
+    row("ply, surplus of two numbers", ".ply", plyHeader(8, 12) + vertices(kA, "") + faces(0, "3 ", "7 0"),
+        "lines with more numbers than the header declares: 12");
+    row("ply, surplus of a number, CR and blank lines", ".ply",
+        replaced(plyHeader(8, 12) + vertices(kA, "") + "\n" + faces(0, "3 ", "5") + " \n", "\n", "\r"),
+        "lines with more numbers than the header declares: 12");
+    row("ply, elements over several lines", ".ply",
+        plyHeader(8, 12) + replaced(vertices(kA, ""), " ", "\n") + replaced(faces(0, "3 "), " ", "\n"));
+    row("ply, elements on one line", ".ply", plyHeader(8, 12) + replaced(vertices(kA, "") + faces(0, "3 "), "\n", " "));
+    row("ply, as many lines as elements, otherwise divided", ".ply",
+        plyHeader(8, 12) + replaced(vertices(kA, ""), "\n", " ") + "\n\n" +
+            replaced(replaced(replaced(faces(0, "3 "), "3 0 3 2 ", "3\n0\n3\n2\n"), "3 0 2 1 ", "3\n0\n2\n1\n"),
+                     "3 4 5 6 ", "3 4\n5 6"));
     row("ply, stray header line", ".ply",
         plyHeader(8, 12, "Created by a program - source file: box\n") + vertices(kA, "") + faces(0, "3 "),
         "none of PLY");
