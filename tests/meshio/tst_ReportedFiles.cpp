@@ -229,9 +229,9 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-std::string utf16(const std::string& ascii, bool isBig)
+std::string utf16(const std::string& ascii, bool isBig, bool hasMark = true)
 {
-    std::string out = isBig ? "\xfe\xff" : "\xff\xfe";
+    std::string out = !hasMark ? "" : isBig ? "\xfe\xff" : "\xff\xfe";
     for (const char c : ascii) {
         out += isBig ? std::string{'\0', c} : std::string{c, '\0'};
     }
@@ -342,6 +342,33 @@ void ReportedFiles::opensAsTheBox_data()
     row("ascii stl, zeros behind", ".stl", "solid a\n" + facets() + "endsolid a\n" + std::string(64, '\0'));
     row("ascii stl, CR", ".stl", replaced("solid a\n" + facets() + "endsolid a\n", "\n", "\r"));
     row("ascii stl, UTF-16", ".stl", utf16("solid a\n" + facets() + "endsolid a\n", false));
+    const std::string ascii = "solid a\n" + facets() + "endsolid a\n";
+    row("ascii stl, comments above", ".stl", "# by hand\n; unit mm\n// x\n" + ascii);
+    row("ascii stl, a line above", ".stl", "made for a test\n\n" + ascii);
+    row("ascii stl, blank lines above", ".stl", std::string(100, '\n') + ascii);
+    row("ascii stl, long comment above", ".stl", replaced(std::string(300, 'x'), "x", "# a licence text\n") + ascii);
+    row("ascii stl, comment in Latin-1", ".stl",
+        "# gr\xf6\xdf"
+        "e\n" +
+            ascii);
+    row("ascii stl, no solid", ".stl", facets());
+    row("ascii stl, no solid, capitals", ".dat", replaced(replaced(facets(), "facet", "FACET"), "vertex", "VERTEX"));
+    row("ascii stl, comments above, zeros behind", ".stl", "# x\n" + ascii + std::string(64, '\0'));
+    row("ascii stl, UTF-16 big", ".stl", utf16(ascii, true));
+    row("ascii stl, UTF-16 little, no mark", ".stl", utf16(ascii, false, false));
+    row("ascii stl, UTF-16 big, no mark", ".stl", utf16(ascii, true, false));
+    row("ascii stl, UTF-16 and comments, no mark", ".stl", utf16("# x\n" + ascii, false, false));
+    row("ascii stl, one line", ".stl", replaced(ascii, "\n", " "));
+    row("ascii stl, one line, end facet", ".stl",
+        replaced(replaced(replaced(replaced(ascii, "\n", " "), "endfacet", "end facet"), "endsolid", "end solid"),
+                 "outer loop", "OUTERLOOP"));
+    row("ascii stl, one line, no solid", ".stl", replaced(facets(), "\n", " "));
+    row("ascii stl, one line for each facet", ".stl",
+        "solid a\n" + replaced(replaced(facets(), "\n", " "), "endfacet ", "endfacet\n") + "endsolid a\n");
+    row("ascii stl, vertices on a line", ".stl", replaced(ascii, "\n  vertex", " vertex"));
+    row("ascii stl, facet behind solid", ".stl", replaced(ascii, "solid a\nfacet", "solid a facet"));
+    row("ascii stl, facet behind endfacet", ".stl", replaced(ascii, "endfacet\nfacet", "endfacet facet"));
+    row("ascii stl, keywords in a name", ".stl", replaced(ascii, "solid a", "solid vertex facet outer loop"));
 
     const std::string obj = vertices() + faces();
     row("obj, zeros behind", ".obj", obj + std::string(64, '\0'));
@@ -350,6 +377,8 @@ void ReportedFiles::opensAsTheBox_data()
     row("obj, CR CR LF", ".obj", replaced(obj, "\n", "\r\r\n"));
     row("obj, UTF-16 little", ".obj", utf16(obj, false));
     row("obj, UTF-16 big", ".obj", utf16(obj, true));
+    row("obj, UTF-16 little, no mark", ".obj", utf16(obj, false, false));
+    row("obj, UTF-16 big, no mark", ".obj", utf16(obj, true, false));
     row("obj, backslash before v", ".obj", "# from C:\\models\\\n" + obj);
     row("obj, backslash before f", ".obj", vertices() + "  # from C:\\models\\\n" + faces());
     row("obj, comment behind a face", ".obj", vertices() + faces(1, "f ", "# face"));
@@ -471,6 +500,9 @@ void ReportedFiles::twoPartsStayTwo_data()
         "solid\n" + facets() + "endsolid a\nsolid\n" + facets(kB) + "endsolid b\n", "a", "b");
     row("a solid without an end", "box.stl", "solid a\n" + facets() + "solid b\n" + facets(kB) + "endsolid b\n", "a",
         "b");
+    row("solids on one line", "box.stl",
+        replaced("solid my a\n" + facets() + "endsolid my a\nsolid b\n" + facets(kB) + "endsolid b\n", "\n", " "),
+        "my a", "b");
     row("objects of one name", "box.obj", "o part\n" + vertices() + faces() + "o part\n" + vertices(kB) + faces(9),
         "part", "part 2");
     row("groups of one name", "box.obj", "g part\n" + vertices() + faces() + "g part\n" + vertices(kB) + faces(9),
@@ -529,6 +561,14 @@ void ReportedFiles::refusalsNameTheNextStep_data()
         QTest::newRow(title) << std::string(name) << bytes << std::move(found);
     };
     row("cut off", "a.stl", binary().substr(0, 84 + 520), {"cut off", "--partial opens the first 10 of 12 triangles"});
+    row("text in place of an STL", "a.stl", "STL will follow next week. " + std::string(200, '.'),
+        {"a text without the facets of an STL", "\"facet\""});
+    row("ascii stl on one line, cut off", "a.stl",
+        replaced("solid a\n" + facets().substr(0, facets().rfind("outer")), "\n", " "),
+        {"line 1: the file ends after 11 complete triangles", "--partial opens the complete triangles"});
+    row("ascii stl with comments above, cut off", "a.stl",
+        "# x\nsolid a\n" + facets().substr(0, facets().rfind("outer")),
+        {"the file ends after 11 complete triangles", "--partial opens the complete triangles"});
     row("obj points", "a.obj", vertices(), {"point cloud", "MeshLab: Screened Poisson"});
     row("ply points", "a.ply",
         replaced(plyHeader(8, 0), "element face 0\nproperty list uchar int vertex_indices\n", "") + vertices(kA, ""),

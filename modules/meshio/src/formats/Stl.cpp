@@ -235,18 +235,34 @@ Result<PreScan> guardBinary(FileImage& image, const ScanContext& context)
 
 bool looksLikeStl(std::string_view bytes)
 {
-    return isExactBinary(bytes) || startsWithSolid(bytes);
+    return isExactBinary(bytes) || looksLikeAsciiStl(bytes);
 }
 
 Result<PreScan> guardStl(FileImage& image, const ScanContext& context)
 {
     const std::string_view bytes = image.bytes();
-    if (isExactBinary(bytes) || !startsWithSolid(bytes)) {
+    if (isExactBinary(bytes)) {
         return guardBinary(image, context);
     }
-    // A binary file with a header that begins with "solid" has a zero byte in the count, and no facet as text before.
+    if (!startsWithSolid(bytes)) {
+        if (!looksLikeText(bytes)) {
+            return guardBinary(image, context);
+        }
+        Result<PreScan> scan = guardAsciiStl(image, context);
+        if (scan.isOk() || scan.status().code() != StatusCode::Empty) {
+            return scan;
+        }
+        if (bytes.substr(0, kFirstFacet).find('\0') != std::string_view::npos) { // a count of 0 behind a text
+            return guardBinary(image, context);
+        }
+        return fault(StatusCode::BadFormat, context.file, onLine(1),
+                     {PALPATE_TEXT("a text without the facets of an STL")},
+                     {PALPATE_TEXT("the keyword %1"), "\"facet\""});
+    }
+    // A binary file with a header that begins with "solid" has zero bytes in the count or the first facet, and no facet
+    // as text before.
     const std::string_view text = startOfText(bytes);
-    const std::size_t nul = text.substr(0, kFirstFacet).find('\0');
+    const std::size_t nul = text.substr(0, kFirstFacet + kFacet).find('\0');
     const bool isBinary = nul != std::string_view::npos && text.substr(0, nul).find("facet") == std::string_view::npos;
     return isBinary ? guardBinary(image, context) : guardAsciiStl(image, context);
 }

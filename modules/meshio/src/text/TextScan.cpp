@@ -82,6 +82,17 @@ bool isFiller(std::string_view bytes)
                        [](char c) { return (c >= ' ' && c < '\x7f') || isBlank(c) || c == '\0' || c == kDosEnd; });
 }
 
+bool looksLikeText(std::string_view bytes)
+{
+    constexpr std::size_t kSample = 4096, kLeastPerControl = 50;
+    const std::string_view head = withoutPadding(bytes).substr(0, kSample);
+    const auto controls = std::count_if(head.begin(), head.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return (byte < ' ' && !isBlank(c)) || byte == 0x7f;
+    });
+    return !head.empty() && static_cast<std::size_t>(controls) * kLeastPerControl <= head.size();
+}
+
 bool sameWord(std::string_view a, std::string_view b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });

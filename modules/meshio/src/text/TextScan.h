@@ -45,6 +45,10 @@ class LineReader
 /// binary numbers, but no further numbers.
 [[nodiscard]] bool isFiller(std::string_view bytes);
 
+/// @return true if the first kilobytes are those of a text in one byte per character: hardly any zeros and control
+/// characters, apart from padding at the end
+[[nodiscard]] bool looksLikeText(std::string_view bytes);
+
 /// @return true when both are equal but for the case of ASCII letters.
 [[nodiscard]] bool sameWord(std::string_view a, std::string_view b);
 
