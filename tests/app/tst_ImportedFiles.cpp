@@ -142,7 +142,8 @@ void ImportedFiles::hostileFilesOfOursAreDecided()
 void ImportedFiles::sharedHostileFilesAreDecided()
 {
     PALPATE_SHARED_OR_SKIP(shared, "hostile");
-    static const std::set<std::string> kValid{"s08_binary_starts_solid.stl",
+    static const std::set<std::string> kValid{"s03_count_ffffffff.stl",
+                                              "s08_binary_starts_solid.stl",
                                               "s09_ascii_ok.stl",
                                               "s11_ascii_longname.stl",
                                               "s15_degenerate.stl",

@@ -90,7 +90,8 @@ class HostileFiles : public QObject
 void HostileFiles::sharedFilesAreDecided()
 {
     PALPATE_SHARED_OR_SKIP(folder, "hostile");
-    static const std::set<std::string> valid{"s08_binary_starts_solid.stl",
+    static const std::set<std::string> valid{"s03_count_ffffffff.stl", // a count that was not filled in
+                                             "s08_binary_starts_solid.stl",
                                              "s09_ascii_ok.stl",
                                              "s11_ascii_longname.stl",
                                              "s15_degenerate.stl",

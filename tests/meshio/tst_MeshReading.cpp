@@ -502,6 +502,8 @@ void MeshReading::partialKeepsWhatIsWhole_data()
         "a.stl: byte 214: the file ends there: 1 of 3 triangles lost");
     row("stl between facets", "a.stl", stl.substr(0, 84 + 50), 1,
         "a.stl: byte 134: the file ends there: 2 of 3 triangles lost");
+    row("stl between facets, 7 instead of 3", "a.stl", std::string(stl).replace(80, 1, 1, '\x07'), 3,
+        "a.stl: byte 234: the file ends there: 4 of 7 triangles lost");
     row("stl before a facet is whole", "a.stl", stl.substr(0, 84 + 49), 0, "");
     const std::string two = test::asciiStl() + test::asciiStl("vein", "0 9 0");
     row("ascii stl in a vertex", "a.stl", two.substr(0, two.rfind("9 0")), 1,

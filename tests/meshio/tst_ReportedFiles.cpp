@@ -322,6 +322,18 @@ void ReportedFiles::opensAsTheBox_data()
         "bytes behind");
     row("stl, header solid, a byte more", ".stl", binary(12, "solid box") + "x", "1 byte behind");
     row("stl, count 0", ".stl", binary(0), "the size of the file says 12");
+    for (const std::uint32_t count : {0xffffffffU, 0x80000000U, 0x7fffffffU, 1U, 11U, 13U, 1000U}) {
+        QTest::addRow("stl, count %u", count)
+            << std::string("box.stl") << binary(count) << std::string("the size of the file says 12");
+    }
+    row("stl, count 0, zeros behind", ".stl", binary(0) + std::string(10, '\0'), "the size of the file says 12");
+    row("stl, count 0, zeros to the end of a block", ".stl", binary(0) + std::string(340, '\0'),
+        "340 bytes behind the last face");
+    row("stl, count 0, a text behind", ".stl",
+        binary(0) + "written by a program that likes to sign what it writes, at length",
+        "the size of the file says 12");
+    row("stl, highest count, a text behind", ".stl", binary(0xffffffffU) + "the end", "7 bytes behind the last face");
+    row("stl, header solid, highest count", ".stl", binary(0xffffffffU, "solid box"), "the size of the file says 12");
     row("stl, last attribute missing", ".stl", binary().substr(0, 84 + 600 - 2), "attribute");
     row("stl, half the last attribute missing", ".stl", binary().substr(0, 84 + 600 - 1), "attribute");
 
