@@ -397,6 +397,11 @@ void ReportedFiles::opensAsTheBox_data()
     row("obj, unused NaN", ".obj", vertices() + "v nan nan nan\n" + faces(), "1 vertex without finite");
     row("obj, unused -nan(ind)", ".obj", vertices() + "v -nan(ind) 0 0\nv 1.#QNAN -1.#IND 0\n" + faces(),
         "2 vertices without finite");
+    for (const char* number : {"1.#INF", "-1.#INF", "1.#INF00", "1.#SNAN", "1.#QNAN0", "-1.#IND00", "1.#J"}) {
+        QTest::addRow("obj, unused %s", number)
+            << std::string("box.obj") << vertices() + "v 0 " + number + " 0\n" + faces()
+            << std::string("1 vertex without finite");
+    }
     row("obj, unused far", ".obj", vertices() + "v 1e30 0 0\n" + faces(), "1 vertex without finite");
     row("obj, two corners", ".obj", obj + "f 1 2\nf 3\n", "2 faces of fewer than 3 corners");
     row("obj, one material", ".obj", "usemtl a\n" + obj, "colours not read");
@@ -446,6 +451,27 @@ void ReportedFiles::opensAsTheBox_data()
         replaced(replaced(xml("PolyData", false), "NumberOfPoints=\"8\"", "NumberOfPoints=\"9\""),
                  "</DataArray></Points>", "nan nan nan </DataArray></Points>"),
         "1 vertex without finite");
+    for (const char* number : {"nan", "NaN", "-nan", "inf", "-inf", "infinity", "nan(ind)", "1.#QNAN", "-1.#IND",
+                               "-1.#INF", "1e999", "-1e30"}) {
+        for (const std::string type : {"PolyData", "UnstructuredGrid"}) {
+            for (const std::string end : {"", " ", "\n"}) {
+                const std::string point = std::string(number) + " 1 " + number + end;
+                QTest::addRow("%s, unused %s%s", type.c_str(), number,
+                              end.empty()  ? ""
+                              : end == " " ? " "
+                                           : " line")
+                    << std::string(type == "PolyData" ? "box.vtp" : "box.vtu")
+                    << replaced(replaced(xml(type, false), "NumberOfPoints=\"8\"", "NumberOfPoints=\"9\""),
+                                "</DataArray></Points>", point + "</DataArray></Points>")
+                    << std::string("1 vertex without finite");
+            }
+        }
+    }
+    row("vtp, beyond the range of Float32", ".vtp",
+        replaced(replaced(replaced(xml("PolyData", false), "NumberOfPoints=\"8\"", "NumberOfPoints=\"9\""),
+                          "</DataArray></Points>", "1e39 0 0</DataArray></Points>"),
+                 "Float64", "Float32"),
+        "1 vertex without finite");
     row("vtp, empty piece", ".vtp",
         xml("PolyData", false, "", "<Piece NumberOfPoints=\"0\" NumberOfPolys=\"0\"><Points/><Polys/></Piece>"));
     row("vtp, empty piece first", ".vtp",
@@ -469,6 +495,12 @@ void ReportedFiles::opensAsTheBox_data()
     row("vtk grid", ".vtk", grid());
     row("vtk grid of polygons", ".vtk", grid("7"));
     row("vtk grid, CR", ".vtk", replaced(grid(), "\n", "\r"));
+    row("vtk, unused NaN", ".vtk",
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 9 float\n" + vertices(kA, "") +
+            "nan 0 -1.#INF\nPOLYGONS 12 48\n" + faces(0, "3 "),
+        "1 vertex without finite");
+    row("vtk grid, unused NaN", ".vtk",
+        replaced(replaced(grid(), "POINTS 8", "POINTS 9"), "CELLS", "nan nan nan\nCELLS"), "1 vertex without finite");
     row("vtk grid with a line", ".vtk",
         replaced(replaced(replaced(grid(), "CELLS 12 48", "CELLS 13 51"), "CELL_TYPES 12\n", "2 0 1\nCELL_TYPES 13\n"),
                  "CELL_TYPES 13\n", "CELL_TYPES 13\n") +
@@ -493,6 +525,11 @@ void ReportedFiles::opensAsTheBox()
     QVERIFY2(note.empty() ? file.value().notes.empty() : hasNote(file.value().notes, note),
              core::joined(file.value().notes).english().c_str());
     QVERIFY(file.value().loss.isEmpty());
+    for (const core::Message& one : file.value().notes) {
+        QCOMPARE(std::ranges::count_if(file.value().notes,
+                                       [&](const core::Message& other) { return other.english() == one.english(); }),
+                 std::ptrdiff_t{1});
+    }
 }
 
 void ReportedFiles::twoPartsStayTwo_data()
@@ -547,6 +584,9 @@ void ReportedFiles::usedVertexMustBeFinite_data()
     const std::string x = "10 20 30";
     QTest::newRow("obj") << std::string("a.obj") << replaced(vertices() + faces(), x, "nan 20 30");
     QTest::newRow("obj, faces first") << std::string("a.obj") << replaced(faces() + vertices(), x, "10 -nan(ind) 30");
+    QTest::newRow("obj, -1.#INF") << std::string("a.obj") << replaced(vertices() + faces(), x, "-1.#INF 20 30");
+    QTest::newRow("vtp, 1.#INF") << std::string("a.vtp") << replaced(xml("PolyData", false), x, "1.#INF 20 30");
+    QTest::newRow("vtp, 1e999") << std::string("a.vtp") << replaced(xml("PolyData", false), x, "1e999 20 30");
     QTest::newRow("ply") << std::string("a.ply")
                          << replaced(plyHeader(8, 12) + vertices(kA, "") + faces(0, "3 "), x, "10 inf 30");
     QTest::newRow("vtp") << std::string("a.vtp") << replaced(xml("PolyData", false), x, "10 20 nan");

@@ -704,7 +704,6 @@ Result<PreScan> LegacyScan::run()
         return plain.status();
     }
     m_image = std::move(plain).value();
-    m_bad.note(m_scan);
     return std::move(m_scan);
 }
 
