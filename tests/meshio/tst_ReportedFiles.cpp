@@ -408,6 +408,10 @@ void ReportedFiles::opensAsTheBox_data()
 
     row("ply, unused NaN", ".ply", plyHeader(9, 12) + vertices(kA, "") + "nan nan nan\n" + faces(0, "3 "),
         "1 vertex without finite");
+    row("ply, blank behind the magic word", ".ply",
+        replaced(plyHeader(8, 12) + vertices(kA, "") + faces(0, "3 "), "ply\n", "ply \n"));
+    row("ply, tab behind the magic word, CR LF", ".dat",
+        replaced(replaced(plyHeader(8, 12), "ply\n", "ply\t\n"), "\n", " \r\n") + vertices(kA, "") + faces(0, "3 "));
     row("ply, two corners", ".ply", plyHeader(8, 13) + vertices(kA, "") + "2 0 1\n" + faces(0, "3 "),
         "1 face of fewer than 3 corners");
     row("ply, surplus numbers", ".ply",

@@ -447,8 +447,10 @@ bool hasLineForEach(std::string_view bytes, const PlyHeader& header)
 
 bool looksLikePly(std::string_view bytes)
 {
-    const std::string_view head = startOf(bytes);
-    return head.starts_with("ply\n") || head.starts_with("ply\r");
+    constexpr std::string_view kMagic = "ply";
+    LineReader lines(startOf(bytes));
+    std::string_view rest = lines.next() ? lines.line() : std::string_view();
+    return rest.starts_with(kMagic) && takeWord(rest) == kMagic && trimmed(rest).empty();
 }
 
 Result<PreScan> guardPly(FileImage& image, const ScanContext& context)
