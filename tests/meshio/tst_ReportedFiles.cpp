@@ -476,6 +476,22 @@ void ReportedFiles::opensAsTheBox_data()
                           "</DataArray></Points>", "1e39 0 0</DataArray></Points>"),
                  "Float64", "Float32"),
         "1 vertex without finite");
+    for (const bool isBig : {false, true}) {
+        for (const bool hasMark : {false, true}) {
+            for (const std::string type : {"PolyData", "UnstructuredGrid"}) {
+                const std::string declared = replaced(xml(type, false), "version=\"1.0\"?",
+                                                      "version=\"1.0\" encoding='UTF-16' standalone='yes'?");
+                const char* order = isBig ? "big" : "little";
+                QTest::addRow("%s, UTF-16 %s %d", type.c_str(), order, hasMark ? 1 : 0)
+                    << std::string(type == "PolyData" ? "box.vtp" : "box.vtu") << utf16(declared, isBig, hasMark)
+                    << std::string();
+                QTest::addRow("%s, UTF-16 %s %d, no declaration", type.c_str(), order, hasMark ? 1 : 0)
+                    << std::string("box.dat")
+                    << utf16(replaced(xml(type, false), "<?xml version=\"1.0\"?>", ""), isBig, hasMark)
+                    << std::string();
+            }
+        }
+    }
     row("vtp, empty piece", ".vtp",
         xml("PolyData", false, "", "<Piece NumberOfPoints=\"0\" NumberOfPolys=\"0\"><Points/><Polys/></Piece>"));
     row("vtp, empty piece first", ".vtp",
@@ -625,6 +641,8 @@ void ReportedFiles::refusalsNameTheNextStep_data()
     row("ascii stl with comments above, cut off", "a.stl",
         "# x\nsolid a\n" + facets().substr(0, facets().rfind("outer")),
         {"the file ends after 11 complete triangles", "--partial opens the complete triangles"});
+    row("UTF-16 and raw data", "a.vtp", utf16("<VTKFile type=\"PolyData\"><AppendedData encoding=\"raw\">_", false),
+        {"UTF-16", "raw", "UTF-8"});
     row("obj points", "a.obj", vertices(), {"point cloud", "MeshLab: Screened Poisson"});
     row("ply points", "a.ply",
         replaced(plyHeader(8, 0), "element face 0\nproperty list uchar int vertex_indices\n", "") + vertices(kA, ""),

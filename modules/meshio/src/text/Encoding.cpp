@@ -142,4 +142,18 @@ std::optional<std::string> fromUtf16(std::string_view bytes)
     return out;
 }
 
+void dropXmlEncoding(std::string& text)
+{
+    const std::size_t end = text.starts_with("<?xml") ? text.find("?>") : std::string::npos;
+    const std::size_t begin = text.find("encoding");
+    const std::size_t open = text.find_first_of("\"'", begin);
+    if (end == std::string::npos || begin > end || open > end) {
+        return;
+    }
+    const std::size_t close = text.find(text[open], open + 1);
+    if (close < end) {
+        std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(begin), close + 1 - begin, ' ');
+    }
+}
+
 } // namespace palpate::meshio::internal

@@ -16,4 +16,7 @@ namespace palpate::meshio::internal {
 /// @return nothing if the bytes are no text in UTF-16
 [[nodiscard]] std::optional<std::string> fromUtf16(std::string_view bytes);
 
+/// Overwrites the encoding in an XML declaration by blanks, which is wrong after a conversion to UTF-8.
+void dropXmlEncoding(std::string& text);
+
 } // namespace palpate::meshio::internal
