@@ -580,6 +580,23 @@ void ReportedFiles::twoPartsStayTwo_data()
         "part 0", "part 1");
     row("materials", "box.obj", vertices() + vertices(kB) + "usemtl Liver\n" + faces() + "usemtl Spleen\n" + faces(9),
         "Liver", "Spleen");
+    for (const char* group : {"g", "g ", "g default", "g Default", "o", "o default"}) {
+        QTest::addRow("materials in %s", group) << std::string("box.obj")
+                                                << std::string(group) + "\nusemtl Liver\n" + vertices() + faces() +
+                                                       group + "\nusemtl Spleen\n" + vertices(kB) + faces(9)
+                                                << std::vector<std::string>{"Liver", "Spleen"};
+    }
+    row("materials in default groups of an object", "box.obj",
+        "o Body\ng default\nusemtl Liver\n" + vertices() + faces() + "g default\nusemtl Spleen\n" + vertices(kB) +
+            faces(9),
+        "Liver", "Spleen");
+    row("groups without names", "box.obj", "g\n" + vertices() + faces() + "g\n" + vertices(kB) + faces(9), "box",
+        "box 2");
+    row("a group and the default one", "box.obj",
+        "g default\nusemtl red\n" + vertices() + faces() + "g Liver\nusemtl blue\n" + vertices(kB) + faces(9), "box",
+        "Liver");
+    row("named groups in objects without names", "box.obj",
+        "o\ng Liver\n" + vertices() + faces() + "o\ng Spleen\n" + vertices(kB) + faces(9), "Liver", "Spleen");
 }
 
 void ReportedFiles::twoPartsStayTwo()
