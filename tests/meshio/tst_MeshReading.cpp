@@ -511,6 +511,14 @@ void MeshReading::partialKeepsWhatIsWhole_data()
     row("ascii stl in the first facet", "a.stl", two.substr(0, 60), 0, "");
     row("obj in a face", "a.obj", test::kObj + "f 3 2", 1,
         "a.obj: byte 36: the file ends in a line; that line is lost");
+    row("obj in a face, behind a blank", "a.obj", test::kObj + "f 3 2 ", 1,
+        "a.obj: byte 36: the file ends in a line; that line is lost");
+    row("obj in a face, behind a tab", "a.obj", test::kObj + "f 3/1/1\t", 1,
+        "a.obj: byte 36: the file ends in a line; that line is lost");
+    row("obj behind f", "a.obj", test::kObj + "f ", 1, "a.obj: byte 36: the file ends in a line; that line is lost");
+    std::string back = test::kObj;
+    std::replace(back.begin(), back.end(), '\n', '\r');
+    row("obj in a face, CR", "a.obj", back + "f 3 2 ", 1, "a.obj: byte 36: the file ends in a line; that line is lost");
     row("obj in the first face", "a.obj", test::kObj.substr(0, test::kObj.size() - 3), 0, "");
     const std::string ply = test::asciiPly("0 0 0\n2.5 0 0\n0 1.5 0\n", "3 0 1 2\n3 0 ", 3, 4);
     row("ply in a face", "a.ply", ply, 1,

@@ -429,13 +429,13 @@ Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
     if (text.starts_with("\xef\xbb\xbf")) { // byte order mark
         text.remove_prefix(3);
     }
-    const bool isCut = withoutPadding(image.bytes()).size() == image.bytes().size();
+    const bool isCut =
+        image.bytes().substr(withoutPadding(image.bytes()).size()).find_first_of("\r\n") == std::string_view::npos;
     std::optional<ObjScan> scan(std::in_place, text, context, isCut);
     Status status = scan->run();
     core::Message loss;
-    if (!status.isOk() && context.isPartial && status.code() != StatusCode::Cancelled &&
-        !image.bytes().ends_with('\n')) {
-        const std::string_view whole = text.substr(0, text.rfind('\n') + 1); // without the truncated last line
+    if (!status.isOk() && context.isPartial && status.code() != StatusCode::Cancelled && isCut) {
+        const std::string_view whole = text.substr(0, text.find_last_of("\r\n") + 1); // without the truncated last line
         scan.emplace(whole, context, false);
         if (!scan->run().isOk()) {
             return status;
