@@ -672,6 +672,19 @@ void ReportedFiles::refusalsNameTheNextStep_data()
     row("glTF", "a.glb", "glTF\x02 and more", {"glTF", "MeshLab or Blender"});
     row("glTF as text", "a.gltf", "{\n  \"asset\": {\"version\": \"2.0\"}\n}\n", {"glTF", "MeshLab or Blender"});
     row("Slicer scene", "a.xml", "<?xml version=\"1.0\"?>\n<MRML version=\"Slicer5\"></MRML>", {"3D Slicer", "models"});
+    const auto vtk = [](const std::string& type) {
+        return "<?xml version=\"1.0\"?>\n<VTKFile header_type=\"UInt32\" type=\"" + type + "\" version=\"1.0\"/>";
+    };
+    row("VTI", "a.vti", vtk("ImageData"), {"a volume of VTK", "maps.md"});
+    row("structured points", "a.vtk",
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n",
+        {"STRUCTURED_POINTS", "maps.md"});
+    row("parallel VTP", "a.pvtp", vtk("PPolyData"), {".pvtp", "the .vtp files that it names"});
+    row("parallel VTU", "a.pvtu", vtk("PUnstructuredGrid"), {".pvtu", "the .vtu files that it names"});
+    row("partitioned", "a.vtpd", vtk("vtkPartitionedDataSet"), {".vtpd", ".vtm"});
+    const std::string mgh =
+        std::string("\0\0\0\1\0\0\1\0\0\0\1\0\0\0\1\0\0\0\0\1\0\0\0\0", 24) + std::string(300, '\0');
+    row("FreeSurfer's volume", "a.mgh", mgh, {"FreeSurfer", "mri_convert", ".nii.gz"});
     row("AppleDouble", "._a.stl", std::string("\0\x05\x16\x07 and more", 13), {"macOS"});
 }
 
