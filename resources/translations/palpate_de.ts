@@ -3149,10 +3149,6 @@
         <translation>Koordinaten sind keine Zahlen oder weiter als 10 km vom Ursprung entfernt in %1 von %2 Dreiecken (als erstes Dreieck %3)</translation>
     </message>
     <message>
-        <source>the count of triangles in the header, 0, is wrong: the size of the file says %1</source>
-        <translation>die Anzahl der Dreiecke im Kopf, 0, ist falsch: nach der Dateigröße sind es %1</translation>
-    </message>
-    <message>
         <source>the last triangle is whole, but the attribute behind it is cut off</source>
         <translation>das letzte Dreieck ist vollständig, aber das Attribut dahinter ist abgeschnitten</translation>
     </message>
@@ -7107,6 +7103,66 @@
     <message>
         <source>files that name files in more than %1 levels</source>
         <translation>Dateien, die in mehr als %1 Ebenen Dateien nennen</translation>
+    </message>
+    <message>
+        <source>a surface. As a map of stiffness, a volume is named in a scene (maps.md)</source>
+        <translation>eine Oberfläche. Als Steifigkeitskarte wird ein Volumen in einer Szene genannt (maps.md)</translation>
+    </message>
+    <message>
+        <source>the files that it names, or a name that ends in .vtm</source>
+        <translation>die Dateien, die sie nennt, oder einen Namen, der auf .vtm endet</translation>
+    </message>
+    <message>
+        <source>a volume of VTK</source>
+        <translation>ein Volumen von VTK</translation>
+    </message>
+    <message>
+        <source>a VTK file that names the parts of a surface (.pvtp)</source>
+        <translation>eine VTK-Datei, die die Teile einer Oberfläche nennt (.pvtp)</translation>
+    </message>
+    <message>
+        <source>the .vtp files that it names, in a folder</source>
+        <translation>die .vtp-Dateien, die sie nennt, in einem Ordner</translation>
+    </message>
+    <message>
+        <source>a VTK file that names the parts of a grid (.pvtu)</source>
+        <translation>eine VTK-Datei, die die Teile eines Gitters nennt (.pvtu)</translation>
+    </message>
+    <message>
+        <source>the .vtu files that it names, in a folder</source>
+        <translation>die .vtu-Dateien, die sie nennt, in einem Ordner</translation>
+    </message>
+    <message>
+        <source>a VTK file that names other files (.vtpd)</source>
+        <translation>eine VTK-Datei, die andere Dateien nennt (.vtpd)</translation>
+    </message>
+    <message>
+        <source>a VTK file that names other files (.vtpc)</source>
+        <translation>eine VTK-Datei, die andere Dateien nennt (.vtpc)</translation>
+    </message>
+    <message>
+        <source>a volume of FreeSurfer (.mgz, .mgh)</source>
+        <translation>ein Volumen von FreeSurfer (.mgz, .mgh)</translation>
+    </message>
+    <message>
+        <source>a label map as NIfTI (FreeSurfer: mri_convert to a name that ends in .nii.gz)</source>
+        <translation>eine Labelkarte als NIfTI (FreeSurfer: mri_convert in eine Datei mit der Endung .nii.gz)</translation>
+    </message>
+    <message>
+        <source>the count of triangles in the header, %1, is wrong: the size of the file says %2</source>
+        <translation>die Anzahl der Dreiecke im Kopf, %1, ist falsch: nach der Dateigröße sind es %2</translation>
+    </message>
+    <message>
+        <source>a text without the facets of an STL</source>
+        <translation>ein Text ohne die Facetten einer STL-Datei</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16, but the appended data are raw bytes</source>
+        <translation>der Text ist UTF-16, aber die angehängten Daten sind rohe Bytes</translation>
+    </message>
+    <message>
+        <source>UTF-8</source>
+        <translation>UTF-8</translation>
     </message>
 </context>
 <context>

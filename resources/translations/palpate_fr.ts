@@ -3149,10 +3149,6 @@
         <translation>des coordonnées ne sont pas des nombres, ou sont à plus de 10 km de l’origine, dans %1 triangles sur %2 (premier&#x202f;: triangle %3)</translation>
     </message>
     <message>
-        <source>the count of triangles in the header, 0, is wrong: the size of the file says %1</source>
-        <translation>le nombre de triangles de l’en-tête, 0, est faux&#x202f;: d’après la taille du fichier, il y en a %1</translation>
-    </message>
-    <message>
         <source>the last triangle is whole, but the attribute behind it is cut off</source>
         <translation>le dernier triangle est entier, mais l’attribut qui le suit est coupé</translation>
     </message>
@@ -7026,7 +7022,7 @@
     </message>
     <message>
         <source>0: voxels from the first line on</source>
-        <translation>0 : voxels dès la première ligne</translation>
+        <translation>0&#x202f;: voxels dès la première ligne</translation>
     </message>
     <message>
         <source>%1 × %2 × %3 voxels</source>
@@ -7107,6 +7103,66 @@
     <message>
         <source>files that name files in more than %1 levels</source>
         <translation>des fichiers qui nomment des fichiers sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>a surface. As a map of stiffness, a volume is named in a scene (maps.md)</source>
+        <translation>une surface. Comme carte de raideur, un volume est nommé dans une scène (maps.md)</translation>
+    </message>
+    <message>
+        <source>the files that it names, or a name that ends in .vtm</source>
+        <translation>les fichiers qu’il nomme, ou un nom qui finit par .vtm</translation>
+    </message>
+    <message>
+        <source>a volume of VTK</source>
+        <translation>un volume de VTK</translation>
+    </message>
+    <message>
+        <source>a VTK file that names the parts of a surface (.pvtp)</source>
+        <translation>un fichier VTK qui nomme les parties d’une surface (.pvtp)</translation>
+    </message>
+    <message>
+        <source>the .vtp files that it names, in a folder</source>
+        <translation>les fichiers .vtp qu’il nomme, dans un dossier</translation>
+    </message>
+    <message>
+        <source>a VTK file that names the parts of a grid (.pvtu)</source>
+        <translation>un fichier VTK qui nomme les parties d’une grille (.pvtu)</translation>
+    </message>
+    <message>
+        <source>the .vtu files that it names, in a folder</source>
+        <translation>les fichiers .vtu qu’il nomme, dans un dossier</translation>
+    </message>
+    <message>
+        <source>a VTK file that names other files (.vtpd)</source>
+        <translation>un fichier VTK qui nomme d’autres fichiers (.vtpd)</translation>
+    </message>
+    <message>
+        <source>a VTK file that names other files (.vtpc)</source>
+        <translation>un fichier VTK qui nomme d’autres fichiers (.vtpc)</translation>
+    </message>
+    <message>
+        <source>a volume of FreeSurfer (.mgz, .mgh)</source>
+        <translation>un volume de FreeSurfer (.mgz, .mgh)</translation>
+    </message>
+    <message>
+        <source>a label map as NIfTI (FreeSurfer: mri_convert to a name that ends in .nii.gz)</source>
+        <translation>une carte d’étiquettes en NIfTI (FreeSurfer&#x202f;: mri_convert vers un nom qui finit par .nii.gz)</translation>
+    </message>
+    <message>
+        <source>the count of triangles in the header, %1, is wrong: the size of the file says %2</source>
+        <translation>le nombre de triangles de l’en-tête, %1, est faux&#x202f;: d’après la taille du fichier, il y en a %2</translation>
+    </message>
+    <message>
+        <source>a text without the facets of an STL</source>
+        <translation>un texte sans les facettes d’un STL</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16, but the appended data are raw bytes</source>
+        <translation>le texte est en UTF-16, mais les données ajoutées sont des octets bruts</translation>
+    </message>
+    <message>
+        <source>UTF-8</source>
+        <translation>UTF-8</translation>
     </message>
 </context>
 <context>

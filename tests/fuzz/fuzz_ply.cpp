@@ -17,6 +17,7 @@ std::vector<std::string> seeds()
     }
     out.push_back(test::stripsPly());
     out.push_back(test::asciiPly("0 0 0 7\n2.5 0 0\n0 1.5 0\nnan 0 0\n", "3 0 1 2 0.5\n2 0 1\n", 4, 2));
+    out.push_back(test::asciiPly("0 0 0\n2.5 0 0\n0 1.5 0\n1 1 1\n", "3 0 1 2 2\n3 0 3 1 2\n", 4, 2));
     return out;
 }
 

@@ -14,9 +14,11 @@ std::vector<std::string> seeds()
             test::binaryStl(3, {3, facet}, "3D Slicer output. SPACE=RAS"),
             test::binaryStl(2, {facet}),
             test::binaryStl(0, {}),
-            test::binaryStl(0, {facet}),                           // a count that was not filled in
-            test::binaryStl(1, {facet}).append(20, '\0'),          // filler behind
-            test::binaryStl(1, {facet}, "COLOR=\xc8\x32\x32\xff"), // of Magics
+            test::binaryStl(0, {facet}), // a count that was not filled in
+            test::binaryStl(0xffffffff, {facet}),
+            test::binaryStl(7, {facet, {0, 0, 0, 0, 1.5F, 0, 2.5F, 0, 0}}), // closed
+            test::binaryStl(1, {facet}).append(20, '\0'),                   // filler behind
+            test::binaryStl(1, {facet}, "COLOR=\xc8\x32\x32\xff"),          // of Magics
             "solid"};
 }
 

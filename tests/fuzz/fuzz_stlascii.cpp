@@ -19,6 +19,8 @@ std::vector<std::string> seeds()
             "endloop\nendfacet\nendsolid\n",     // VTK took this for a binary file
         std::string(6, '\v') + test::asciiStl(), // these, too
         std::string(6, '\v') + "\n" + test::asciiStl(),
+        "# x\nfacet normal 0 0 1\nouter loop vertex 0 0 0 vertex 2.5 0 0\nvertex 0 1.5 0 endloop endfacet end facet",
+        std::string("f\0a\0c\0e\0t\0 \0o\0u\0t\0e\0r\0", 22),
         "solidA\n# x\nfacet\nouterloop\nvertex 0 0 0\rvertex 2.5 0 0\rvertex 0 1.5 0\nend loop\nend facet\nsolid A\n"
         "end solidA\n\x1a"};
 }

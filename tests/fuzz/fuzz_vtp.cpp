@@ -20,7 +20,9 @@ std::vector<std::string> seeds()
                                   characters + "</Array></FieldData>");
     };
     return {
-        test::asciiVtp(), test::fileBytes(folder.path("w.vtp")),
+        test::asciiVtp(),
+        test::asciiVtp("0 0 0 2.5 0 0 0 1.5 0 1.#QNAN 1e999 nan", "0 1 2", "NumberOfPoints=\"4\" NumberOfPolys=\"1\""),
+        test::fileBytes(folder.path("w.vtp")),
         test::asciiVtp("0 0 0 2.5 0 0 0 1.5 0 3 3 0", "0 1 2 3", "NumberOfPoints=\"4\" NumberOfStrips=\"1\"", "4",
                        "Strips"),
         // An empty piece, and a hidden cell of two.

@@ -502,6 +502,8 @@ void MeshReading::partialKeepsWhatIsWhole_data()
         "a.stl: byte 214: the file ends there: 1 of 3 triangles lost");
     row("stl between facets", "a.stl", stl.substr(0, 84 + 50), 1,
         "a.stl: byte 134: the file ends there: 2 of 3 triangles lost");
+    row("stl between facets, 7 instead of 3", "a.stl", std::string(stl).replace(80, 1, 1, '\x07'), 3,
+        "a.stl: byte 234: the file ends there: 4 of 7 triangles lost");
     row("stl before a facet is whole", "a.stl", stl.substr(0, 84 + 49), 0, "");
     const std::string two = test::asciiStl() + test::asciiStl("vein", "0 9 0");
     row("ascii stl in a vertex", "a.stl", two.substr(0, two.rfind("9 0")), 1,
@@ -509,10 +511,21 @@ void MeshReading::partialKeepsWhatIsWhole_data()
     row("ascii stl in the first facet", "a.stl", two.substr(0, 60), 0, "");
     row("obj in a face", "a.obj", test::kObj + "f 3 2", 1,
         "a.obj: byte 36: the file ends in a line; that line is lost");
+    row("obj in a face, behind a blank", "a.obj", test::kObj + "f 3 2 ", 1,
+        "a.obj: byte 36: the file ends in a line; that line is lost");
+    row("obj in a face, behind a tab", "a.obj", test::kObj + "f 3/1/1\t", 1,
+        "a.obj: byte 36: the file ends in a line; that line is lost");
+    row("obj behind f", "a.obj", test::kObj + "f ", 1, "a.obj: byte 36: the file ends in a line; that line is lost");
+    std::string back = test::kObj;
+    std::replace(back.begin(), back.end(), '\n', '\r');
+    row("obj in a face, CR", "a.obj", back + "f 3 2 ", 1, "a.obj: byte 36: the file ends in a line; that line is lost");
     row("obj in the first face", "a.obj", test::kObj.substr(0, test::kObj.size() - 3), 0, "");
     const std::string ply = test::asciiPly("0 0 0\n2.5 0 0\n0 1.5 0\n", "3 0 1 2\n3 0 ", 3, 4);
     row("ply in a face", "a.ply", ply, 1,
         "a.ply: byte " + std::to_string(ply.size()) + ": the file ends there: 3 of 4 faces lost");
+    const std::string surplus = test::asciiPly("0 0 0\n2.5 0 0\n0 1.5 0\n", "3 0 1 2 0\n3 0 1 2 0\n3 0 ", 3, 4);
+    row("ply with surplus numbers in a face", "a.ply", surplus, 2,
+        "a.ply: byte " + std::to_string(surplus.size()) + ": the file ends there: 2 of 4 faces lost");
     row("ply in a vertex", "a.ply", test::asciiPly("0 0 0\n2.5 0 0\n0 ", "", 3, 1), 0, "");
     const std::string vtp = test::asciiVtp();
     row("vtp", "a.vtp", vtp.substr(0, vtp.size() - 30), 0, "");

@@ -229,9 +229,9 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-std::string utf16(const std::string& ascii, bool isBig)
+std::string utf16(const std::string& ascii, bool isBig, bool hasMark = true)
 {
-    std::string out = isBig ? "\xfe\xff" : "\xff\xfe";
+    std::string out = !hasMark ? "" : isBig ? "\xfe\xff" : "\xff\xfe";
     for (const char c : ascii) {
         out += isBig ? std::string{'\0', c} : std::string{c, '\0'};
     }
@@ -322,6 +322,18 @@ void ReportedFiles::opensAsTheBox_data()
         "bytes behind");
     row("stl, header solid, a byte more", ".stl", binary(12, "solid box") + "x", "1 byte behind");
     row("stl, count 0", ".stl", binary(0), "the size of the file says 12");
+    for (const std::uint32_t count : {0xffffffffU, 1U, 11U}) {
+        QTest::addRow("stl, count %u", count)
+            << std::string("box.stl") << binary(count) << std::string("the size of the file says 12");
+    }
+    row("stl, count 0, zeros behind", ".stl", binary(0) + std::string(10, '\0'), "the size of the file says 12");
+    row("stl, count 0, zeros to the end of a block", ".stl", binary(0) + std::string(340, '\0'),
+        "340 bytes behind the last face");
+    row("stl, count 0, a text behind", ".stl",
+        binary(0) + "written by a program that likes to sign what it writes, at length",
+        "the size of the file says 12");
+    row("stl, highest count, a text behind", ".stl", binary(0xffffffffU) + "the end", "7 bytes behind the last face");
+    row("stl, header solid, highest count", ".stl", binary(0xffffffffU, "solid box"), "the size of the file says 12");
     row("stl, last attribute missing", ".stl", binary().substr(0, 84 + 600 - 2), "attribute");
     row("stl, half the last attribute missing", ".stl", binary().substr(0, 84 + 600 - 1), "attribute");
 
@@ -342,6 +354,33 @@ void ReportedFiles::opensAsTheBox_data()
     row("ascii stl, zeros behind", ".stl", "solid a\n" + facets() + "endsolid a\n" + std::string(64, '\0'));
     row("ascii stl, CR", ".stl", replaced("solid a\n" + facets() + "endsolid a\n", "\n", "\r"));
     row("ascii stl, UTF-16", ".stl", utf16("solid a\n" + facets() + "endsolid a\n", false));
+    const std::string ascii = "solid a\n" + facets() + "endsolid a\n";
+    row("ascii stl, comments above", ".stl", "# by hand\n; unit mm\n// x\n" + ascii);
+    row("ascii stl, a line above", ".stl", "made for a test\n\n" + ascii);
+    row("ascii stl, blank lines above", ".stl", std::string(100, '\n') + ascii);
+    row("ascii stl, long comment above", ".stl", replaced(std::string(300, 'x'), "x", "# a licence text\n") + ascii);
+    row("ascii stl, comment in Latin-1", ".stl",
+        "# gr\xf6\xdf"
+        "e\n" +
+            ascii);
+    row("ascii stl, no solid", ".stl", facets());
+    row("ascii stl, no solid, capitals", ".dat", replaced(replaced(facets(), "facet", "FACET"), "vertex", "VERTEX"));
+    row("ascii stl, comments above, zeros behind", ".stl", "# x\n" + ascii + std::string(64, '\0'));
+    row("ascii stl, UTF-16 big", ".stl", utf16(ascii, true));
+    row("ascii stl, UTF-16 little, no mark", ".stl", utf16(ascii, false, false));
+    row("ascii stl, UTF-16 big, no mark", ".stl", utf16(ascii, true, false));
+    row("ascii stl, UTF-16 and comments, no mark", ".stl", utf16("# x\n" + ascii, false, false));
+    row("ascii stl, one line", ".stl", replaced(ascii, "\n", " "));
+    row("ascii stl, one line, end facet", ".stl",
+        replaced(replaced(replaced(replaced(ascii, "\n", " "), "endfacet", "end facet"), "endsolid", "end solid"),
+                 "outer loop", "OUTERLOOP"));
+    row("ascii stl, one line, no solid", ".stl", replaced(facets(), "\n", " "));
+    row("ascii stl, one line for each facet", ".stl",
+        "solid a\n" + replaced(replaced(facets(), "\n", " "), "endfacet ", "endfacet\n") + "endsolid a\n");
+    row("ascii stl, vertices on a line", ".stl", replaced(ascii, "\n  vertex", " vertex"));
+    row("ascii stl, facet behind solid", ".stl", replaced(ascii, "solid a\nfacet", "solid a facet"));
+    row("ascii stl, facet behind endfacet", ".stl", replaced(ascii, "endfacet\nfacet", "endfacet facet"));
+    row("ascii stl, keywords in a name", ".stl", replaced(ascii, "solid a", "solid vertex facet outer loop"));
 
     const std::string obj = vertices() + faces();
     row("obj, zeros behind", ".obj", obj + std::string(64, '\0'));
@@ -350,18 +389,29 @@ void ReportedFiles::opensAsTheBox_data()
     row("obj, CR CR LF", ".obj", replaced(obj, "\n", "\r\r\n"));
     row("obj, UTF-16 little", ".obj", utf16(obj, false));
     row("obj, UTF-16 big", ".obj", utf16(obj, true));
+    row("obj, UTF-16 little, no mark", ".obj", utf16(obj, false, false));
+    row("obj, UTF-16 big, no mark", ".obj", utf16(obj, true, false));
     row("obj, backslash before v", ".obj", "# from C:\\models\\\n" + obj);
     row("obj, backslash before f", ".obj", vertices() + "  # from C:\\models\\\n" + faces());
     row("obj, comment behind a face", ".obj", vertices() + faces(1, "f ", "# face"));
     row("obj, unused NaN", ".obj", vertices() + "v nan nan nan\n" + faces(), "1 vertex without finite");
     row("obj, unused -nan(ind)", ".obj", vertices() + "v -nan(ind) 0 0\nv 1.#QNAN -1.#IND 0\n" + faces(),
         "2 vertices without finite");
+    for (const char* number : {"1.#INF", "-1.#INF", "1.#INF00", "1.#SNAN", "1.#QNAN0", "-1.#IND00", "1.#J"}) {
+        QTest::addRow("obj, unused %s", number)
+            << std::string("box.obj") << vertices() + "v 0 " + number + " 0\n" + faces()
+            << std::string("1 vertex without finite");
+    }
     row("obj, unused far", ".obj", vertices() + "v 1e30 0 0\n" + faces(), "1 vertex without finite");
     row("obj, two corners", ".obj", obj + "f 1 2\nf 3\n", "2 faces of fewer than 3 corners");
     row("obj, one material", ".obj", "usemtl a\n" + obj, "colours not read");
 
     row("ply, unused NaN", ".ply", plyHeader(9, 12) + vertices(kA, "") + "nan nan nan\n" + faces(0, "3 "),
         "1 vertex without finite");
+    row("ply, blank behind the magic word", ".ply",
+        replaced(plyHeader(8, 12) + vertices(kA, "") + faces(0, "3 "), "ply\n", "ply \n"));
+    row("ply, tab behind the magic word, CR LF", ".dat",
+        replaced(replaced(plyHeader(8, 12), "ply\n", "ply\t\n"), "\n", " \r\n") + vertices(kA, "") + faces(0, "3 "));
     row("ply, two corners", ".ply", plyHeader(8, 13) + vertices(kA, "") + "2 0 1\n" + faces(0, "3 "),
         "1 face of fewer than 3 corners");
     row("ply, surplus numbers", ".ply",
@@ -370,6 +420,21 @@ void ReportedFiles::opensAsTheBox_data()
     row("ply, surplus numbers of vertices", ".ply",
         plyHeader(8, 12) + replaced(vertices(kA, ""), "\n", " 255\n") + faces(0, "3 "),
         "lines with more numbers than the header declares: 8");
+    // As many surplus numbers as further elements: read word by word, these bodies hold other triangles.
+    row("ply, surplus of a number", ".ply", plyHeader(8, 12) + vertices(kA, "") + faces(0, "3 ", "5"),
+        "lines with more numbers than the header declares: 12");
+    row("ply, surplus of two numbers", ".ply", plyHeader(8, 12) + vertices(kA, "") + faces(0, "3 ", "7 0"),
+        "lines with more numbers than the header declares: 12");
+    row("ply, surplus of a number, CR and blank lines", ".ply",
+        replaced(plyHeader(8, 12) + vertices(kA, "") + "\n" + faces(0, "3 ", "5") + " \n", "\n", "\r"),
+        "lines with more numbers than the header declares: 12");
+    row("ply, elements over several lines", ".ply",
+        plyHeader(8, 12) + replaced(vertices(kA, ""), " ", "\n") + replaced(faces(0, "3 "), " ", "\n"));
+    row("ply, elements on one line", ".ply", plyHeader(8, 12) + replaced(vertices(kA, "") + faces(0, "3 "), "\n", " "));
+    row("ply, as many lines as elements, otherwise divided", ".ply",
+        plyHeader(8, 12) + replaced(vertices(kA, ""), "\n", " ") + "\n\n" +
+            replaced(replaced(replaced(faces(0, "3 "), "3 0 3 2 ", "3\n0\n3\n2\n"), "3 0 2 1 ", "3\n0\n2\n1\n"),
+                     "3 4 5 6 ", "3 4\n5 6"));
     row("ply, stray header line", ".ply",
         plyHeader(8, 12, "Created by a program - source file: box\n") + vertices(kA, "") + faces(0, "3 "),
         "none of PLY");
@@ -390,6 +455,43 @@ void ReportedFiles::opensAsTheBox_data()
         replaced(replaced(xml("PolyData", false), "NumberOfPoints=\"8\"", "NumberOfPoints=\"9\""),
                  "</DataArray></Points>", "nan nan nan </DataArray></Points>"),
         "1 vertex without finite");
+    for (const char* number : {"nan", "NaN", "-nan", "inf", "-inf", "infinity", "nan(ind)", "1.#QNAN", "-1.#IND",
+                               "-1.#INF", "1e999", "-1e30"}) {
+        for (const std::string type : {"PolyData", "UnstructuredGrid"}) {
+            for (const std::string end : {"", " ", "\n"}) {
+                const std::string point = std::string(number) + " 1 " + number + end;
+                QTest::addRow("%s, unused %s%s", type.c_str(), number,
+                              end.empty()  ? ""
+                              : end == " " ? " "
+                                           : " line")
+                    << std::string(type == "PolyData" ? "box.vtp" : "box.vtu")
+                    << replaced(replaced(xml(type, false), "NumberOfPoints=\"8\"", "NumberOfPoints=\"9\""),
+                                "</DataArray></Points>", point + "</DataArray></Points>")
+                    << std::string("1 vertex without finite");
+            }
+        }
+    }
+    row("vtp, beyond the range of Float32", ".vtp",
+        replaced(replaced(replaced(xml("PolyData", false), "NumberOfPoints=\"8\"", "NumberOfPoints=\"9\""),
+                          "</DataArray></Points>", "1e39 0 0</DataArray></Points>"),
+                 "Float64", "Float32"),
+        "1 vertex without finite");
+    for (const bool isBig : {false, true}) {
+        for (const bool hasMark : {false, true}) {
+            for (const std::string type : {"PolyData", "UnstructuredGrid"}) {
+                const std::string declared = replaced(xml(type, false), "version=\"1.0\"?",
+                                                      "version=\"1.0\" encoding='UTF-16' standalone='yes'?");
+                const char* order = isBig ? "big" : "little";
+                QTest::addRow("%s, UTF-16 %s %d", type.c_str(), order, hasMark ? 1 : 0)
+                    << std::string(type == "PolyData" ? "box.vtp" : "box.vtu") << utf16(declared, isBig, hasMark)
+                    << std::string();
+                QTest::addRow("%s, UTF-16 %s %d, no declaration", type.c_str(), order, hasMark ? 1 : 0)
+                    << std::string("box.dat")
+                    << utf16(replaced(xml(type, false), "<?xml version=\"1.0\"?>", ""), isBig, hasMark)
+                    << std::string();
+            }
+        }
+    }
     row("vtp, empty piece", ".vtp",
         xml("PolyData", false, "", "<Piece NumberOfPoints=\"0\" NumberOfPolys=\"0\"><Points/><Polys/></Piece>"));
     row("vtp, empty piece first", ".vtp",
@@ -413,6 +515,12 @@ void ReportedFiles::opensAsTheBox_data()
     row("vtk grid", ".vtk", grid());
     row("vtk grid of polygons", ".vtk", grid("7"));
     row("vtk grid, CR", ".vtk", replaced(grid(), "\n", "\r"));
+    row("vtk, unused NaN", ".vtk",
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 9 float\n" + vertices(kA, "") +
+            "nan 0 -1.#INF\nPOLYGONS 12 48\n" + faces(0, "3 "),
+        "1 vertex without finite");
+    row("vtk grid, unused NaN", ".vtk",
+        replaced(replaced(grid(), "POINTS 8", "POINTS 9"), "CELLS", "nan nan nan\nCELLS"), "1 vertex without finite");
     row("vtk grid with a line", ".vtk",
         replaced(replaced(replaced(grid(), "CELLS 12 48", "CELLS 13 51"), "CELL_TYPES 12\n", "2 0 1\nCELL_TYPES 13\n"),
                  "CELL_TYPES 13\n", "CELL_TYPES 13\n") +
@@ -437,6 +545,11 @@ void ReportedFiles::opensAsTheBox()
     QVERIFY2(note.empty() ? file.value().notes.empty() : hasNote(file.value().notes, note),
              core::joined(file.value().notes).english().c_str());
     QVERIFY(file.value().loss.isEmpty());
+    for (const core::Message& one : file.value().notes) {
+        QCOMPARE(std::ranges::count_if(file.value().notes,
+                                       [&](const core::Message& other) { return other.english() == one.english(); }),
+                 std::ptrdiff_t{1});
+    }
 }
 
 void ReportedFiles::twoPartsStayTwo_data()
@@ -456,6 +569,9 @@ void ReportedFiles::twoPartsStayTwo_data()
         "solid\n" + facets() + "endsolid a\nsolid\n" + facets(kB) + "endsolid b\n", "a", "b");
     row("a solid without an end", "box.stl", "solid a\n" + facets() + "solid b\n" + facets(kB) + "endsolid b\n", "a",
         "b");
+    row("solids on one line", "box.stl",
+        replaced("solid my a\n" + facets() + "endsolid my a\nsolid b\n" + facets(kB) + "endsolid b\n", "\n", " "),
+        "my a", "b");
     row("objects of one name", "box.obj", "o part\n" + vertices() + faces() + "o part\n" + vertices(kB) + faces(9),
         "part", "part 2");
     row("groups of one name", "box.obj", "g part\n" + vertices() + faces() + "g part\n" + vertices(kB) + faces(9),
@@ -464,6 +580,23 @@ void ReportedFiles::twoPartsStayTwo_data()
         "part 0", "part 1");
     row("materials", "box.obj", vertices() + vertices(kB) + "usemtl Liver\n" + faces() + "usemtl Spleen\n" + faces(9),
         "Liver", "Spleen");
+    for (const char* group : {"g", "g ", "g default", "g Default", "o", "o default"}) {
+        QTest::addRow("materials in %s", group) << std::string("box.obj")
+                                                << std::string(group) + "\nusemtl Liver\n" + vertices() + faces() +
+                                                       group + "\nusemtl Spleen\n" + vertices(kB) + faces(9)
+                                                << std::vector<std::string>{"Liver", "Spleen"};
+    }
+    row("materials in default groups of an object", "box.obj",
+        "o Body\ng default\nusemtl Liver\n" + vertices() + faces() + "g default\nusemtl Spleen\n" + vertices(kB) +
+            faces(9),
+        "Liver", "Spleen");
+    row("groups without names", "box.obj", "g\n" + vertices() + faces() + "g\n" + vertices(kB) + faces(9), "box",
+        "box 2");
+    row("a group and the default one", "box.obj",
+        "g default\nusemtl red\n" + vertices() + faces() + "g Liver\nusemtl blue\n" + vertices(kB) + faces(9), "box",
+        "Liver");
+    row("named groups in objects without names", "box.obj",
+        "o\ng Liver\n" + vertices() + faces() + "o\ng Spleen\n" + vertices(kB) + faces(9), "Liver", "Spleen");
 }
 
 void ReportedFiles::twoPartsStayTwo()
@@ -488,6 +621,9 @@ void ReportedFiles::usedVertexMustBeFinite_data()
     const std::string x = "10 20 30";
     QTest::newRow("obj") << std::string("a.obj") << replaced(vertices() + faces(), x, "nan 20 30");
     QTest::newRow("obj, faces first") << std::string("a.obj") << replaced(faces() + vertices(), x, "10 -nan(ind) 30");
+    QTest::newRow("obj, -1.#INF") << std::string("a.obj") << replaced(vertices() + faces(), x, "-1.#INF 20 30");
+    QTest::newRow("vtp, 1.#INF") << std::string("a.vtp") << replaced(xml("PolyData", false), x, "1.#INF 20 30");
+    QTest::newRow("vtp, 1e999") << std::string("a.vtp") << replaced(xml("PolyData", false), x, "1e999 20 30");
     QTest::newRow("ply") << std::string("a.ply")
                          << replaced(plyHeader(8, 12) + vertices(kA, "") + faces(0, "3 "), x, "10 inf 30");
     QTest::newRow("vtp") << std::string("a.vtp") << replaced(xml("PolyData", false), x, "10 20 nan");
@@ -514,6 +650,19 @@ void ReportedFiles::refusalsNameTheNextStep_data()
         QTest::newRow(title) << std::string(name) << bytes << std::move(found);
     };
     row("cut off", "a.stl", binary().substr(0, 84 + 520), {"cut off", "--partial opens the first 10 of 12 triangles"});
+    // Whole facets that form a closed surface: a second surface may be missing.
+    row("cut off behind a surface", "a.stl", binary(13), {"cut off", "--partial opens the first 12 of 13 triangles"});
+    row("a vast count", "a.stl", binary(0x7fffffffU), {"cut off", "--partial opens the first 12 of 2,147,483,647"});
+    row("text in place of an STL", "a.stl", "STL will follow next week. " + std::string(200, '.'),
+        {"a text without the facets of an STL", "\"facet\""});
+    row("ascii stl on one line, cut off", "a.stl",
+        replaced("solid a\n" + facets().substr(0, facets().rfind("outer")), "\n", " "),
+        {"line 1: the file ends after 11 complete triangles", "--partial opens the complete triangles"});
+    row("ascii stl with comments above, cut off", "a.stl",
+        "# x\nsolid a\n" + facets().substr(0, facets().rfind("outer")),
+        {"the file ends after 11 complete triangles", "--partial opens the complete triangles"});
+    row("UTF-16 and raw data", "a.vtp", utf16("<VTKFile type=\"PolyData\"><AppendedData encoding=\"raw\">_", false),
+        {"UTF-16", "raw", "UTF-8"});
     row("obj points", "a.obj", vertices(), {"point cloud", "MeshLab: Screened Poisson"});
     row("ply points", "a.ply",
         replaced(plyHeader(8, 0), "element face 0\nproperty list uchar int vertex_indices\n", "") + vertices(kA, ""),
@@ -526,6 +675,19 @@ void ReportedFiles::refusalsNameTheNextStep_data()
     row("glTF", "a.glb", "glTF\x02 and more", {"glTF", "MeshLab or Blender"});
     row("glTF as text", "a.gltf", "{\n  \"asset\": {\"version\": \"2.0\"}\n}\n", {"glTF", "MeshLab or Blender"});
     row("Slicer scene", "a.xml", "<?xml version=\"1.0\"?>\n<MRML version=\"Slicer5\"></MRML>", {"3D Slicer", "models"});
+    const auto vtk = [](const std::string& type) {
+        return "<?xml version=\"1.0\"?>\n<VTKFile header_type=\"UInt32\" type=\"" + type + "\" version=\"1.0\"/>";
+    };
+    row("VTI", "a.vti", vtk("ImageData"), {"a volume of VTK", "maps.md"});
+    row("structured points", "a.vtk",
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n",
+        {"STRUCTURED_POINTS", "maps.md"});
+    row("parallel VTP", "a.pvtp", vtk("PPolyData"), {".pvtp", "the .vtp files that it names"});
+    row("parallel VTU", "a.pvtu", vtk("PUnstructuredGrid"), {".pvtu", "the .vtu files that it names"});
+    row("partitioned", "a.vtpd", vtk("vtkPartitionedDataSet"), {".vtpd", ".vtm"});
+    const std::string mgh =
+        std::string("\0\0\0\1\0\0\1\0\0\0\1\0\0\0\1\0\0\0\0\1\0\0\0\0", 24) + std::string(300, '\0');
+    row("FreeSurfer's volume", "a.mgh", mgh, {"FreeSurfer", "mri_convert", ".nii.gz"});
     row("AppleDouble", "._a.stl", std::string("\0\x05\x16\x07 and more", 13), {"macOS"});
 }
 

@@ -2,6 +2,7 @@
 #include "formats/AsciiStl.h"
 
 #include "formats/MeshFormat.h"
+#include "formats/StlLines.h"
 #include "text/Fault.h"
 #include "text/TextScan.h"
 
@@ -53,13 +54,28 @@ float toFloat(std::string_view word, double value)
     return error == std::errc() && end == word.data() + word.size() ? exact : static_cast<float>(value);
 }
 
+/// @return true if the words contain the begin of a facet
+bool hasFacet(std::string_view words)
+{
+    for (std::string_view word = takeWord(words); !word.empty(); word = takeWord(words)) {
+        std::string_view rest = words;
+        const std::string_view next = takeWord(rest);
+        if (sameWord(word, "facet") &&
+            (next.empty() || sameWord(next, "normal") || sameWord(next, "outer") || sameWord(next, "outerloop"))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 class AsciiStl
 {
   public:
-    AsciiStl(std::string_view text, const ScanContext& context)
+    /// @param isSplit  a line may contain several keywords
+    AsciiStl(std::string_view text, const ScanContext& context, bool isSplit)
         : m_context(context)
         , m_size(text.size())
-        , m_reader(text)
+        , m_reader(text, isSplit)
         , m_facets(80, '\x80') // a header that VTK takes for binary
     {
         m_scan.format = "STL ASCII";
@@ -69,12 +85,16 @@ class AsciiStl
     /// Number of complete facets and the line of the last one.
     [[nodiscard]] std::uint64_t facets() const noexcept { return m_scan.partOfCell.size(); }
     [[nodiscard]] std::uint64_t lastFacet() const noexcept { return m_lastFacet; }
+    /// @return true if `run` has skipped what may be parts of a facet behind other words.
+    [[nodiscard]] bool hasSkipped() const noexcept { return m_hasSkipped; }
     /// @return true if no facet ends behind the line at which `run` stopped: the file is cut off there.
     [[nodiscard]] bool isCutOff();
     /// Writes the facets read so far to the image.
     Result<PreScan> finish(FileImage& image);
 
   private:
+    /// Notes a facet behind the name of a solid or behind the keyword of an end.
+    void skip(std::string_view rest) { m_hasSkipped = m_hasSkipped || hasFacet(rest); }
     /// Expected kind of the next non-blank line.
     enum class Expect : std::uint8_t
     {
@@ -103,12 +123,13 @@ class AsciiStl
 
     const ScanContext& m_context;
     std::size_t m_size;
-    LineReader m_reader;
+    StlLines m_reader;
     PreScan m_scan;
     std::string m_facets;           ///< as a binary file
     std::string m_solid;            ///< name of the current solid
     std::uint64_t m_solidBegin = 0; ///< facets before the current solid
     std::uint64_t m_lastFacet = 0;
+    bool m_hasSkipped = false;
     bool m_isOpen = false; ///< after "solid", before "endsolid"
     Expect m_expect = Expect::Facet;
     unsigned m_corners = 0;
@@ -118,6 +139,7 @@ class AsciiStl
 /// facet only repeats the name.
 void AsciiStl::beginSolid(std::string_view rest)
 {
+    skip(rest);
     noteSpaceTag(rest, m_scan);
     noteScaleTag(rest, m_scan);
     m_solid = trimmed(rest.substr(0, kLongestSolidName));
@@ -127,6 +149,7 @@ void AsciiStl::beginSolid(std::string_view rest)
 
 void AsciiStl::endSolid(std::string_view rest)
 {
+    skip(rest);
     const bool hasFacets = facets() > m_solidBegin;
     if (hasFacets && m_scan.partNames.back().empty()) {
         m_scan.partNames.back() = trimmed(rest.substr(0, kLongestSolidName));
@@ -147,11 +170,14 @@ Status AsciiStl::takeOutside(std::string_view line)
     } else {
         std::string_view after = line;
         const std::string_view word = takeWord(after);
-        const bool isComment = word.front() == '#' || word.front() == ';' || word.starts_with("//");
-        if (!isComment && !sameWord(word, "color") && facets() > 0) {
+        if (isStlComment(word)) {
+            return {};
+        }
+        if (!sameWord(word, "color") && facets() > 0) {
             return wrong({PALPATE_TEXT("found %1"), inQuotes(word)},
                          {PALPATE_TEXT("the keyword %1 or %2"), "\"facet\"", "\"endsolid\""});
         }
+        skip(line);
     }
     return {};
 }
@@ -230,7 +256,11 @@ Status AsciiStl::takeLine(std::string_view line)
     case Expect::EndFacet:
         break;
     }
-    return takeKeyword(line, "endfacet", rest) ? endFacet() : missing("\"endfacet\"");
+    if (!takeKeyword(line, "endfacet", rest)) {
+        return missing("\"endfacet\"");
+    }
+    skip(rest);
+    return endFacet();
 }
 
 Status AsciiStl::run()
@@ -309,14 +339,32 @@ bool startsWithSolid(std::string_view bytes)
     return isGlued && (text.find("facet") != std::string_view::npos || text.find("FACET") != std::string_view::npos);
 }
 
+bool looksLikeAsciiStl(std::string_view bytes)
+{
+    return startsWithSolid(bytes) || (looksLikeText(bytes) && hasStlFacet(startOf(bytes)));
+}
+
 Result<PreScan> guardAsciiStl(FileImage& image, const ScanContext& context)
 {
     std::string_view text = withoutPadding(image.bytes());
     if (text.starts_with("\xef\xbb\xbf")) { // byte order mark
         text.remove_prefix(3);
     }
-    AsciiStl file(text, context);
-    const Status status = file.run();
+    AsciiStl lines(text, context, false);
+    Status status = lines.run();
+    // Line by line first: the name of a solid may contain keywords.
+    std::optional<AsciiStl> words;
+    if ((!status.isOk() && status.code() != StatusCode::Cancelled) || lines.hasSkipped()) {
+        words.emplace(text, context, true);
+        const Status byWord = words->run();
+        if (byWord.code() == StatusCode::Cancelled || words->facets() > lines.facets() ||
+            (byWord.isOk() && !status.isOk())) {
+            status = byWord;
+        } else {
+            words.reset();
+        }
+    }
+    AsciiStl& file = words ? *words : lines;
     if (status.isOk()) {
         return file.finish(image);
     }

@@ -651,6 +651,10 @@ Status LegacyScan::readSection(std::string_view keyword)
     if (is("DATASET")) {
         const std::string_view kind = m_body.word();
         m_isGrid = sameWord(kind, "UNSTRUCTURED_GRID");
+        if (sameWord(kind, "STRUCTURED_POINTS") || sameWord(kind, "RECTILINEAR_GRID")) {
+            return wrong(StatusCode::Unsupported, {PALPATE_TEXT("a VTK file of type %1"), inQuotes(kind)},
+                         {PALPATE_TEXT("a surface. As a map of stiffness, a volume is named in a scene (maps.md)")});
+        }
         return m_isGrid || sameWord(kind, "POLYDATA")
                    ? Status()
                    : wrong(StatusCode::Unsupported, {PALPATE_TEXT("a VTK file of type %1"), inQuotes(kind)},
@@ -704,7 +708,6 @@ Result<PreScan> LegacyScan::run()
         return plain.status();
     }
     m_image = std::move(plain).value();
-    m_bad.note(m_scan);
     return std::move(m_scan);
 }
 

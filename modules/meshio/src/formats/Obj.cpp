@@ -75,6 +75,13 @@ struct FaceGroups
     }
     /// @return number of groups with faces
     [[nodiscard]] std::size_t used() const { return std::set(ofFace.begin(), ofFace.end()).size(); }
+    /// @return true for several groups with faces, of which one has a name
+    [[nodiscard]] bool areNamed() const
+    {
+        const std::set<std::uint32_t> groups(ofFace.begin(), ofFace.end());
+        return groups.size() > 1 && std::any_of(groups.begin(), groups.end(),
+                                                [this](std::uint32_t id) { return !names.names()[id].empty(); });
+    }
 };
 
 /// Reads the text and writes the parts that VTK needs: the vertices unchanged and the faces with plain indices from 1.
@@ -240,6 +247,13 @@ Status ObjScan::readFace(std::string_view rest)
     return {};
 }
 
+/// @return the name in a statement; empty for "default", which is the name of no group (specification of OBJ, "g")
+std::string_view groupName(std::string_view rest)
+{
+    const std::string_view name = trimmed(rest.substr(0, kLongestName));
+    return sameWord(name, "default") ? std::string_view() : name;
+}
+
 /// A line that is no comment.
 Status ObjScan::readLine(std::string_view word, std::string_view rest)
 {
@@ -250,9 +264,9 @@ Status ObjScan::readLine(std::string_view word, std::string_view rest)
         return readFace(rest);
     }
     if (word == "o") {
-        m_objects.started = trimmed(rest.substr(0, kLongestName));
+        m_objects.started = groupName(rest);
     } else if (word == "g") {
-        m_groups.started = trimmed(rest.substr(0, kLongestName));
+        m_groups.started = groupName(rest);
     } else if (word == "usemtl") {
         m_materials.started = trimmed(rest.substr(0, kLongestName));
     } else if (word == "mtllib" && m_library.empty()) {
@@ -365,10 +379,12 @@ PreScan ObjScan::finish()
     m_scan.points = static_cast<std::uint64_t>(m_points);
     m_scan.cells = m_objects.ofFace.size();
     // Several objects are the structures; else the groups are: modelling programs also use groups to split one object
-    // by material. Without either, the materials are.
-    const bool byObject = m_objects.used() > 1, byGroup = m_groups.used() > 1;
-    const bool byMaterial = !byObject && !byGroup && m_materials.used() > 1;
-    const FaceGroups& parts = byObject ? m_objects : byMaterial ? m_materials : m_groups;
+    // by material. Without either, or if none has a name, the materials are.
+    const FaceGroups& parts = m_objects.areNamed()     ? m_objects
+                              : m_groups.areNamed()    ? m_groups
+                              : m_materials.used() > 1 ? m_materials
+                              : m_objects.used() > 1   ? m_objects
+                                                       : m_groups;
     m_scan.partNames = parts.names.names();
     std::ranges::transform(m_scan.partNames, m_scan.partNames.begin(), partName);
     m_scan.partOfCell = parts.ofFace;
@@ -413,13 +429,13 @@ Result<PreScan> guardObj(FileImage& image, const ScanContext& context)
     if (text.starts_with("\xef\xbb\xbf")) { // byte order mark
         text.remove_prefix(3);
     }
-    const bool isCut = withoutPadding(image.bytes()).size() == image.bytes().size();
+    const bool isCut =
+        image.bytes().substr(withoutPadding(image.bytes()).size()).find_first_of("\r\n") == std::string_view::npos;
     std::optional<ObjScan> scan(std::in_place, text, context, isCut);
     Status status = scan->run();
     core::Message loss;
-    if (!status.isOk() && context.isPartial && status.code() != StatusCode::Cancelled &&
-        !image.bytes().ends_with('\n')) {
-        const std::string_view whole = text.substr(0, text.rfind('\n') + 1); // without the truncated last line
+    if (!status.isOk() && context.isPartial && status.code() != StatusCode::Cancelled && isCut) {
+        const std::string_view whole = text.substr(0, text.find_last_of("\r\n") + 1); // without the truncated last line
         scan.emplace(whole, context, false);
         if (!scan->run().isOk()) {
             return status;

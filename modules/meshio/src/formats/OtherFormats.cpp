@@ -47,6 +47,23 @@ constexpr auto kText = std::to_array<OtherFormat>({
     {"ISO-10303-21", PALPATE_TEXT("a STEP model"), PALPATE_TEXT("a mesh made of it (FreeCAD: Export as STL)")},
 });
 
+constexpr MessageText<> kToVolume =
+    PALPATE_TEXT("a surface. As a map of stiffness, a volume is named in a scene (maps.md)");
+constexpr MessageText<> kToParts = PALPATE_TEXT("the files that it names, or a name that ends in .vtm");
+
+/// VTK files by the type of the root element.
+constexpr auto kVtk = std::to_array<OtherFormat>({
+    {"ImageData", PALPATE_TEXT("a volume of VTK"), kToVolume},
+    {"PImageData", PALPATE_TEXT("a volume of VTK"), kToVolume},
+    {"RectilinearGrid", PALPATE_TEXT("a volume of VTK"), kToVolume},
+    {"PPolyData", PALPATE_TEXT("a VTK file that names the parts of a surface (.pvtp)"),
+     PALPATE_TEXT("the .vtp files that it names, in a folder")},
+    {"PUnstructuredGrid", PALPATE_TEXT("a VTK file that names the parts of a grid (.pvtu)"),
+     PALPATE_TEXT("the .vtu files that it names, in a folder")},
+    {"vtkPartitionedDataSet", PALPATE_TEXT("a VTK file that names other files (.vtpd)"), kToParts},
+    {"vtkPartitionedDataSetCollection", PALPATE_TEXT("a VTK file that names other files (.vtpc)"), kToParts},
+});
+
 /// XML documents by the name of the root element.
 constexpr auto kXml = std::to_array<OtherFormat>({
     {"MRML", PALPATE_TEXT("a 3D Slicer scene (MRML)"),
@@ -85,11 +102,54 @@ bool isGltfText(std::string_view text)
     return text.starts_with('{') && text.find("\"asset\"") != std::string_view::npos;
 }
 
+/// A volume of FreeSurfer: the numbers 1, width, height, depth, frames and a type, each of four bytes, big-endian.
+bool isMgh(std::string_view head)
+{
+    const auto number = [head](std::size_t i) {
+        std::uint32_t value = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            value = value << 8U | static_cast<unsigned char>(head[4 * i + k]);
+        }
+        return value;
+    };
+    constexpr std::uint32_t kMostVoxels = 65536, kHighestType = 10; // along an axis
+    const auto isSize = [&](std::size_t i) { return number(i) > 0 && number(i) <= kMostVoxels; };
+    return head.size() >= 24 && number(0) == 1 && isSize(1) && isSize(2) && isSize(3) && isSize(4) &&
+           number(5) <= kHighestType;
+}
+
+/// @return the type of a VTK file as XML; empty for other content
+std::string_view rootType(std::string_view text)
+{
+    constexpr std::string_view kType = "type=";
+    const std::string_view file = text.substr(std::min(text.find("<VTKFile"), text.size()));
+    const std::string_view tag = file.substr(0, file.find('>'));
+    for (std::size_t at = tag.find(kType); at != std::string_view::npos; at = tag.find(kType, at + 1)) {
+        const std::size_t open = at + kType.size();
+        if (tag[at - 1] != '_' && open < tag.size()) { // not of "header_type"
+            return tag.substr(open + 1, tag.find(tag[open], open + 1) - open - 1);
+        }
+    }
+    return {};
+}
+
 std::optional<OtherFormat> found(std::string_view bytes)
 {
     const std::string_view head = startOf(bytes), text = startOfText(bytes), root = rootElement(text);
     for (const OtherFormat& format : kBinary) {
         if (head.starts_with(format.begin)) {
+            return format;
+        }
+    }
+    if (isMgh(head)) {
+        return OtherFormat{
+            {},
+            PALPATE_TEXT("a volume of FreeSurfer (.mgz, .mgh)"),
+            PALPATE_TEXT("a label map as NIfTI (FreeSurfer: mri_convert to a name that ends in .nii.gz)")};
+    }
+    const std::string_view type = root == "VTKFile" ? rootType(text) : std::string_view();
+    for (const OtherFormat& format : kVtk) {
+        if (type == format.begin) {
             return format;
         }
     }

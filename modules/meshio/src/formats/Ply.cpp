@@ -163,6 +163,8 @@ class PlyScan
     Status run(PreScan& scan);
     /// Number of complete faces if `run` failed because the file is truncated.
     [[nodiscard]] std::uint64_t wholeFaces() const noexcept { return m_wholeFaces; }
+    /// @return true if `run` failed because the numbers do not match the elements that the header declares.
+    [[nodiscard]] bool isOtherLayout() const noexcept { return m_isOtherLayout; }
     /// Notes what was left out, and writes the vertices and faces as the content of a PLY file.
     [[nodiscard]] std::string finish(PreScan& scan) const;
 
@@ -189,6 +191,7 @@ class PlyScan
     PlyBody m_body;
     std::vector<double> m_list;
     std::uint64_t m_wholeFaces = 0;
+    bool m_isOtherLayout = false;
     bool m_isExact = false; ///< a coordinate has a type with more precision than float
     std::uint64_t m_faces = 0, m_thinFaces = 0, m_surplusLines = 0, m_trailing = 0;
     BadVertices m_bad;
@@ -287,6 +290,7 @@ Status PlyScan::readElement(const PlyElement& element, PreScan& scan)
             const std::optional<double> value = m_body.next(property.isList ? property.countType : property.type);
             const auto cut = [&] {
                 m_wholeFaces = isFace && !isStrips && m_body.isAtEnd() ? i : 0;
+                m_isOtherLayout = true;
                 return wrong(StatusCode::BadFormat, m_body.found(element, i),
                              {PALPATE_TEXT("the property %1"), inQuotes(property.name)});
             };
@@ -300,6 +304,7 @@ Status PlyScan::readElement(const PlyElement& element, PreScan& scan)
                 continue;
             }
             if (!(*value >= 0.0) || *value > static_cast<double>(m_bytes.size())) {
+                m_isOtherLayout = true;
                 return wrong(StatusCode::OutOfRange,
                              {PALPATE_TEXT("element %1 %2: length of a list: %3"), inQuotes(element.name), i, *value},
                              {PALPATE_TEXT("%1 to %2"), 0, m_bytes.size()});
@@ -398,6 +403,7 @@ Status PlyScan::checkEnd(const PreScan& scan)
     m_surplusLines += m_body.beginLine() ? 1 : 0;
     if (scan.loss.isEmpty() && !m_body.isAtEnd()) {
         if (m_header.encoding == PlyEncoding::Ascii || !isFiller(m_body.rest())) {
+            m_isOtherLayout = true;
             return wrong(StatusCode::BadFormat, {PALPATE_TEXT("more data after the last element")},
                          {PALPATE_TEXT("the end of the file")});
         }
@@ -424,10 +430,27 @@ std::string PlyScan::finish(PreScan& scan) const
            "\nproperty list uchar int vertex_indices\nend_header\n" + m_plain;
 }
 
+/// @return true if the body of a text has one line for each element, apart from blank lines
+bool hasLineForEach(std::string_view bytes, const PlyHeader& header)
+{
+    std::uint64_t elements = 0;
+    for (const PlyElement& element : header.elements) {
+        elements += element.properties.empty() ? 0 : element.count;
+    }
+    std::uint64_t lines = 0;
+    LineReader reader(withoutPadding(bytes.substr(header.bodyBegin)));
+    while (lines <= elements && reader.next()) {
+        lines += trimmed(reader.line()).empty() ? 0 : 1;
+    }
+    return lines == elements;
+}
+
 bool looksLikePly(std::string_view bytes)
 {
-    const std::string_view head = startOf(bytes);
-    return head.starts_with("ply\n") || head.starts_with("ply\r");
+    constexpr std::string_view kMagic = "ply";
+    LineReader lines(startOf(bytes));
+    std::string_view rest = lines.next() ? lines.line() : std::string_view();
+    return rest.starts_with(kMagic) && takeWord(rest) == kMagic && trimmed(rest).empty();
 }
 
 Result<PreScan> guardPly(FileImage& image, const ScanContext& context)
@@ -439,15 +462,24 @@ Result<PreScan> guardPly(FileImage& image, const ScanContext& context)
     if (!header.isOk()) {
         return header.status();
     }
-    std::optional<PlyScan> body(std::in_place, image.bytes(), header.value(), context, false);
+    // VCGLIB wrote lines with more numbers than it declared. Read word by word, the surplus of all lines may add up to
+    // further elements, with other triangles. So where each element has a line, the lines count, and a text is read
+    // word by word only if an element lacks numbers on its line.
+    const bool isText = header.value().encoding == PlyEncoding::Ascii;
+    bool isByLine = isText && hasLineForEach(image.bytes(), header.value());
+    std::optional<PlyScan> body(std::in_place, image.bytes(), header.value(), context, isByLine);
     Status status = body->run(scan);
-    const std::uint64_t wholeFaces = body->wholeFaces();
-    // VCGLIB wrote lines with more numbers than it declared. A text that is read word by word may have any line ends,
-    // so the lines count only if that fails.
-    if (!status.isOk() && header.value().encoding == PlyEncoding::Ascii && status.code() != StatusCode::Cancelled) {
-        body.emplace(image.bytes(), header.value(), context, true);
-        const Status byLine = body->run(scan);
-        status = byLine.isOk() || byLine.code() == StatusCode::Cancelled ? byLine : status;
+    if (!status.isOk() && isByLine && body->isOtherLayout() && status.code() != StatusCode::Cancelled) {
+        isByLine = false;
+        body.emplace(image.bytes(), header.value(), context, isByLine);
+        status = body->run(scan);
+    }
+    std::uint64_t wholeFaces = body->wholeFaces();
+    if (!status.isOk() && isText && context.isPartial &&
+        status.code() != StatusCode::Cancelled) { // cut off: there are fewer lines than elements
+        PlyScan lines(image.bytes(), header.value(), context, true);
+        isByLine = !lines.run(scan).isOk() && lines.wholeFaces() >= wholeFaces;
+        wholeFaces = isByLine ? lines.wholeFaces() : wholeFaces;
     }
     if (!status.isOk() && context.isPartial && wholeFaces > 0 && status.code() != StatusCode::Cancelled) {
         std::vector<PlyElement>& elements = header.value().elements;
@@ -458,7 +490,7 @@ Result<PreScan> guardPly(FileImage& image, const ScanContext& context)
                                                 Count(face->count - wholeFaces), Count(face->count)));
         face->count = wholeFaces;
         elements.erase(face + 1, elements.end());
-        body.emplace(image.bytes(), header.value(), context, false);
+        body.emplace(image.bytes(), header.value(), context, isByLine);
         status = body->run(scan);
     }
     if (!status.isOk()) {

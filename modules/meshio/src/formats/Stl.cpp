@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -103,20 +104,80 @@ Status checkFacets(std::string_view bytes, std::uint64_t declared, const ScanCon
     return {};
 }
 
+/// Counts the facets of a binary file by its size, without those of zeros or of text alone, which fill the last block
+/// of a file or are its signature.
+std::uint64_t heldFacets(std::string_view bytes)
+{
+    std::uint64_t held = (bytes.size() - kFirstFacet) / kFacet;
+    for (; held > 0; --held) {
+        const std::string_view last = bytes.substr(kFirstFacet + (held - 1) * kFacet, kFacet);
+        const bool isText = last.find('\0') == std::string_view::npos && isFiller(last);
+        if (!isText && last.find_first_not_of('\0') != std::string_view::npos) {
+            break;
+        }
+    }
+    return held;
+}
+
+/// @return true if the facets form a closed surface: for each edge from one corner to the next, another facet has the
+/// edge back. The sum of a hash of the edges that changes its sign with the direction is then 0.
+bool isClosed(std::string_view bytes, std::uint64_t facets)
+{
+    constexpr std::uint64_t kFactor = 0x9e3779b97f4a7c15ULL; // of splitmix64 (Steele, Lea, Flood: OOPSLA 2014)
+    const auto mix = [](std::uint64_t x) {
+        x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9ULL;
+        x = (x ^ x >> 27) * 0x94d049bb133111ebULL;
+        return x ^ x >> 31;
+    };
+    std::uint64_t sum = 0;
+    bool hasEdge = false;
+    for (std::uint64_t i = 0; i < facets; ++i) {
+        std::array<float, 12> facet; // normal, then three corners
+        std::memcpy(facet.data(), bytes.data() + kFirstFacet + i * kFacet, sizeof(facet));
+        std::array<std::uint64_t, 3> corners = {};
+        for (std::size_t k = 0; k < 9; ++k) {
+            const float x = facet[3 + k] + 0.0F; // -0 becomes 0
+            corners[k / 3] = mix(corners[k / 3] + kFactor + std::bit_cast<std::uint32_t>(x));
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint64_t a = corners[k], b = corners[(k + 1) % 3];
+            const std::uint64_t edge = mix(std::min(a, b) + mix(std::max(a, b)));
+            sum += a < b ? edge : a > b ? ~edge + 1 : 0;
+            hasEdge = hasEdge || a != b;
+        }
+    }
+    return hasEdge && sum == 0;
+}
+
 /// Decides how many facets a binary file holds, and notes or refuses a size that differs from the count of the header.
-/// Streaming writers leave the count 0, and some programs fill the last block of a file or append a text. A count of
-/// other facets than are there may have lost any of them, so it is refused.
+/// Streaming writers leave the count 0 or -1, and some programs fill the last block of a file or append a text. A count
+/// of more facets than are there says that some are lost, so the file is refused. A count of fewer, or of -1, is
+/// refused unless the facets form a closed surface.
 /// @param declared  in: the count of the header; out: the number of facets
 Status settleCount(std::string_view bytes, std::uint32_t& declared, const ScanContext& context, PreScan& scan)
 {
-    const std::uint64_t body = bytes.size() - kFirstFacet, held = body / kFacet;
+    const std::uint64_t body = bytes.size() - kFirstFacet;
     const std::uint64_t wanted = std::uint64_t{declared} * kFacet;
     constexpr std::uint64_t kAttribute = sizeof(std::uint16_t); // behind the corners of a facet
-    if (declared == 0 && held > 0 && held * kFacet == body && !isFiller(bytes.substr(kFirstFacet))) {
-        declared = static_cast<std::uint32_t>(std::min<std::uint64_t>(held, kMostElements));
-        scan.note({PALPATE_TEXT("the count of triangles in the header, 0, is wrong: the size of the file says %1"),
-                   Count(held)});
-    } else if (body < wanted && wanted - body <= kAttribute) {
+    if (body == wanted && declared > 0) {
+        return {};
+    }
+    const std::uint64_t facets = heldFacets(bytes);
+    const std::string_view tail = bytes.substr(kFirstFacet + facets * kFacet);
+    const bool isEnd = body > wanted && facets <= declared && declared > 0; // only filler behind the facets
+    const bool isCutAttribute = body < wanted && wanted - body <= kAttribute;
+    constexpr std::uint32_t kMinusOne = 0xffffffffU;
+    const bool isCertain = declared == 0 ? withoutPadding(tail).empty() || isClosed(bytes, facets)
+                                         : (declared < facets || declared == kMinusOne) && isClosed(bytes, facets);
+    if (facets > 0 && facets <= kMostElements && !isEnd && !isCutAttribute && isFiller(tail) && isCertain) {
+        scan.note({PALPATE_TEXT("the count of triangles in the header, %1, is wrong: the size of the file says %2"),
+                   Count(declared), Count(facets)});
+        noteTrailingBytes(tail.size(), scan);
+        declared = static_cast<std::uint32_t>(facets);
+        return {};
+    }
+    const std::uint64_t held = body / kFacet;
+    if (isCutAttribute) {
         scan.note({PALPATE_TEXT("the last triangle is whole, but the attribute behind it is cut off")});
     } else if (context.isPartial && held > 0 && body < wanted) {
         scan.loss = core::Message(PALPATE_TEXT("%1: %2"), onByte(bytes.size()),
@@ -132,7 +193,7 @@ Status settleCount(std::string_view bytes, std::uint32_t& declared, const ScanCo
                                                Count(kFirstFacet + wanted), Count(held), Count(declared)));
     } else if (body > wanted && declared > 0) {
         const std::string_view behind = bytes.substr(kFirstFacet + wanted);
-        if (behind.size() >= kFacet && !isFiller(behind)) {
+        if (!isEnd || (behind.size() >= kFacet && !isFiller(behind))) {
             return fault(StatusCode::BadFormat, context.file, onByte(kHeader),
                          {PALPATE_TEXT("number of triangles of the binary STL: declared %1, but the %2 bytes hold %3"),
                           Count(declared), Count(bytes.size()), Count(held)},
@@ -235,18 +296,34 @@ Result<PreScan> guardBinary(FileImage& image, const ScanContext& context)
 
 bool looksLikeStl(std::string_view bytes)
 {
-    return isExactBinary(bytes) || startsWithSolid(bytes);
+    return isExactBinary(bytes) || looksLikeAsciiStl(bytes);
 }
 
 Result<PreScan> guardStl(FileImage& image, const ScanContext& context)
 {
     const std::string_view bytes = image.bytes();
-    if (isExactBinary(bytes) || !startsWithSolid(bytes)) {
+    if (isExactBinary(bytes)) {
         return guardBinary(image, context);
     }
-    // A binary file with a header that begins with "solid" has a zero byte in the count, and no facet as text before.
+    if (!startsWithSolid(bytes)) {
+        if (!looksLikeText(bytes)) {
+            return guardBinary(image, context);
+        }
+        Result<PreScan> scan = guardAsciiStl(image, context);
+        if (scan.isOk() || scan.status().code() != StatusCode::Empty) {
+            return scan;
+        }
+        if (bytes.substr(0, kFirstFacet).find('\0') != std::string_view::npos) { // a count of 0 behind a text
+            return guardBinary(image, context);
+        }
+        return fault(StatusCode::BadFormat, context.file, onLine(1),
+                     {PALPATE_TEXT("a text without the facets of an STL")},
+                     {PALPATE_TEXT("the keyword %1"), "\"facet\""});
+    }
+    // A binary file with a header that begins with "solid" has zero bytes in the count or the first facet, and no facet
+    // as text before.
     const std::string_view text = startOfText(bytes);
-    const std::size_t nul = text.substr(0, kFirstFacet).find('\0');
+    const std::size_t nul = text.substr(0, kFirstFacet + kFacet).find('\0');
     const bool isBinary = nul != std::string_view::npos && text.substr(0, nul).find("facet") == std::string_view::npos;
     return isBinary ? guardBinary(image, context) : guardAsciiStl(image, context);
 }

@@ -3,6 +3,7 @@
 #include "formats/MeshFormat.h"
 #include "formats/VtpBlocks.h"
 #include "formats/VtpHeader.h"
+#include "formats/VtpText.h"
 
 #include "text/Fault.h"
 #include "text/TextScan.h"
@@ -605,56 +606,12 @@ bool looksLikeVtu(std::string_view bytes)
     return text.starts_with('<') && text.find("\"UnstructuredGrid\"") != std::string_view::npos;
 }
 
-/// Removes padding behind the document, which is no XML.
-Status removePadding(FileImage& image, const ScanContext& context)
-{
-    const std::string_view bytes = image.bytes();
-    const std::size_t end = std::min(bytes.rfind('>'), bytes.size() - 1) + 1;
-    if (trimmed(bytes.substr(end)).empty() || !withoutPadding(bytes.substr(end)).empty()) {
-        return {};
-    }
-    Result<FileImage> document = FileImage::copy(bytes.substr(0, end), context.file);
-    if (document.isOk()) {
-        image = std::move(document).value();
-    }
-    return document.status();
-}
-
-/// Overwrites the pieces without points by blanks: VTK's reader requires points in the first piece. Where the text does
-/// not show clearly which pieces these are, the image stays as it is.
-void removeEmptyPieces(FileImage& image, const VtpHeader& header)
-{
-    constexpr std::string_view kBegin = "<Piece", kEnd = "</Piece>";
-    const std::string_view bytes = image.bytes();
-    const std::string_view xml = bytes.substr(0, bytes.find("<AppendedData"));
-    std::vector<std::size_t> begins;
-    for (std::size_t at = xml.find(kBegin); at != std::string_view::npos; at = xml.find(kBegin, at + 1)) {
-        begins.push_back(at);
-    }
-    if (begins.size() != header.pieces.size() || xml.find("<!--") != std::string_view::npos) {
-        return;
-    }
-    for (std::size_t i = 0; i < begins.size(); ++i) {
-        const VtpPiece& piece = header.pieces[i];
-        if (piece.points + piece.verts.count + piece.lines.count + piece.strips.count + piece.polys.count > 0) {
-            continue;
-        }
-        const std::size_t tagEnd = xml.find('>', begins[i]);
-        const bool isWhole = tagEnd != std::string_view::npos && xml[tagEnd - 1] == '/';
-        const std::size_t close = isWhole ? tagEnd + 1 : xml.find(kEnd, begins[i]) + kEnd.size();
-        const std::size_t next = i + 1 < begins.size() ? begins[i + 1] : xml.size();
-        if (tagEnd == std::string_view::npos || close <= tagEnd || close > next) {
-            return;
-        }
-        for (char& c : image.writable().subspan(begins[i], close - begins[i])) {
-            c = c == '\n' ? c : ' ';
-        }
-    }
-}
-
 Result<PreScan> guardVtp(FileImage& image, const ScanContext& context)
 {
     if (Status status = removePadding(image, context); !status.isOk()) {
+        return status;
+    }
+    if (Status status = makeNumbersReadable(image, context); !status.isOk()) {
         return status;
     }
     PreScan scan;
@@ -674,6 +631,9 @@ Result<PreScan> guardVtp(FileImage& image, const ScanContext& context)
 Result<PreScan> guardVtu(FileImage& image, const ScanContext& context)
 {
     if (Status status = removePadding(image, context); !status.isOk()) {
+        return status;
+    }
+    if (Status status = makeNumbersReadable(image, context); !status.isOk()) {
         return status;
     }
     PreScan scan;

@@ -35,6 +35,29 @@ using core::StatusCode;
 constexpr double kScanned = 0.3;
 constexpr double kRead = 0.8;
 
+/// Replaces a text in UTF-16 by the same text in UTF-8.
+Status convertUtf16(FileImage& image, const std::string& file)
+{
+    std::optional<std::string> text = fromUtf16(image.bytes());
+    if (!text) {
+        return {};
+    }
+    if (const std::size_t data = text->find("<AppendedData"); data != std::string::npos) {
+        const std::string_view tag = std::string_view(*text).substr(data, text->find('>', data) - data);
+        if (tag.find("raw") != std::string_view::npos) {
+            return fault(StatusCode::Unsupported, file, {},
+                         {PALPATE_TEXT("the text is UTF-16, but the appended data are raw bytes")},
+                         {PALPATE_TEXT("UTF-8")});
+        }
+    }
+    dropXmlEncoding(*text);
+    Result<FileImage> converted = FileImage::copy(*text, file);
+    if (converted.isOk()) {
+        image = std::move(converted).value();
+    }
+    return converted.status();
+}
+
 /// @return part of the progress from `from` to `to`; empty without progress
 std::function<bool(double)> shareOf(const ReadOptions& options, double from, double to)
 {
@@ -112,14 +135,8 @@ Result<MeshFile> decodeMesh(FileImage image, const std::filesystem::path& path, 
     context.frame = options.frame;
     context.path = path;
     context.progress = options.progress;
-    // XML may be UTF-16; its readers know that.
-    if (const std::optional<std::string> text = fromUtf16(image.bytes());
-        text && !startOfText(*text).starts_with('<')) {
-        Result<FileImage> converted = FileImage::copy(*text, context.file);
-        if (!converted.isOk()) {
-            return converted.status();
-        }
-        image = std::move(converted).value();
+    if (Status status = convertUtf16(image, context.file); !status.isOk()) {
+        return status;
     }
     const Result<const MeshFormat*> format = formatOf(image.bytes(), path);
     if (!format.isOk()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text/Encoding.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +35,27 @@ void appendUtf8(std::string& out, std::uint32_t code)
         put(0x80U | (code >> 6U & 0x3fU));
         put(0x80U | (code & 0x3fU));
     }
+}
+
+/// Byte order of a text in UTF-16 without a byte order mark: nearly all characters at its begin are ASCII, with a zero
+/// byte each. @return true for little-endian, false for big-endian, nothing for other content
+std::optional<bool> isLittleUtf16(std::string_view bytes)
+{
+    constexpr std::size_t kSample = 512, kLeast = 8; // characters
+    const std::size_t characters = std::min(bytes.size() / 2, kSample);
+    const auto isAscii = [](char c) { return (c >= ' ' && c < '\x7f') || (c >= '\t' && c <= '\r'); };
+    std::array<std::size_t, 2> count = {}; // with the zero byte first, second
+    for (std::size_t i = 0; i < characters; ++i) {
+        const char a = bytes[2 * i], b = bytes[2 * i + 1];
+        count[0] += a == '\0' && isAscii(b) ? 1 : 0;
+        count[1] += b == '\0' && isAscii(a) ? 1 : 0;
+    }
+    for (const std::size_t order : {0U, 1U}) {
+        if (characters >= kLeast && count[order] * 10 >= characters * 9 && bytes[order] == '\0') {
+            return order == 1;
+        }
+    }
+    return std::nullopt;
 }
 
 /// @return bytes of the UTF-8 character at the front of `text`; 0 if there is no valid one (RFC 3629, section 4)
@@ -90,10 +112,12 @@ std::string utf8Of(std::string_view name)
 
 std::optional<std::string> fromUtf16(std::string_view bytes)
 {
-    const bool isLittle = bytes.starts_with("\xff\xfe");
-    if (!isLittle && !bytes.starts_with("\xfe\xff")) {
+    const bool hasMark = bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff");
+    const std::optional<bool> order = hasMark ? std::optional(bytes.starts_with("\xff\xfe")) : isLittleUtf16(bytes);
+    if (!order) {
         return std::nullopt;
     }
+    const bool isLittle = *order;
     const auto unit = [&](std::size_t at) -> std::uint32_t {
         const auto a = static_cast<unsigned char>(bytes[at]);
         const auto b = static_cast<unsigned char>(bytes[at + 1]);
@@ -102,7 +126,7 @@ std::optional<std::string> fromUtf16(std::string_view bytes)
     constexpr std::uint32_t kHigh = 0xd800, kLow = 0xdc00, kEnd = 0xe000, kReplacement = 0xfffd;
     std::string out;
     out.reserve(bytes.size() / 2);
-    for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
+    for (std::size_t at = hasMark ? 2 : 0; at + 1 < bytes.size(); at += 2) {
         std::uint32_t code = unit(at);
         if (code >= kHigh && code < kEnd) {
             const std::uint32_t next = code < kLow && at + 3 < bytes.size() ? unit(at + 2) : 0;
@@ -116,6 +140,20 @@ std::optional<std::string> fromUtf16(std::string_view bytes)
         appendUtf8(out, code);
     }
     return out;
+}
+
+void dropXmlEncoding(std::string& text)
+{
+    const std::size_t end = text.starts_with("<?xml") ? text.find("?>") : std::string::npos;
+    const std::size_t begin = text.find("encoding");
+    const std::size_t open = text.find_first_of("\"'", begin);
+    if (end == std::string::npos || begin > end || open > end) {
+        return;
+    }
+    const std::size_t close = text.find(text[open], open + 1);
+    if (close < end) {
+        std::fill_n(text.begin() + static_cast<std::ptrdiff_t>(begin), close + 1 - begin, ' ');
+    }
 }
 
 } // namespace palpate::meshio::internal

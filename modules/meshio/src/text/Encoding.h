@@ -11,8 +11,12 @@ namespace palpate::meshio::internal {
 /// Windows-1252, the superset of Latin-1 that most programs without UTF-8 write.
 [[nodiscard]] std::string utf8Of(std::string_view name);
 
-/// Converts a text in UTF-16 to UTF-8. The byte order mark decides the byte order; lone surrogates become U+FFFD.
-/// @return nothing without a byte order mark of UTF-16
+/// Converts a text in UTF-16 to UTF-8. The byte order mark decides the byte order, or else the zero bytes of the first
+/// characters; lone surrogates become U+FFFD.
+/// @return nothing if the bytes are no text in UTF-16
 [[nodiscard]] std::optional<std::string> fromUtf16(std::string_view bytes);
+
+/// Overwrites the encoding in an XML declaration by blanks, which is wrong after a conversion to UTF-8.
+void dropXmlEncoding(std::string& text);
 
 } // namespace palpate::meshio::internal

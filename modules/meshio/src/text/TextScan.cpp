@@ -22,6 +22,24 @@ char lower(char c)
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
+/// Reads "1.#INF", "-1.#IND", "1.#QNAN" and "1.#SNAN", with further digits or rounded to fewer characters.
+std::optional<double> microsoftNumber(std::string_view word)
+{
+    constexpr std::string_view kBegin = "1.#";
+    const bool isNegative = word.starts_with('-');
+    word.remove_prefix(isNegative ? 1 : 0);
+    const bool isOne = word.starts_with(kBegin) && word.size() > kBegin.size();
+    word.remove_prefix(isOne ? kBegin.size() : 0);
+    if (!isOne || !std::all_of(word.begin(), word.end(),
+                               [](char c) { return (c >= '0' && c <= '9') || (lower(c) >= 'a' && lower(c) <= 'z'); })) {
+        return std::nullopt;
+    }
+    const double infinity = std::numeric_limits<double>::infinity();
+    return !sameWord(word.substr(0, 3), "inf") ? std::numeric_limits<double>::quiet_NaN()
+           : isNegative                        ? -infinity
+                                               : infinity;
+}
+
 } // namespace
 
 bool LineReader::next()
@@ -82,6 +100,17 @@ bool isFiller(std::string_view bytes)
                        [](char c) { return (c >= ' ' && c < '\x7f') || isBlank(c) || c == '\0' || c == kDosEnd; });
 }
 
+bool looksLikeText(std::string_view bytes)
+{
+    constexpr std::size_t kSample = 4096, kLeastPerControl = 50;
+    const std::string_view head = withoutPadding(bytes).substr(0, kSample);
+    const auto controls = std::count_if(head.begin(), head.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return (byte < ' ' && !isBlank(c)) || byte == 0x7f;
+    });
+    return !head.empty() && static_cast<std::size_t>(controls) * kLeastPerControl <= head.size();
+}
+
 bool sameWord(std::string_view a, std::string_view b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
@@ -95,8 +124,7 @@ std::optional<double> wordToNumber(std::string_view word)
     double value = 0.0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (word.empty() || end != word.data() + word.size()) {
-        const bool isMicrosofts = word.find(".#IND") != std::string_view::npos || word.ends_with(".#QNAN");
-        return isMicrosofts ? std::optional(std::numeric_limits<double>::quiet_NaN()) : std::nullopt;
+        return microsoftNumber(word);
     }
     if (error == std::errc::result_out_of_range) {
         return word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos

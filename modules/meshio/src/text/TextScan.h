@@ -45,11 +45,16 @@ class LineReader
 /// binary numbers, but no further numbers.
 [[nodiscard]] bool isFiller(std::string_view bytes);
 
+/// @return true if the first kilobytes are those of a text in one byte per character: hardly any zeros and control
+/// characters, apart from padding at the end
+[[nodiscard]] bool looksLikeText(std::string_view bytes);
+
 /// @return true when both are equal but for the case of ASCII letters.
 [[nodiscard]] bool sameWord(std::string_view a, std::string_view b);
 
 /// Reads a decimal number that fills `word`, as strtod would: a leading '+', and "nan" and "inf", are allowed; too
-/// large gives infinity, too small zero. Also reads the NaN of older Microsoft libraries, "-1.#IND" or "1.#QNAN".
+/// large gives infinity, too small zero. Also reads what older Microsoft libraries write for other numbers than finite
+/// ones, also rounded: "-1.#INF" as infinity, "-1.#IND", "1.#QNAN", "1.#QNAN0" and "1.#J" as NaN.
 [[nodiscard]] std::optional<double> wordToNumber(std::string_view word);
 [[nodiscard]] std::optional<std::int64_t> wordToInteger(std::string_view word);
 
