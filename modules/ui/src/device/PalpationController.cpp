@@ -469,8 +469,8 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
         reading.constraints = tick.felt.constraints;
         const auto& touched = m_model.rows()[static_cast<std::size_t>(tick.felt.structure)].loaded;
-        addLump(m_model, tick.felt.structure, restOf(touched.motion.get(), m_live.timeOf_s(tick), tick.felt.p_WG),
-                reading);
+        addLump(m_model, tick.felt.structure,
+                restOf(touched.motion.get(), m_live.timeOf_s(tick), tick.felt.touched_W()), reading);
     }
     if (m_live.usesPointer() && isPressing()) {
         m_lastPress = state.isInContact ? std::optional<Press>({state, reading, tick.tick}) : std::nullopt;
