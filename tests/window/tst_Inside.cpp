@@ -131,6 +131,35 @@ class Inside : public QObject
         QVERIFY(std::abs(view().section()->p_W.y()) < 1e-9);
     }
 
+    /// A field leaves Enter and some other keys to its parents, of which the view is one.
+    void keysInTheFieldsOfTheBarAreNotForTheView()
+    {
+        m_desk->command("section").setChecked(true);
+        QDoubleSpinBox& position = field("Position of the section");
+        position.setFocus();
+        PALPATE_TRY_VERIFY(position.hasFocus());
+        const Vec3 camera_W(view().camera().GetPosition());
+        QSignalSpy space(&viewport(), &ui::VtkViewport::spaceHeld), peek(&viewport(), &ui::VtkViewport::peekHeld);
+        for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space, Qt::Key_G, Qt::Key_Left, Qt::Key_Right,
+                                  Qt::Key_Plus, Qt::Key_PageDown}) {
+            m_desk->press(key);
+        }
+        m_desk->press(Qt::Key_Left, Qt::ShiftModifier);
+        m_desk->press(Qt::Key_Right, Qt::ControlModifier);
+        QVERIFY(!view().cursor().state().isPresent && !m_desk->command("palpate").isChecked());
+        QVERIFY(space.isEmpty() && peek.isEmpty());
+        QCOMPARE(Vec3(view().camera().GetPosition()), camera_W);
+        for (QToolButton* button : bar().findChildren<QToolButton*>()) {
+            button->setFocus();
+            m_desk->press(Qt::Key_Return);
+        }
+        QVERIFY(!view().cursor().state().isPresent && !m_desk->command("palpate").isChecked());
+        viewport().setFocus();
+        m_desk->press(Qt::Key_Plus);
+        QVERIFY(Vec3(view().camera().GetPosition()) != camera_W);
+        view().look(view::ViewFrom::Front);
+    }
+
     void directionsAreThoseOfThePatient()
     {
         m_desk->command("section").setChecked(true);

@@ -70,6 +70,9 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     /// corner
     [[nodiscard]] bool isOnLegend(const QPointF& place) const;
     [[nodiscard]] bool isOnLegendClose(const QPointF& place) const;
+    /// Returns false while the keyboard focus is in a bar of the view: keys are not for the view then, not even those
+    /// that the bar leaves unused.
+    [[nodiscard]] bool takesKeys() const;
 
   Q_SIGNALS:
     /// Pointer motion over the view, or view motion under the pointer. Palpation mode only, as the next signals.
@@ -109,6 +112,8 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     void leaveEvent(QEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
+    void childEvent(QChildEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void applyStyle();
@@ -119,6 +124,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     void setPeeking(bool isPeeking);
     void judgeSpeed();
     bool hasTurned();
+    void leave();
     void passCovers();
     [[nodiscard]] Eigen::Vector2d fromCentre(const QPointF& place) const;
 
