@@ -274,6 +274,12 @@ void VtkViewport::blitToWidget()
     gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+void VtkViewport::setClicksWhilePalpating(bool isOn)
+{
+    m_clicksWhilePalpating = isOn;
+    m_isClick = false;
+}
+
 void VtkViewport::setMode(Mode mode)
 {
     m_mode = mode;
@@ -336,6 +342,7 @@ void VtkViewport::mousePressEvent(QMouseEvent* event)
     Q_EMIT hoverEnded();
     if (m_mode == Mode::Palpate && event->button() == Qt::LeftButton) {
         m_isPressed = true;
+        m_isClick = m_clicksWhilePalpating;
         Q_EMIT pointerMoved();
         Q_EMIT pointerPressed();
         return;
@@ -359,6 +366,9 @@ void VtkViewport::mouseReleaseEvent(QMouseEvent* event)
     if (m_isPressed && event->button() == Qt::LeftButton) {
         m_isPressed = false;
         Q_EMIT pointerReleased();
+        if (std::exchange(m_isClick, false) && !m_hasMoved) {
+            Q_EMIT clicked(m_pointer, event->modifiers());
+        }
         return;
     }
     if (event->button() != m_cameraButton) {

@@ -70,6 +70,9 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     /// corner
     [[nodiscard]] bool isOnLegend(const QPointF& place) const;
     [[nodiscard]] bool isOnLegendClose(const QPointF& place) const;
+    /// Lets the left button click in palpation mode, too: a press that ends where it began then is a press of the hand
+    /// and a click. Forgets a click in progress.
+    void setClicksWhilePalpating(bool isOn);
     /// Returns false while the keyboard focus is in a bar of the view: keys are not for the view then, not even those
     /// that the bar leaves unused.
     [[nodiscard]] bool takesKeys() const;
@@ -94,7 +97,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     void hovered(const QPointF& place);
     /// The pointer left the view or a button was pressed.
     void hoverEnded();
-    /// Camera mode: left click without motion.
+    /// Left click without motion: in camera mode, see also setClicksWhilePalpating.
     void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
     /// Both modes: request to centre on this place.
     void centreWanted(const QPointF& place);
@@ -137,6 +140,8 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     Mode m_mode = Mode::Camera;
     Qt::MouseButton m_cameraButton = Qt::NoButton;
     bool m_isPointerInside = false;
+    bool m_clicksWhilePalpating = false;
+    bool m_isClick = false; ///< the press of the left button in palpation mode may become a click
     bool m_isPressed = false;
     bool m_isPeeking = false; ///< G is held
     bool m_isReady = false;
