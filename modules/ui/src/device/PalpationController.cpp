@@ -332,6 +332,7 @@ void PalpationController::pressAt(const QPointF& place)
 void PalpationController::press()
 {
     const double now_s = seconds(core::monotonicNow_ns());
+    Q_EMIT m_viewport.hoverEnded(); // the name at the pointer, for a press by keys
     m_hand.press();
     m_effort.begin(now_s + m_hand.settings().pressTime_s);
     updateEffortDepth(now_s);

@@ -42,6 +42,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
 
     [[nodiscard]] view::SceneView& view() noexcept { return m_view; }
     void setMode(Mode mode);
+    [[nodiscard]] Mode mode() const noexcept { return m_mode; }
     /// Ray under the pointer; empty when the pointer is outside.
     [[nodiscard]] std::optional<view::Ray> pointerRay();
     /// Ray through a place of the widget. @param place  logical pixels from the upper left corner
