@@ -652,8 +652,8 @@
         <translation>%1 % der Oberfläche von %2</translation>
     </message>
     <message>
-        <source>The hand was in contact for %1 min, with a peak force of %2 N.</source>
-        <translation>Die Hand hatte %1 min Kontakt, mit einer größten Kraft von %2 N.</translation>
+        <source>The hand was in contact for %1, with a peak force of %2 N.</source>
+        <translation>Die Hand hatte %1 Kontakt, mit einer größten Kraft von %2 N.</translation>
     </message>
     <message>
         <source>Examined: %1, with a peak force of %2 N.</source>
@@ -669,6 +669,14 @@
     <message>
         <source>Of %1 lumps, %2 are palpable by a trained hand; %3 of these were pressed hard enough to feel.</source>
         <translation>Von %1 Knoten sind %2 für eine geübte Hand tastbar; %3 davon wurden fest genug gedrückt.</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
     </message>
 </context>
 <context>
@@ -7371,27 +7379,27 @@
     <name>palpate::app::Docks</name>
     <message>
         <source>Next panel</source>
-        <translation>Nächstes Panel</translation>
+        <translation>Nächster Bereich</translation>
     </message>
     <message>
         <source>Move the keyboard focus to the next panel, after the last to the view</source>
-        <translation>Den Tastaturfokus auf das nächste Panel setzen, nach dem letzten auf die Ansicht</translation>
+        <translation>Den Tastaturfokus auf den nächsten Bereich setzen, nach dem letzten auf die Ansicht</translation>
     </message>
     <message>
         <source>Previous panel</source>
-        <translation>Voriges Panel</translation>
+        <translation>Voriger Bereich</translation>
     </message>
     <message>
         <source>Move the keyboard focus to the previous panel</source>
-        <translation>Den Tastaturfokus auf das vorige Panel setzen</translation>
+        <translation>Den Tastaturfokus auf den vorigen Bereich setzen</translation>
     </message>
     <message>
         <source>Hide or show all panels</source>
-        <translation>Alle Panels verbergen oder zeigen</translation>
+        <translation>Alle Bereiche verbergen oder zeigen</translation>
     </message>
     <message>
         <source>Panels</source>
-        <translation>Panels</translation>
+        <translation>Bereiche</translation>
     </message>
 </context>
 <context>
@@ -7985,7 +7993,7 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <name>palpate::app::LayerOffers</name>
     <message>
         <source>%1; %2 more are listed in the panel.</source>
-        <translation>%1; %2 weitere stehen im Panel.</translation>
+        <translation>%1; %2 weitere stehen im Bereich.</translation>
     </message>
     <message>
         <source>Feel inner structures below outer ones</source>
@@ -10753,7 +10761,7 @@ Hier klicken oder F4 drücken für alle Meldungen</translation>
     </message>
     <message>
         <source> 1 mm of the device is %1 mm of the scene; a smaller scale (Device panel) allows stiffer tissue.</source>
-        <translation> 1 mm des Geräts ist %1 mm der Szene; ein kleinerer Maßstab (Panel „Gerät“) erlaubt steiferes Gewebe.</translation>
+        <translation> 1 mm des Geräts ist %1 mm der Szene; ein kleinerer Maßstab (Bereich „Gerät“) erlaubt steiferes Gewebe.</translation>
     </message>
     <message>
         <source>%1 is set to %2 N/mm but feels like %3 N/mm, the maximum that %4 can render here%5.</source>
@@ -10816,7 +10824,7 @@ Hier klicken oder F4 drücken für alle Meldungen</translation>
     </message>
     <message>
         <source>Text size in panels and in the view</source>
-        <translation>Schriftgröße in den Panels und in der Ansicht</translation>
+        <translation>Schriftgröße in den Bereichen und in der Ansicht</translation>
     </message>
 </context>
 <context>

@@ -652,8 +652,8 @@
         <translation>%1 % de la surface de %2</translation>
     </message>
     <message>
-        <source>The hand was in contact for %1 min, with a peak force of %2 N.</source>
-        <translation>La main a été en contact pendant %1 min, avec une force maximale de %2 N.</translation>
+        <source>The hand was in contact for %1, with a peak force of %2 N.</source>
+        <translation>La main a été en contact pendant %1, avec une force maximale de %2 N.</translation>
     </message>
     <message>
         <source>Examined: %1, with a peak force of %2 N.</source>
@@ -669,6 +669,14 @@
     <message>
         <source>Of %1 lumps, %2 are palpable by a trained hand; %3 of these were pressed hard enough to feel.</source>
         <translation>Sur %1 nodules, %2 sont palpables par une main exercée&#x202f;; %3 d’entre eux ont été pressés assez fort.</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
     </message>
 </context>
 <context>

@@ -218,6 +218,74 @@ class Measures : public QObject
         QVERIFY(std::abs(fine.coveredArea_mm2() - M_PI * 16.0) < 0.01 * M_PI * 16.0);
     }
 
+    void touchTheSurfaceBelowTheBall_data()
+    {
+        QTest::addColumn<double>("radius_mm");
+        QTest::addColumn<double>("height_mm"); // of the centre; less than the radius: a start without room
+        QTest::addColumn<double>("distance_mm");
+        QTest::addColumn<double>("expected_mm"); // radius of the touched disc
+        QTest::newRow("point") << 0.0 << 0.0 << 8.0 << 8.0;
+        QTest::newRow("ball") << 8.0 << 8.0001 << 8.0 << 8.0;
+        QTest::newRow("small distance") << 8.0 << 8.0001 << 3.0 << 3.0;
+        QTest::newRow("large distance") << 8.0 << 8.0001 << 12.0 << 12.0;
+        QTest::newRow("large ball") << 30.0 << 30.0001 << 5.0 << 5.0;
+        QTest::newRow("without room") << 8.0 << 4.0 << 8.0 << std::sqrt(48.0);
+        QTest::newRow("centre on the surface") << 8.0 << 0.0 << 8.0 << 8.0;
+        QTest::newRow("without room, small distance") << 30.0 << 10.0 << 3.0 << 3.0;
+    }
+
+    /// The god-object of a ball is its centre: coverage and visits of findings count from the surface, from the
+    /// recording as from ticks of the servo.
+    void touchTheSurfaceBelowTheBall()
+    {
+        QFETCH(double, radius_mm);
+        QFETCH(double, height_mm);
+        QFETCH(double, distance_mm);
+        QFETCH(double, expected_mm);
+        constexpr double kEdge_mm = 0.4;
+        const auto sheet = std::make_shared<const geometry::RepairedMesh>(geometry::repair(test::sheet(20.0, 100)));
+        const std::string hash = session::geometryHash(sheet->mesh);
+        session::SceneRecord scene = test::palpationScenes()[0];
+        scene.fingertip_mm = radius_mm;
+        scene.structures[0].name = "sheet";
+        scene.structures[0].source.sha256 = hash;
+        QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("a.palpate").toStdString();
+        auto writer = session::RecordingWriter::create(file, {});
+        QVERIFY(writer.value()->addScene(scene).isOk());
+        servo::TickRecord record = tick(0, height_mm - 5.0, height_mm, 1.0);
+        record.felt.n_W = Vec3::UnitZ();
+        record.felt.contacts[0] = session::internal::ownContact(record);
+        record.scene = 1;
+        QVERIFY(writer.value()->append(record).isOk());
+        const auto mark = [&](const char* name, double x_mm) {
+            core::Finding finding{.name = name, .p_W = Vec3(x_mm, 0, 0), .structure = "sheet"};
+            QVERIFY(writer.value()->addEvent({0, "finding", session::findingJson(finding)}).isOk());
+        };
+        mark("inside", expected_mm - kEdge_mm);
+        mark("outside", expected_mm + kEdge_mm);
+        QVERIFY(writer.value()->finish().isOk());
+
+        const auto reader = session::RecordingReader::open(file);
+        const auto measured = session::measureSession(*reader.value(), {{hash, sheet}}, {distance_mm, nullptr});
+        QVERIFY2(measured.isOk(), measured.status().message().c_str());
+        const session::SessionMeasures& m = measured.value();
+        // The border of the disc passes through triangles, whose corners count with their shares.
+        const double exact_mm2 = M_PI * expected_mm * expected_mm, border_mm2 = M_PI * expected_mm * kEdge_mm;
+        QVERIFY2(std::abs(m.surfaces[0].coveredArea_mm2 - exact_mm2) < border_mm2,
+                 std::to_string(m.surfaces[0].coveredArea_mm2).c_str());
+        QCOMPARE(m.findings[0].visits, std::int64_t{1});
+        QCOMPARE(m.findings[0].dwell_s, 1e-3);
+        QCOMPARE(m.findings[1].visits, std::int64_t{0});
+
+        session::TouchedSurfaces live(
+            {{hash, sheet}}, [&](std::uint32_t, std::uint32_t) { return session::StructureKey("sheet", hash); },
+            distance_mm);
+        record.felt.fingertip_mm = radius_mm;
+        live.add(record, 0.0, 1e-3);
+        QCOMPARE(live.take({"sheet", hash})->coveredArea_mm2(), m.surfaces[0].coveredArea_mm2);
+    }
+
     /// From the recording to every number: a press of 0.2 s on the sheet, marked, then a press beside the sheet.
     void ofARecordingAreThoseOfItsTicks()
     {

@@ -85,8 +85,46 @@ class Palpation : public QObject
             QVERIFY(std::abs(m_reading->depth_mm - 4.0 * slant) < 0.2);
             QVERIFY(std::abs(shown.p_WG.norm() - 58.0) < 0.2 && std::abs(shown.onSurface_W().norm() - 50.0) < 0.2);
             QVERIFY((shown.n_W - shown.p_WG.normalized()).norm() < 0.1);
+            QVERIFY(std::abs(m_live->newest().felt.touched_W().norm() - 50.0) < 0.2);
             m_palpation->letGo();
             PALPATE_TRY_VERIFY(m_reading && m_reading->structure.isEmpty());
+        }
+    }
+    /// The next step of the keys moves the hand by that step, not to where the larger ball would have touched first.
+    void aLargerFingertipKeepsThePress()
+    {
+        const auto hasRadius = [this](double radius_mm) {
+            return m_live->scene() != nullptr && m_live->scene()->fingertip_mm() == radius_mm;
+        };
+        for (const bool isByEffort : {false, true}) {
+            ui::HandSettings settings;
+            settings.isByEffort = isByEffort;
+            settings.effort_N = 2.0;
+            m_palpation->setPress(settings);
+            m_live->setFingertip(2.0);
+            PALPATE_TRY_VERIFY(hasRadius(2.0));
+            m_palpation->setPalpating(true);
+            m_palpation->togglePress();
+            PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 3.9);
+            const view::TouchState& shown = m_viewport->view().cursor().state();
+            const core::Vec3 before_W = shown.p_WH;
+            m_live->setFingertip(12.0);
+            PALPATE_TRY_VERIFY(hasRadius(12.0));
+            constexpr double kStride_mm = 2.0; // of the keys, see PointerHandSettings
+            m_palpation->stepAlongScreen(1, 0);
+            PALPATE_TRY_VERIFY((shown.p_WH - before_W).norm() > 0.9 * kStride_mm);
+            QVERIFY2((shown.p_WH - before_W).norm() < 1.1 * kStride_mm,
+                     qPrintable(QString::number((shown.p_WH - before_W).norm())));
+            QVERIFY(shown.isInContact && !m_palpation->isSlidOff());
+            m_palpation->letGo();
+            PALPATE_TRY_VERIFY((m_live->newest().flags & servo::kNoHand) != 0); // lifted off
+            // The next press begins outside.
+            m_palpation->togglePress();
+            PALPATE_TRY_VERIFY(m_reading && m_reading->depth_mm > 3.9);
+            PALPATE_TRY_VERIFY2(std::abs(shown.p_WG.norm() - 62.0) < 0.2,
+                                qPrintable(QString::number(shown.p_WG.norm())));
+            m_palpation->letGo();
+            PALPATE_TRY_VERIFY((m_live->newest().flags & servo::kNoHand) != 0);
         }
     }
     void hoverIsShownButNotFelt()

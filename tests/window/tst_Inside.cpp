@@ -131,6 +131,35 @@ class Inside : public QObject
         QVERIFY(std::abs(view().section()->p_W.y()) < 1e-9);
     }
 
+    /// A field leaves Enter and some other keys to its parents, of which the view is one.
+    void keysInTheFieldsOfTheBarAreNotForTheView()
+    {
+        m_desk->command("section").setChecked(true);
+        QDoubleSpinBox& position = field("Position of the section");
+        position.setFocus();
+        PALPATE_TRY_VERIFY(position.hasFocus());
+        const Vec3 camera_W(view().camera().GetPosition());
+        QSignalSpy space(&viewport(), &ui::VtkViewport::spaceHeld), peek(&viewport(), &ui::VtkViewport::peekHeld);
+        for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space, Qt::Key_G, Qt::Key_Left, Qt::Key_Right,
+                                  Qt::Key_Plus, Qt::Key_PageDown}) {
+            m_desk->press(key);
+        }
+        m_desk->press(Qt::Key_Left, Qt::ShiftModifier);
+        m_desk->press(Qt::Key_Right, Qt::ControlModifier);
+        QVERIFY(!view().cursor().state().isPresent && !m_desk->command("palpate").isChecked());
+        QVERIFY(space.isEmpty() && peek.isEmpty());
+        QCOMPARE(Vec3(view().camera().GetPosition()), camera_W);
+        for (QToolButton* button : bar().findChildren<QToolButton*>()) {
+            button->setFocus();
+            m_desk->press(Qt::Key_Return);
+        }
+        QVERIFY(!view().cursor().state().isPresent && !m_desk->command("palpate").isChecked());
+        viewport().setFocus();
+        m_desk->press(Qt::Key_Plus);
+        QVERIFY(Vec3(view().camera().GetPosition()) != camera_W);
+        view().look(view::ViewFrom::Front);
+    }
+
     void directionsAreThoseOfThePatient()
     {
         m_desk->command("section").setChecked(true);
@@ -324,9 +353,34 @@ class Inside : public QObject
         QVERIFY2(QRegularExpression("^image: 1(80|79|81)(\\.\\d+)?$").match(textAt(Vec3(44, 0, 40))).hasMatch(),
                  qPrintable(label->text()));
         QCOMPARE(textAt(Vec3(60, 0, 0)), QString());
-        // Without the image the structures are filled.
+        // Nor when the pointer leaves for the bar.
+        QVERIFY(!textAt(Vec3(44, 0, 40)).isEmpty());
+        QEnterEvent enter(QPointF(5, 5), QPointF(5, 5), bar().mapToGlobal(QPointF(5, 5)));
+        QCoreApplication::sendEvent(&bar(), &enter);
+        QVERIFY(!label->isVisible());
+        // Findings and lines far from the plane are faint: with the image on both sides of it.
+        const Vec3 onPlane = view().section()->p_W, n_W = view().section()->n_W;
+        const auto faintAt = [&](double inFront_mm) {
+            const Vec3 p_W = onPlane + inFront_mm * n_W, q_W = p_W + 30.0 * n_W.unitOrthogonal();
+            view().findings().set({{.p_W = p_W, .number = 1}});
+            view().measures().set({{.from_W = p_W, .to_W = q_W}});
+            viewport().grabFramebuffer();
+            // Without a section the marks inside the organ are behind tissue, the others before it.
+            return std::pair(view().findings().isHidden(0), view().measures().isFaint(0));
+        };
+        const std::pair isNear(false, false), isFar(true, true);
+        QCOMPARE(faintAt(60.0), isFar);
+        QCOMPARE(faintAt(-6.0), isFar);
+        QVERIFY(!faintAt(3.0).second && !faintAt(-4.0).second);
         bar().findChild<QCheckBox*>()->setChecked(false);
         QVERIFY(colourAt(Vec3(5, 0, 0)).blue() > 190);
+        QCOMPARE(faintAt(60.0), isFar);
+        QVERIFY(!faintAt(-6.0).second);
+        m_desk->command("section").setChecked(false);
+        QCOMPARE(faintAt(60.0), isNear);
+        m_desk->command("undo").trigger();
+        view().findings().set({});
+        view().measures().set({});
         bar().findChild<QCheckBox*>()->setChecked(true);
         // Undo takes back the window, ends the section and removes the image, redo shows all again, and the scene file
         // keeps all.

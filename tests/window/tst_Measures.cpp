@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the dialog of measures on the phantom's recording.
 #include "TestRunner.h"
+#include "reports/ResultTables.h"
 #include "touch/MeasuresDialog.h"
 
 #include <QClipboard>
@@ -68,6 +69,15 @@ class Measures : public QObject
         for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
             QVERIFY2(button->isEnabled(), qPrintable(button->text()));
         }
+    }
+
+    void summaryHasDurationsWithTheirUnit()
+    {
+        session::SessionMeasures measures;
+        measures.sums.contact.time_s = 3.44;
+        QVERIFY2(summaryOf(measures).contains("in contact for 3.4 s,"), qPrintable(summaryOf(measures)));
+        measures.sums.contact.time_s = 125.0;
+        QVERIFY2(summaryOf(measures).contains("in contact for 02:05.0 min,"), qPrintable(summaryOf(measures)));
     }
 
     /// Ctrl+C copies for a spreadsheet: rows with as many cells as the header.

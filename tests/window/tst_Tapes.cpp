@@ -185,6 +185,38 @@ class Tapes : public QObject
         QCOMPARE(tapes().rowCount(), 2);
     }
 
+    /// A click presses the hand and is an end, too; a press that moves or during which the key is pressed is none.
+    void tapeIsClickedWhilePalpating()
+    {
+        const QPoint from = viewport().placeOf(Vec3(0, 0, 35)).toPoint();
+        const QPoint to = viewport().placeOf(Vec3(-20, -50, -40)).toPoint();
+        m_desk->pressKeyOf("palpate");
+        viewport().setFocus();
+        const int before = tapes().rowCount();
+        click(from); // no tape is chosen
+        m_desk->pressKeyOf("tape");
+        click(from);
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, from);
+        QTest::mouseMove(&viewport(), to);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, to);
+        QCOMPARE(tapes().rowCount(), before);
+        click(to);
+        QCOMPARE(tapes().rowCount(), before + 1);
+        QCOMPARE(tapes().tapes().back().fromOn, std::string("tumour"));
+        QCOMPARE(tapes().tapes().back().toOn, std::string("liver"));
+        click(from); // the tape is put away
+        QCOMPARE(tapes().rowCount(), before + 1);
+
+        m_desk->pressKeyOf("tape");
+        QTest::mousePress(&viewport(), Qt::LeftButton, {}, to);
+        PALPATE_TRY_VERIFY(viewport().view().cursor().state().isInContact);
+        m_desk->pressKeyOf("tape");
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, {}, to);
+        QCOMPARE(tapes().rowCount(), before + 1);
+        PALPATE_TRY_VERIFY(!viewport().view().cursor().state().isInContact);
+        m_desk->press(Qt::Key_Escape);
+    }
+
     /// The hand touches two places by keys.
     void tapeIsTouchedByKeys()
     {

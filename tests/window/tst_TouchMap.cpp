@@ -11,6 +11,7 @@
 
 #include <QAction>
 #include <QSignalSpy>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -149,6 +150,14 @@ class TouchMap : public QObject
         const auto at = [&](const Eigen::Vector2d& p) {
             return QPoint(qRound(0.5 * viewport.width() + p.x()), qRound(0.5 * viewport.height() - p.y()));
         };
+        // The tool tip below the legend is a child of the view, but covers nothing of it.
+        PALPATE_TRY_VERIFY(title().contains("up to"));
+        viewport.grabFramebuffer();
+        const Eigen::AlignedBox2d shown = legend().box();
+        QTest::mouseMove(&viewport, at(shown.center()));
+        PALPATE_TRY_VERIFY(QToolTip::isVisible());
+        viewport.grabFramebuffer();
+        QVERIFY((legend().box().center() - shown.center()).norm() < 0.25 * shown.sizes().y());
         QSignalSpy pressed(&viewport, &ui::VtkViewport::pointerPressed);
         m_desk->command("palpate").setChecked(true); // neither presses on the legend
         QTest::mousePress(&viewport, Qt::LeftButton, {}, at(legend().box().center()));

@@ -184,6 +184,13 @@ QString htmlOf(const ResultTable& table)
     return html + QStringLiteral("</table>");
 }
 
+/// Duration in a sentence: "3.4 s", from a minute on "02:05.0 min".
+QString durationText(double seconds)
+{
+    return seconds < 59.95 ? ResultTexts::tr("%1 s").arg(number(seconds, 1))
+                           : ResultTexts::tr("%1 min").arg(ui::clockText(seconds));
+}
+
 } // namespace
 
 std::vector<ResultTable> resultTables(const session::SessionMeasures& measures, bool isFingertip)
@@ -209,8 +216,8 @@ QString summaryOf(const session::SessionMeasures& measures)
     }
     const QString peak = number(measures.sums.contact.peakForce_N);
     const QString first = examined.isEmpty()
-                              ? ResultTexts::tr("The hand was in contact for %1 min, with a peak force of %2 N.")
-                                    .arg(ui::clockText(measures.sums.contact.time_s), peak)
+                              ? ResultTexts::tr("The hand was in contact for %1, with a peak force of %2 N.")
+                                    .arg(durationText(measures.sums.contact.time_s), peak)
                               : ResultTexts::tr("Examined: %1, with a peak force of %2 N.")
                                     .arg(examined.join(QStringLiteral(", ")), peak);
     int palpable = 0, pressed = 0;

@@ -492,6 +492,9 @@ TickResult Palpator::step(const Vec3& p_WH, double dt_s, const Vec3* v_WH, doubl
     }
     // Innermost layer first: its share of the work budget does not depend on outer layers.
     SharedWork work(me.isBall ? me.limits.ballWork : me.limits.work);
+    if (me.isBall) {
+        result.fingertip_mm = me.scene->fingertip_mm();
+    }
     for (std::size_t i = me.layers; i-- > 0;) {
         me.feelLayer(result, i, p_WH, dt_s, work, [&] {
             return law::Motion{me.p_WH, p_WH, me.started ? dt_s : 0.0, v_WH};
@@ -582,6 +585,9 @@ void Palpator::Impl::takeToWorld(TickResult& result, std::size_t i, std::size_t 
         }
     }
     SharedWork work(isBall ? limits.ballWork : limits.work);
+    if (isBall) {
+        result.fingertip_mm = scene->fingertip_mm();
+    }
     for (std::size_t i = layers; i-- > 0;) {
         const HandAtRest& hand = hands[i];
         if (scene->layer(i).motion == nullptr) {

@@ -2,6 +2,7 @@
 #include "palpate/session/Findings.h"
 
 #include "palpate/session/Measures.h"
+#include "palpate/session/TouchPlace.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -206,7 +207,7 @@ void FindingAccumulator::add(const servo::TickRecord& tick)
         }
         for (std::size_t i = 0; i < tick.felt.contactCount; ++i) {
             const haptics::Contact& contact = tick.felt.contacts[i];
-            if ((contact.p_WG - m.finding.p_W).norm() <= m_distance_mm) {
+            if (TouchPlace(tick.felt, contact).reaches(m.finding.p_W, m_distance_mm)) {
                 sum.isThere = true;
                 depth_mm = std::max(depth_mm, contact.depth_mm);
             }

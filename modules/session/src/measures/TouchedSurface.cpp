@@ -17,7 +17,40 @@ using geometry::Triangle;
 
 namespace {
 constexpr double kMostParts = 256.0; // per edge: limits the splitting of very large triangles
-}
+
+/// A line in a grid of cells.
+struct Line
+{
+    Vec3 start, way;
+    double cell_mm;
+
+    struct Part
+    {
+        double from = 0.0, to = 1.0; ///< of the line; none if from > to
+    };
+    /// The part of a part that is in a cell or one of its two neighbours, in one axis.
+    [[nodiscard]] Part near(Part part, int axis, std::int64_t cell) const
+    {
+        if (way[axis] != 0.0) {
+            const auto at = [&](std::int64_t edge) {
+                return (static_cast<double>(edge) * cell_mm - start[axis]) / way[axis];
+            };
+            const auto [first, last] = std::minmax({at(cell - 1), at(cell + 2)});
+            part = {std::max(part.from, first), std::min(part.to, last)};
+        }
+        return part;
+    }
+    /// First and last cell of a part in one axis, with one more at each end.
+    [[nodiscard]] std::pair<std::int64_t, std::int64_t> cells(Part part, int axis) const
+    {
+        const auto at = [&](double share) {
+            return static_cast<std::int64_t>(std::floor((start[axis] + share * way[axis]) / cell_mm));
+        };
+        const std::int64_t a = at(part.from), b = at(part.to);
+        return part.from > part.to ? std::pair(a, a - 1) : std::pair(std::min(a, b) - 1, std::max(a, b) + 1);
+    }
+};
+} // namespace
 
 std::size_t TouchedSurface::CellHash::operator()(const Cell& cell) const noexcept
 {
@@ -109,32 +142,39 @@ TouchedSurface::TouchedSurface(const geometry::TriangleMesh& mesh, double distan
 
 std::optional<std::uint32_t> TouchedSurface::add(const Touch& touch)
 {
-    const Vec3& p_WG = touch.p_WG;
     std::optional<std::uint32_t> nearest;
-    if (!p_WG.allFinite()) {
+    if (!touch.place.isFinite()) {
         return nearest;
     }
     double nearest_mm2 = std::numeric_limits<double>::infinity();
-    const Cell middle = cellOf(p_WG);
     const double square_mm2 = m_distance_mm * m_distance_mm;
-    for (std::int64_t x = -1; x <= 1; ++x) {
-        for (std::int64_t y = -1; y <= 1; ++y) {
-            for (std::int64_t z = -1; z <= 1; ++z) {
-                const auto found = m_cells.find({middle[0] + x, middle[1] + y, middle[2] + z});
-                if (found == m_cells.end()) {
-                    continue;
+    const auto visit = [&](const Cell& cell) {
+        const auto found = m_cells.find(cell);
+        if (found == m_cells.end()) {
+            return;
+        }
+        for (std::uint32_t i = found->second.first; i < found->second.second; ++i) {
+            const std::uint32_t vertex = m_order[i];
+            const double away_mm2 = touch.place.squaredDistance_mm2(m_mesh.vertices[vertex]);
+            if (away_mm2 <= square_mm2) {
+                if (vertex < m_given && away_mm2 < nearest_mm2) {
+                    nearest = vertex;
+                    nearest_mm2 = away_mm2;
                 }
-                for (std::uint32_t i = found->second.first; i < found->second.second; ++i) {
-                    const std::uint32_t vertex = m_order[i];
-                    const double away_mm2 = (m_mesh.vertices[vertex] - p_WG).squaredNorm();
-                    if (away_mm2 <= square_mm2) {
-                        if (vertex < m_given && away_mm2 < nearest_mm2) {
-                            nearest = vertex;
-                            nearest_mm2 = away_mm2;
-                        }
-                        count(vertex, touch);
-                    }
-                }
+                count(vertex, touch);
+            }
+        }
+    };
+    // All cells within the distance of the line from the touching point to the centre; around a point 3 in each axis.
+    const Line line{touch.place.p_W(), touch.place.centre_W() - touch.place.p_W(), m_distance_mm};
+    const auto [firstX, lastX] = line.cells({}, 0);
+    for (std::int64_t x = firstX; x <= lastX; ++x) {
+        const Line::Part inX = line.near({}, 0, x);
+        const auto [firstY, lastY] = line.cells(inX, 1);
+        for (std::int64_t y = firstY; y <= lastY; ++y) {
+            const auto [firstZ, lastZ] = line.cells(line.near(inX, 1, y), 2);
+            for (std::int64_t z = firstZ; z <= lastZ; ++z) {
+                visit({x, y, z});
             }
         }
     }

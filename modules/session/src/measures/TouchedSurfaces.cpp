@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/session/TouchedSurfaces.h"
 
+#include "palpate/session/TouchPlace.h"
+
 #include <cstddef>
 #include <utility>
 
@@ -22,7 +24,7 @@ void TouchedSurfaces::add(const servo::TickRecord& tick, double time_s, double d
             last = {tick.scene, contact.structure, surfaceOf(tick.scene, contact.structure)};
         }
         if (last.surface != nullptr) {
-            last.surface->add({contact.p_WG, contact.f_W.norm(), contact.depth_mm, time_s, dt_s});
+            last.surface->add({TouchPlace(tick.felt, contact), contact.f_W.norm(), contact.depth_mm, time_s, dt_s});
         }
     }
 }

@@ -298,6 +298,8 @@ std::shared_ptr<const CheckedLines::Block> CheckedLines::block(std::size_t numbe
         }
         packTick(content, tick, m_tables.version());
         out->ticks.push_back(tick);
+        const SceneRecord* const scene = sceneOf(tick.scene);
+        out->ticks.back().felt.fingertip_mm = scene != nullptr ? scene->fingertip_mm : 0.0;
         return static_cast<std::int64_t>(out->ticks.size()) <= check.rows;
     });
     if (!status.isOk()) {

@@ -4,6 +4,7 @@
 #include "palpate/study/RecordedScale.h"
 
 #include <palpate/core/Finding.h>
+#include <palpate/session/TouchPlace.h>
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +121,7 @@ class Ticks
             for (Searched& one : m_all) {
                 if (one.organ == name) {
                     const auto place =
-                        one.touched->add({contact.p_WG, contact.f_W.norm(), contact.depth_mm,
+                        one.touched->add({session::TouchPlace(tick.felt, contact), contact.f_W.norm(), contact.depth_mm,
                                           static_cast<double>(tick.tick) * m_reader.info().dt_s, m_reader.info().dt_s});
                     updateRecordedChange(one, place, tick, contact, v_WH);
                 }

@@ -192,7 +192,7 @@ std::optional<HandControl::Filled> HandControl::organ()
 std::optional<HandControl::Filled> HandControl::lump()
 {
     if (isTouching()) {
-        return Filled{lumpAt(m_live.newest().felt.p_WG), tr("10 mm around the contact")};
+        return Filled{lumpAt(m_live.newest().felt.touched_W()), tr("10 mm around the contact")};
     }
     if (const auto ray = m_viewport.pointerRay()) {
         if (const auto pick = m_viewport.view().pick(*ray)) {

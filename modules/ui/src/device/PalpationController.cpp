@@ -87,6 +87,13 @@ bool PalpationController::isPressing() const
     return m_hand.phase(seconds(core::monotonicNow_ns())) == PointerHand::Phase::Pressing;
 }
 
+/// Radius from which the place of first touch is computed. A press keeps the radius with which it began: with another
+/// one, its depth would count from another place, and the hand would jump there.
+std::optional<double> PalpationController::pressFingertip_mm() const
+{
+    return isPressing() ? std::optional(m_pressFingertip_mm) : std::nullopt;
+}
+
 void PalpationController::emitDepth(bool isWithin, bool isDeeper)
 {
     Q_EMIT depthChanged(depth_mm());
@@ -128,7 +135,7 @@ void PalpationController::updateEffortDepth(double now_s)
     const view::Ray press{*m_hand.hoverPoint(), m_hand.direction()};
     std::vector<study::PressedSurface> inTheWay;
     if (m_live.scene() != nullptr) {
-        inTheWay = surfacesAlongPress(*m_live.scene(), press, m_live.time_s());
+        inTheWay = surfacesAlongPress(*m_live.scene(), press, m_live.time_s(), pressFingertip_mm());
     }
     // Without a surface in the way, e.g. beyond a rim, nothing resists: the hand stays at surface height.
     m_hand.setAim(inTheWay.empty() ? 0.0
@@ -184,6 +191,7 @@ void PalpationController::togglePress()
     if (m_isByKeys && isPressing()) {
         letGo();
     } else if (!isPressing() && takeByKeys()) {
+        followCamera(); // the fingertip may have changed since the last step
         press();
     }
 }
@@ -332,6 +340,8 @@ void PalpationController::pressAt(const QPointF& place)
 void PalpationController::press()
 {
     const double now_s = seconds(core::monotonicNow_ns());
+    m_pressFingertip_mm = m_live.scene() != nullptr ? m_live.scene()->fingertip_mm() : 0.0;
+    Q_EMIT m_viewport.hoverEnded(); // the name at the pointer, for a press by keys
     m_hand.press();
     m_effort.begin(now_s + m_hand.settings().pressTime_s);
     updateEffortDepth(now_s);
@@ -351,8 +361,9 @@ void PalpationController::point(const view::Ray& ray)
     if (pick) {
         // The hand is the centre of the fingertip, which touches before the centre reaches the surface.
         const double hit_mm = pick->hit.distance_mm;
-        const double touch_mm =
-            m_live.scene() != nullptr ? touchAlongRay_mm(*m_live.scene(), ray, hit_mm, m_live.time_s()) : hit_mm;
+        const double touch_mm = m_live.scene() != nullptr ? touchAlongRay_mm(*m_live.scene(), ray, hit_mm,
+                                                                             m_live.time_s(), pressFingertip_mm())
+                                                          : hit_mm;
         place_W = ray.p_W + touch_mm * ray.d_W;
         m_toSurface_W = pick->hit.p_W - *place_W;
     }
@@ -469,8 +480,8 @@ void PalpationController::show(const servo::TickRecord& tick, std::int64_t now_n
         reading.depth_mm = (tick.felt.p_WG - tick.p_WH).norm();
         reading.constraints = tick.felt.constraints;
         const auto& touched = m_model.rows()[static_cast<std::size_t>(tick.felt.structure)].loaded;
-        addLump(m_model, tick.felt.structure, restOf(touched.motion.get(), m_live.timeOf_s(tick), tick.felt.p_WG),
-                reading);
+        addLump(m_model, tick.felt.structure,
+                restOf(touched.motion.get(), m_live.timeOf_s(tick), tick.felt.touched_W()), reading);
     }
     if (m_live.usesPointer() && isPressing()) {
         m_lastPress = state.isInContact ? std::optional<Press>({state, reading, tick.tick}) : std::nullopt;

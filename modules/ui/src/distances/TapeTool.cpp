@@ -31,12 +31,12 @@ void TapeTool::press()
 {
     const view::TouchState& touch = m_viewport.view().cursor().state();
     if (touch.isInContact) {
-        m_isMeasuring = true;
+        setMeasuring(true);
         take(snapped({touch.onSurface_W(), m_touched().toStdString()}));
     } else if (m_begun) {
         cancel();
     } else {
-        m_isMeasuring = !m_isMeasuring;
+        setMeasuring(!m_isMeasuring);
         Q_EMIT said(m_isMeasuring ? tr("Tape: click on two places, or touch a place and press T, then another. Esc "
                                        "ends.")
                                   : tr("The tape is put away."));
@@ -55,10 +55,18 @@ bool TapeTool::cancel()
 
 void TapeTool::finish()
 {
-    m_isMeasuring = false;
+    setMeasuring(false);
     m_begun.reset();
     Q_EMIT changed();
     Q_EMIT ended();
+}
+
+/// While the tape is chosen, a click is an end in palpation mode, too. The key in the middle of a press of the mouse
+/// makes that press no click.
+void TapeTool::setMeasuring(bool isMeasuring)
+{
+    m_isMeasuring = isMeasuring;
+    m_viewport.setClicksWhilePalpating(isMeasuring);
 }
 
 /// Moves an end onto the nearest finding in the view that tissue does not hide.

@@ -119,6 +119,7 @@ MessageBar::MessageBar(Messages& messages, QWidget* parent)
     m_rows->setSpacing(0);
     m_rows->addWidget(m_more);
     m_more->setFlat(true);
+    m_more->setAutoFillBackground(true); // the view behind may be as dark as the text
     m_more->setToolTip(tr("Show the list of messages (F4)"));
     connect(m_more, &QPushButton::clicked, this, &MessageBar::listWanted);
     hide();

@@ -160,8 +160,12 @@ QString PointedStructure::textOf(const Place& place) const
 
 void PointedStructure::show()
 {
+    view::SceneView& view = m_viewport.view();
+    if (m_viewport.mode() == VtkViewport::Mode::Palpate && view.cursor().state().isInContact) {
+        m_name->hide(); // the numbers and the panel are about the hand, which keys may have led elsewhere
+        return;
+    }
     const auto place = at(m_place);
-    const view::SceneView& view = m_viewport.view();
     const auto cut = onSection(view.section(), m_viewport.rayAt(m_place));
     const auto number = cut ? view.imageNumberAt(*cut) : std::nullopt;
     m_name->setVisible(place || number);

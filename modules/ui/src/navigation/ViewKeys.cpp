@@ -32,7 +32,7 @@ void ViewKeys::describe(ActionList& actions)
 bool ViewKeys::eventFilter(QObject* /*watched*/, QEvent* event)
 {
     // Accepting the override prevents window shortcuts with the same key while the view has the focus.
-    if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) {
+    if ((event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) || !m_viewport.takesKeys()) {
         return false;
     }
     const bool isDone = event->type() == QEvent::KeyPress;

@@ -250,7 +250,7 @@ void Playback::addLump(TouchReading& reading, const servo::TickRecord& tick) con
             continue;
         }
         const auto motion = motionOf(tick, row);
-        ui::addLump(m_model, row, restOf(motion.get(), m_recording->timeOf_s(tick), tick.felt.p_WG), reading);
+        ui::addLump(m_model, row, restOf(motion.get(), m_recording->timeOf_s(tick), tick.felt.touched_W()), reading);
         return;
     }
 }

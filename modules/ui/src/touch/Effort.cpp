@@ -43,9 +43,10 @@ double Effort::force_N(double now_s) const noexcept
 }
 
 std::vector<study::PressedSurface> surfacesAlongPress(const haptics::HapticScene& scene, const view::Ray& press,
-                                                      double time_s)
+                                                      double time_s, std::optional<double> fingertip_mm)
 {
     constexpr double kFlattest = 0.05; // limits the correction for surfaces seen edge-on
+    const double radius_mm = fingertip_mm.value_or(scene.fingertip_mm());
     std::vector<study::PressedSurface> found;
     for (std::size_t i = 0; i < scene.layerCount(); ++i) {
         std::optional<study::PressedSurface> first;
@@ -59,7 +60,7 @@ std::vector<study::PressedSurface> surfacesAlongPress(const haptics::HapticScene
             }
             const bool isFromInside = hit->isBehind && !one.surface->isTwoSided(hit->triangle);
             const double slant = std::max(kFlattest, -hit->n_W.dot(press.d_W));
-            const double entry_mm = hit->distance_mm - scene.fingertip_mm() / slant;
+            const double entry_mm = hit->distance_mm - radius_mm / slant;
             if (!isFromInside && (!first || entry_mm < first->entry_mm)) {
                 first = study::PressedSurface{&one, hit->triangle, hit->rest_W, entry_mm, slant};
             }
@@ -86,14 +87,15 @@ bool isTouchable(const geometry::SurfaceIndex& surface, const core::Vec3& p, con
 
 } // namespace
 
-double touchAlongRay_mm(const haptics::HapticScene& scene, const view::Ray& ray, double hit_mm, double time_s)
+double touchAlongRay_mm(const haptics::HapticScene& scene, const view::Ray& ray, double hit_mm, double time_s,
+                        std::optional<double> fingertip_mm)
 {
     // Sphere tracing: a step as long as the gap between ball and surfaces passes no surface.
     constexpr double kFarthest = 20.0; // start before the surface, in radii: enough for slants up to 87 degrees
     constexpr double kTouch = 1e-3;    // gap that counts as touch, in radii
     constexpr double kPast = 0.25;     // step beside a surface that cannot be touched from here, in radii
     constexpr int kMostSteps = 256;
-    const double radius_mm = scene.fingertip_mm();
+    const double radius_mm = fingertip_mm.value_or(scene.fingertip_mm());
     if (!(radius_mm > 0.0)) {
         return hit_mm;
     }

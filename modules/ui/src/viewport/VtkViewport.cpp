@@ -3,6 +3,7 @@
 
 #include "palpate/ui/Theme.h"
 
+#include <QApplication>
 #include <QElapsedTimer>
 #include <QFontInfo>
 #include <QInputDevice>
@@ -273,6 +274,12 @@ void VtkViewport::blitToWidget()
     gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+void VtkViewport::setClicksWhilePalpating(bool isOn)
+{
+    m_clicksWhilePalpating = isOn;
+    m_isClick = false;
+}
+
 void VtkViewport::setMode(Mode mode)
 {
     m_mode = mode;
@@ -335,6 +342,7 @@ void VtkViewport::mousePressEvent(QMouseEvent* event)
     Q_EMIT hoverEnded();
     if (m_mode == Mode::Palpate && event->button() == Qt::LeftButton) {
         m_isPressed = true;
+        m_isClick = m_clicksWhilePalpating;
         Q_EMIT pointerMoved();
         Q_EMIT pointerPressed();
         return;
@@ -358,6 +366,9 @@ void VtkViewport::mouseReleaseEvent(QMouseEvent* event)
     if (m_isPressed && event->button() == Qt::LeftButton) {
         m_isPressed = false;
         Q_EMIT pointerReleased();
+        if (std::exchange(m_isClick, false) && !m_hasMoved) {
+            Q_EMIT clicked(m_pointer, event->modifiers());
+        }
         return;
     }
     if (event->button() != m_cameraButton) {
@@ -441,7 +452,7 @@ void VtkViewport::setPeeking(bool isPeeking)
 
 bool VtkViewport::event(QEvent* event)
 {
-    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
+    if ((event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) && takesKeys()) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool isDown = event->type() == QEvent::KeyPress;
         if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier) {
@@ -462,7 +473,37 @@ bool VtkViewport::event(QEvent* event)
     return QOpenGLWidget::event(event);
 }
 
+bool VtkViewport::takesKeys() const
+{
+    // Qt passes a key that a widget ignores (a spin box Enter, for example) to the parents of the widget.
+    const QWidget* focus = QApplication::focusWidget();
+    return focus == nullptr || focus == this || !isAncestorOf(focus);
+}
+
+/// Qt sends no Leave to a widget when the pointer enters one of its children.
+void VtkViewport::childEvent(QChildEvent* event)
+{
+    if (event->added() && event->child()->isWidgetType()) {
+        event->child()->installEventFilter(this);
+    }
+    QOpenGLWidget::childEvent(event);
+}
+
+bool VtkViewport::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Enter && watched->parent() == this && !static_cast<QWidget*>(watched)->isWindow()) {
+        leave();
+    }
+    return QOpenGLWidget::eventFilter(watched, event);
+}
+
 void VtkViewport::leaveEvent(QEvent* event)
+{
+    leave();
+    QOpenGLWidget::leaveEvent(event);
+}
+
+void VtkViewport::leave()
 {
     m_isPointerInside = m_isPressed; // a press grabs the mouse: motion events continue outside
     Q_EMIT hoverEnded();
@@ -470,7 +511,6 @@ void VtkViewport::leaveEvent(QEvent* event)
         Q_EMIT pointerLeft();
         update();
     }
-    QOpenGLWidget::leaveEvent(event);
 }
 
 void VtkViewport::setCoveredAbove(int height_px)
@@ -486,13 +526,15 @@ void VtkViewport::setCoveredBelow(int height_px)
     update();
 }
 
-/// Passes on what covers the upper corners: the messages and the bars of the view below them.
+/// Passes on what covers the upper corners: the messages and the bars of the view below them. Tool tips and menus are
+/// children, too, but windows with a place on the screen.
 void VtkViewport::passCovers()
 {
     std::array<int, 2> above_px{m_covered_px, m_covered_px};
     for (const QWidget* one : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
         const QRect place = one->geometry();
-        if (one->isVisible() && !one->testAttribute(Qt::WA_TransparentForMouseEvents) && 2 * place.top() < height()) {
+        if (one->isVisible() && !one->isWindow() && !one->testAttribute(Qt::WA_TransparentForMouseEvents) &&
+            2 * place.top() < height()) {
             int& side_px = above_px[2 * place.center().x() < width() ? 0 : 1];
             side_px = std::max(side_px, place.bottom() + 1);
         }

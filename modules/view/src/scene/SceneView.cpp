@@ -285,10 +285,22 @@ core::Box SceneView::bounds() const
     return !shown.isEmpty() ? shown : !all.isEmpty() ? all : m_handPath.bounds();
 }
 
+/// Returns whether a place is so far from the section that drawing it over the section would mislead: in front, where
+/// everything is cut away, and with an image, which hides everything behind it, also there.
+bool SceneView::isOffSection(const Vec3& p_W) const
+{
+    constexpr double kNear_mm = 5.0; // about the radius of a small lump, and more than a slice of a CT is thick
+    if (!m_section) {
+        return false;
+    }
+    const double inFront_mm = m_section->n_W.dot(p_W - m_section->p_W);
+    return inFront_mm > kNear_mm || (m_image.isShown() && inFront_mm < -kNear_mm);
+}
+
 /// Casts a ray from the eye to each finding; tissue hit before the finding hides it.
 void SceneView::findHiddenFindings(const ViewFrame& frame)
 {
-    const Seen now{frame, m_findings.revision(), m_tissueRevision};
+    const Seen now{frame, m_findings.revision(), m_tissueRevision, m_sectionRevision};
     if (m_findings.count() == 0 || m_findingInputs == now) {
         return;
     }
@@ -296,6 +308,9 @@ void SceneView::findHiddenFindings(const ViewFrame& frame)
     m_findings.updateHidden([&](const Vec3& p_W) {
         // A finding lies on a surface: hits closer than this belong to the finding's own surface.
         constexpr double kOwn_mm = 0.5, kOwnShare = 1e-3;
+        if (isOffSection(p_W)) {
+            return true;
+        }
         const double along_mm = (frame.eye_W - p_W).dot(frame.back_W);
         const Vec3 start = frame.isParallel ? Vec3(p_W + along_mm * frame.back_W) : frame.eye_W;
         const double distance_mm = (p_W - start).norm();
@@ -410,7 +425,7 @@ void SceneView::placeMeasures(const ViewFrame& frame)
     }
     const std::vector<Eigen::AlignedBox2d> covered = coveredBoxes();
     taken.insert(taken.end(), covered.begin(), covered.end());
-    m_measures.place(frame, taken);
+    m_measures.place(frame, taken, [this](const Vec3& p_W) { return isOffSection(p_W); });
     m_targets.place(taken, frame);
 }
 
@@ -533,6 +548,7 @@ void SceneView::cutTissue()
         return;
     }
     m_isSectionOld = false;
+    ++m_sectionRevision;
     for (ViewStructure& one : m_structures) {
         one.picture.clip(m_section ? m_sectionPicture.clipping() : nullptr);
     }

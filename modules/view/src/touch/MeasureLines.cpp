@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/view/MeasureLines.h"
 
+#include <vtkProperty.h>
+
 #include <utility>
 
 namespace palpate::view {
@@ -10,6 +12,7 @@ namespace {
 constexpr double kLine_px = 2.5, kWide_px = 4.0, kLineRim_px = 1.5;
 constexpr double kEnd_px = 3.5;   // radius
 constexpr double kClear_px = 7.0; // around the ends, free of texts
+constexpr Colour kFaintText{0.62, 0.62, 0.62};
 
 /// Places the text beyond the end, or beside the line and above it.
 TouchLabels::Item itemOf(const MeasureLine& line, const ViewFrame& frame)
@@ -69,20 +72,31 @@ void MeasureLines::add(const MeasureLine& line)
     }
 }
 
-void MeasureLines::place(const ViewFrame& frame, std::vector<Eigen::AlignedBox2d> taken)
+void MeasureLines::place(const ViewFrame& frame, std::vector<Eigen::AlignedBox2d> taken,
+                         const std::function<bool(const Vec3& p_W)>& isOff)
 {
     std::vector<TouchLabels::Item> items;
     for (std::size_t n = 0; n < m_lines.size(); ++n) {
         const MeasureLine& line = m_lines[n];
         const Vec3 middle_W = 0.5 * (line.from_W + line.to_W);
+        m_drawn[n].isFaint = isOff && (isOff(line.from_W) || isOff(line.to_W));
+        const double opacity = m_drawn[n].isFaint ? kFaintOpacity : 1.0;
         for (std::size_t i = 0; i < 2; ++i) {
             // The coloured core in front of the rim.
             const Vec3 lift_W = static_cast<double>(i) * frame.mmPerPixel(middle_W) * frame.towardsViewer(middle_W);
             m_drawn[n].line[i].place(line.from_W + lift_W, line.to_W + lift_W, frame);
             placeBillboard(*m_drawn[n].ends[i][0], line.from_W, frame);
             placeBillboard(*m_drawn[n].ends[i][1], line.to_W, frame);
+            m_drawn[n].line[i].actor()->GetProperty()->SetOpacity(opacity);
+            for (auto& end : m_drawn[n].ends[i]) {
+                end->GetProperty()->SetOpacity(opacity);
+            }
         }
         items.push_back(itemOf(line, frame));
+        if (m_drawn[n].isFaint) {
+            items.back().colour = kFaintText;
+            items.back().isLarge = false;
+        }
         for (const Vec3& end_W : {line.from_W, line.to_W}) {
             const Eigen::Vector2d end = frame.pixelOf(end_W), room = Eigen::Vector2d::Constant(kClear_px);
             taken.emplace_back(end - room, end + room);

@@ -60,11 +60,25 @@ struct TickResult
     /// Valid up to `contactCount`.
     std::array<Contact, kMaxContacts> contacts;
     std::uint8_t contactCount = 0; ///< number of valid entries of `contacts`
+    double fingertip_mm = 0.0;     ///< radius of the ball whose centre is the god-object; 0 = a point [mm]
+
+    /// Place at which the probe touches: of a ball the point that is farthest against the contact normal, of a point
+    /// the god-object itself. With one active constraint this is the touched place of the surface, except for a ball
+    /// without room (docs/fingertip.md), which is farther into the surface. The centre in free space. World frame [mm]
+    [[nodiscard]] Vec3 touched_W() const noexcept { return touched_W(p_WG, n_W); }
+    /// The same for one of the contacts.
+    [[nodiscard]] Vec3 touched_W(const Contact& contact) const noexcept { return touched_W(contact.p_WG, contact.n_W); }
 
     /// State of friction in the reported layer.
     [[nodiscard]] Friction friction() const noexcept
     {
         return contactCount == 0 ? Friction::None : contacts[0].friction;
+    }
+
+  private:
+    [[nodiscard]] Vec3 touched_W(const Vec3& god_W, const Vec3& normal_W) const noexcept
+    {
+        return fingertip_mm > 0.0 ? Vec3(god_W - fingertip_mm * normal_W) : god_W;
     }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/session/TouchPlace.h"
+
 #include <palpate/core/Export.h>
 #include <palpate/geometry/TriangleMesh.h>
 
@@ -27,7 +29,7 @@ class PALPATE_EXPORT TouchedSurface
     /// A tick in contact, or several equal ones.
     struct Touch
     {
-        core::Vec3 p_WG = core::Vec3::Zero(); ///< contact point [mm]
+        TouchPlace place;
         double force_N = 0.0;
         double depth_mm = 0.0;
         double time_s = 0.0; ///< time of the tick, ascending
@@ -35,7 +37,8 @@ class PALPATE_EXPORT TouchedSurface
     };
     /// Adds a tick in contact.
     /// @return the nearest original vertex; empty if there is none within the distance
-    /// @par Cost proportional to the number of vertices within about the distance
+    /// @par Cost proportional to the number of vertices within about the distance, for a ball within about the distance
+    /// and the radius
     std::optional<std::uint32_t> add(const Touch& touch);
 
     /// Split mesh; the original vertices come first.

@@ -54,18 +54,22 @@ class PALPATE_EXPORT Effort
 /// Finds the surfaces on a straight press: for each layer the first surface that is touchable from this side.
 /// @param press  starts at the hand's position; distances are measured from there
 /// @param time_s  of the newest tick, for surfaces that move
+/// @param fingertip_mm  radius of the fingertip; otherwise that of the scene
 /// @return surfaces with pointers into `scene`
 /// @par Cost O(log triangles) per structure.
 [[nodiscard]] PALPATE_EXPORT std::vector<study::PressedSurface>
-surfacesAlongPress(const haptics::HapticScene& scene, const view::Ray& press, double time_s = 0.0);
+surfacesAlongPress(const haptics::HapticScene& scene, const view::Ray& press, double time_s = 0.0,
+                   std::optional<double> fingertip_mm = {});
 
 /// Finds where the centre of the fingertip is when a hand that moves along a ray first touches the palpable structure
 /// that the ray meets. Structures beside the ray are passed.
 /// @param hit_mm  distance of the surface on the ray [mm]
 /// @param time_s  of the newest tick, for surfaces that move
+/// @param fingertip_mm  radius of the fingertip; otherwise that of the scene
 /// @return distance along the ray [mm], at most `hit_mm`; `hit_mm` for a point
 /// @par Cost One query of `geometry::nearestPoint` per structure, and some ten for the structure that the ray meets.
 [[nodiscard]] PALPATE_EXPORT double touchAlongRay_mm(const haptics::HapticScene& scene, const view::Ray& ray,
-                                                     double hit_mm, double time_s = 0.0);
+                                                     double hit_mm, double time_s = 0.0,
+                                                     std::optional<double> fingertip_mm = {});
 
 } // namespace palpate::ui

@@ -98,6 +98,7 @@ class PALPATE_EXPORT PalpationController : public QObject
     void connectPointer();
     [[nodiscard]] bool takeByKeys();
     [[nodiscard]] bool isPressing() const;
+    [[nodiscard]] std::optional<double> pressFingertip_mm() const;
     void turnEffort(double notches);
     void updateEffortDepth(double now_s);
     void followTissue();
@@ -124,7 +125,8 @@ class PALPATE_EXPORT PalpationController : public QObject
     Effort m_effort;
     bool m_isByEffort = false;
     bool m_isByKeys = false;
-    bool m_isPushed = false; ///< press by the 6-axis mouse
+    double m_pressFingertip_mm = 0.0; ///< radius at the start of the press
+    bool m_isPushed = false;          ///< press by the 6-axis mouse
     bool m_isSlidOff = false;
     double m_pressed_mm = 0.0; ///< depth of the hand along the line of sight
     std::optional<Press> m_lastPress;

@@ -59,6 +59,7 @@ class PALPATE_EXPORT TapeTool : public QObject
     bool click(const QPointF& place);
     void follow(const QPointF& place);
     void take(const End& end);
+    void setMeasuring(bool isMeasuring);
     void finish();
 
     VtkViewport& m_viewport;

@@ -42,6 +42,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
 
     [[nodiscard]] view::SceneView& view() noexcept { return m_view; }
     void setMode(Mode mode);
+    [[nodiscard]] Mode mode() const noexcept { return m_mode; }
     /// Ray under the pointer; empty when the pointer is outside.
     [[nodiscard]] std::optional<view::Ray> pointerRay();
     /// Ray through a place of the widget. @param place  logical pixels from the upper left corner
@@ -70,6 +71,12 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     /// corner
     [[nodiscard]] bool isOnLegend(const QPointF& place) const;
     [[nodiscard]] bool isOnLegendClose(const QPointF& place) const;
+    /// Lets the left button click in palpation mode, too: a press that ends where it began then is a press of the hand
+    /// and a click. Forgets a click in progress.
+    void setClicksWhilePalpating(bool isOn);
+    /// Returns false while the keyboard focus is in a bar of the view: keys are not for the view then, not even those
+    /// that the bar leaves unused.
+    [[nodiscard]] bool takesKeys() const;
 
   Q_SIGNALS:
     /// Pointer motion over the view, or view motion under the pointer. Palpation mode only, as the next signals.
@@ -91,7 +98,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     void hovered(const QPointF& place);
     /// The pointer left the view or a button was pressed.
     void hoverEnded();
-    /// Camera mode: left click without motion.
+    /// Left click without motion: in camera mode, see also setClicksWhilePalpating.
     void clicked(const QPointF& place, Qt::KeyboardModifiers modifiers);
     /// Both modes: request to centre on this place.
     void centreWanted(const QPointF& place);
@@ -109,6 +116,8 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     void leaveEvent(QEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
+    void childEvent(QChildEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     void applyStyle();
@@ -119,6 +128,7 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     void setPeeking(bool isPeeking);
     void judgeSpeed();
     bool hasTurned();
+    void leave();
     void passCovers();
     [[nodiscard]] Eigen::Vector2d fromCentre(const QPointF& place) const;
 
@@ -131,6 +141,8 @@ class PALPATE_EXPORT VtkViewport : public QOpenGLWidget
     Mode m_mode = Mode::Camera;
     Qt::MouseButton m_cameraButton = Qt::NoButton;
     bool m_isPointerInside = false;
+    bool m_clicksWhilePalpating = false;
+    bool m_isClick = false; ///< the press of the left button in palpation mode may become a click
     bool m_isPressed = false;
     bool m_isPeeking = false; ///< G is held
     bool m_isReady = false;

@@ -29,6 +29,7 @@ class PALPATE_EXPORT ImageSlice
     /// Draws the slice. @return false without an image, or if the plane misses the image
     bool show(const geometry::SectionPlane& plane);
     void hide();
+    [[nodiscard]] bool isShown() const { return m_actor->GetVisibility() != 0; }
 
   private:
     std::shared_ptr<const geometry::VoxelVolume> m_volume;

@@ -11,6 +11,8 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,7 +42,14 @@ class PALPATE_EXPORT MeasureLines
     [[nodiscard]] const std::vector<MeasureLine>& lines() const noexcept { return m_lines; }
     /// Fits lines and texts to the view. Call before each frame.
     /// @param taken  boxes that texts avoid, logical pixels from the centre of the view
-    void place(const ViewFrame& frame, std::vector<Eigen::AlignedBox2d> taken);
+    /// @param isOff  tells of a place that it is far from the plane that is shown; a line with such an end is faint.
+    /// Empty: none is
+    void place(const ViewFrame& frame, std::vector<Eigen::AlignedBox2d> taken,
+               const std::function<bool(const Vec3& p_W)>& isOff = {});
+    /// Opacity of faint lines.
+    static constexpr double kFaintOpacity = 0.3;
+    /// Returns whether a line was drawn faint, after `place`.
+    [[nodiscard]] bool isFaint(std::size_t i) const { return m_drawn[i].isFaint; }
     /// Bounding box, for the clipping range [mm]; empty without lines.
     [[nodiscard]] core::Box bounds() const;
     /// Texts as drawn, in the order of the lines.
@@ -52,6 +61,7 @@ class PALPATE_EXPORT MeasureLines
     {
         std::array<BillboardLine, 2> line;
         std::array<std::array<vtkSmartPointer<vtkActor>, 2>, 2> ends;
+        bool isFaint = false;
     };
     void add(const MeasureLine& line);
 

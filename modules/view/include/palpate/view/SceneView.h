@@ -175,6 +175,7 @@ class PALPATE_EXPORT SceneView
     struct CutInput;
     [[nodiscard]] CutInput cutInput() const;
     void cutTissue();
+    [[nodiscard]] bool isOffSection(const Vec3& p_W) const;
     void findHiddenFindings(const ViewFrame& frame);
     void placeLegend(const ViewFrame& frame);
     void chooseLegendPlace(const ViewFrame& frame, const ColourLegend::Below& below);
@@ -205,6 +206,7 @@ class PALPATE_EXPORT SceneView
         ViewFrame frame;
         std::size_t findings = 0;
         std::size_t tissue = 0;
+        std::size_t section = 0;
         friend bool operator==(const Seen&, const Seen&) = default;
     };
     std::optional<Seen> m_findingInputs;
@@ -218,7 +220,8 @@ class PALPATE_EXPORT SceneView
         friend bool operator==(const LegendInputs&, const LegendInputs&) = default;
     };
     LegendInputs m_legendInputs;
-    std::size_t m_fitCount = 0;       ///< number of times that the whole scene was fitted into the view
+    std::size_t m_fitCount = 0; ///< number of times that the whole scene was fitted into the view
+    std::size_t m_sectionRevision = 0;
     std::size_t m_tissueRevision = 0; ///< number of changes that may hide or reveal a finding
     std::vector<ViewStructure> m_structures;
     vtkSmartPointer<vtkRenderWindow> m_window;
