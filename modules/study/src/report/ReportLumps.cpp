@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/ReportSections.h"
 
+#include "palpate/study/ReadableName.h"
 #include "palpate/study/StiffnessRatio.h"
 
 #include <utility>
@@ -86,7 +87,8 @@ ReportTable verdictTable(const ReportFacts& facts)
     for (const OrganPalpability& one : facts.lumps) {
         for (const buried::FeltSurface::Lump& lump : one.felt.lumps) {
             const std::optional<StiffnessRatio>& ratio = one.organ.lumps[lump.given].ratio;
-            std::vector<MessageArgument> row{lump.name, facts.scene->structures[one.organ.organ].description.name,
+            std::vector<MessageArgument> row{readableName(lump.name),
+                                             readableName(facts.scene->structures[one.organ.organ].description.name),
                                              textOf(ratio)};
             for (const buried::FeltSurface::LumpPress& press : lump.press) {
                 row.emplace_back(ratio ? MessageArgument(verdictOf(press, lump.ratio)) : dash());
@@ -110,8 +112,8 @@ ReportTable searchTable(const ReportFacts& facts)
                      column(PALPATE_TEXT("Area where a trained hand can feel it [cm²]"), true),
                      column(PALPATE_TEXT("Pressed hard enough [%]"), true)};
     for (const session::LumpSearch& one : facts.measures.lumps) {
-        table.rows.push_back({one.lump, one.organ, percent(one.recorded_percent), percent(one.predicted_percent),
-                              Rounded{0.01 * one.detectable_mm2, 3},
+        table.rows.push_back({readableName(one.lump), readableName(one.organ), percent(one.recorded_percent),
+                              percent(one.predicted_percent), Rounded{0.01 * one.detectable_mm2, 3},
                               one.share() ? MessageArgument(Rounded{100.0 * *one.share(), 3}) : dash()});
     }
     return table;
