@@ -7058,7 +7058,7 @@
     </message>
     <message>
         <source>0: voxels from the first line on</source>
-        <translation>0 : voxels dès la première ligne</translation>
+        <translation>0&#x202f;: voxels dès la première ligne</translation>
     </message>
     <message>
         <source>%1 × %2 × %3 voxels</source>

@@ -174,7 +174,7 @@ class ReportCommand : public QObject
             const double value = lump.value(key).toDouble();
             return (value < 0.0 ? "" : "+") + QString::number(value, 'g', 3) + " %";
         };
-        hasRow({"tumour", "liver", percent("recorded_percent"), percent("predicted_percent")}, 2);
+        hasRow({"tumour", "liver", percent("greatest_change_percent"), percent("predicted_change_percent")}, 2);
     }
 
     /// The values of `info --distances --json`, rounded.

@@ -83,7 +83,8 @@ class Gathering
     {
         show(0.25, {PALPATE_TEXT("Reading the surfaces")});
         auto surfaces = recordedSurfaces(reader(), m_options.scene);
-        auto scene = m_options.scene.empty() ? sceneOfRecording(reader().path()) : openScene(m_options.scene);
+        auto scene =
+            m_options.scene.empty() ? sceneOfRecording(reader().path()) : openAsRecorded(reader(), m_options.scene);
         if (!m_options.scene.empty()) {
             for (const Status& status : {surfaces.status(), scene.status()}) {
                 if (!status.isOk()) {

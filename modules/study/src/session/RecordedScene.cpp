@@ -476,6 +476,11 @@ Result<meshio::LoadedScene> sceneOfRecording(const fs::path& recording, const me
     return opened.isOk() ? Reopening(*opened.value(), options).run() : opened.status();
 }
 
+Result<meshio::LoadedScene> openAsRecorded(const RecordingReader& reader, const fs::path& scene)
+{
+    return openScene(scene, readAs(reader, scene));
+}
+
 bool hasFingertip(const RecordingReader& reader)
 {
     return !reader.scenes().empty() && reader.scenes().front().fingertip_mm > 0.0;
