@@ -172,7 +172,8 @@ class ReportCommand : public QObject
         const QJsonObject lump = all.value("lumps").toArray()[0].toObject();
         const auto percent = [&lump](const char* key) {
             const double value = lump.value(key).toDouble();
-            return (value < 0.0 ? "" : "+") + QString::number(value, 'g', 3) + " %";
+            return std::abs(value) < 0.05 ? QString("0 %") // the rest is rounding
+                                          : (value < 0.0 ? "" : "+") + QString::number(value, 'g', 3) + " %";
         };
         hasRow({"tumour", "liver", percent("greatest_change_percent"), percent("predicted_change_percent")}, 2);
     }

@@ -4,6 +4,8 @@
 #include "palpate/study/ReadableName.h"
 #include "palpate/study/StiffnessRatio.h"
 
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace palpate::study::internal {
@@ -100,6 +102,15 @@ ReportTable verdictTable(const ReportFacts& facts)
     return table;
 }
 
+/// A change below a twentieth of a percent is none; rounding leaves some.
+core::MessageArgument changeText(const std::optional<double>& change_percent)
+{
+    constexpr double kNone_percent = 0.05;
+    return change_percent && std::abs(*change_percent) < kNone_percent
+               ? core::MessageArgument(Message(PALPATE_TEXT("%1 %"), 0))
+               : percent(change_percent);
+}
+
 ReportTable searchTable(const ReportFacts& facts)
 {
     ReportTable table;
@@ -112,8 +123,8 @@ ReportTable searchTable(const ReportFacts& facts)
                      column(PALPATE_TEXT("Area where a trained hand can feel it [cm²]"), true),
                      column(PALPATE_TEXT("Pressed hard enough [%]"), true)};
     for (const session::LumpSearch& one : facts.measures.lumps) {
-        table.rows.push_back({readableName(one.lump), readableName(one.organ), percent(one.recorded_percent),
-                              percent(one.predicted_percent), Rounded{0.01 * one.detectable_mm2, 3},
+        table.rows.push_back({readableName(one.lump), readableName(one.organ), changeText(one.recorded_percent),
+                              changeText(one.predicted_percent), Rounded{0.01 * one.detectable_mm2, 3},
                               one.share() ? MessageArgument(Rounded{100.0 * *one.share(), 3}) : dash()});
     }
     return table;
