@@ -11,6 +11,7 @@
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -142,7 +143,9 @@ class ReportCommand : public QObject
         };
         const auto s = mm; // one decimal, too
         const auto newton = [](const QJsonObject& of, const char* key) {
-            return QString::number(of.value(key).toDouble(), 'g', 2);
+            const double force_N = QString::number(of.value(key).toDouble(), 'g', 2).toDouble(); // two digits
+            const int exponent = force_N > 0.0 ? static_cast<int>(std::floor(std::log10(force_N))) : 1;
+            return QString::number(force_N, 'f', std::clamp(1 - exponent, 0, 4));
         };
         hasRow({"Force in contact", QString("peak %1 N, mean %2 N, median %3 N, 95th percentile %4 N")
                                         .arg(newton(all, "peak_force_N"), newton(all, "mean_force_N"),

@@ -58,7 +58,19 @@ core::MessageArgument lengthText(const std::optional<double>& length_mm)
 
 core::MessageArgument forceText(double force_N)
 {
-    return force_N < 10.0 ? core::MessageArgument(core::Rounded{force_N, 2}) : fixed(force_N, 0);
+    if (force_N <= 0.0) {
+        return core::Count(0);
+    }
+    constexpr int kMostDecimals = 4;
+    double power = 1.0; // of ten; 9.96 rounds to 10
+    int decimals = 1;
+    for (; decimals > 0 && force_N >= 9.95 * power; --decimals) {
+        power *= 10.0;
+    }
+    for (; decimals < kMostDecimals && decimals > 0 && force_N < 0.995 * power; ++decimals) {
+        power /= 10.0;
+    }
+    return fixed(force_N, decimals);
 }
 
 core::MessageArgument forceText(const std::optional<double>& force_N)

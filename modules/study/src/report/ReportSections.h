@@ -16,7 +16,7 @@ namespace palpate::study::internal {
 /// Formats a length with one decimal: "12.3"; "< 0.1" for a shorter one. [mm]
 [[nodiscard]] core::MessageArgument lengthText(double length_mm);
 [[nodiscard]] core::MessageArgument lengthText(const std::optional<double>& length_mm); ///< a dash without a value
-/// Formats a force with two significant digits, and no decimals from 10 N on: "0.64", "3.2", "12". [N]
+/// Formats a force with two significant digits, zeros included, and no decimals from 10 N on: "0.64", "4.0", "12". [N]
 [[nodiscard]] core::MessageArgument forceText(double force_N);
 [[nodiscard]] core::MessageArgument forceText(const std::optional<double>& force_N); ///< a dash without a value
 /// Formats a time with one decimal. [s]
