@@ -22,8 +22,8 @@ using geometry::Relation;
 
 constexpr int kSizeDigits = 3; // of volumes and areas
 
-/// Structures that matter for what was done: touched ones, those that hold or border a finding, ends of tapes, and
-/// lumps with their organs. The others fill pages with distances that nobody asked for.
+/// Structures that are relevant to the session: touched structures, structures that hold or border a finding or hold an
+/// end of a tape, and lumps with their organs. The other distances would fill pages.
 class Relevance
 {
   public:
@@ -73,7 +73,7 @@ class Relevance
     std::vector<bool> m_matters; ///< by structure
 };
 
-/// Returns the elements that matter; all of them if the list is short, or if none matters.
+/// Returns the relevant elements; the whole list if it is short or has no relevant element.
 template<class T, class Matters>
 std::vector<const T*> relevant(const std::vector<T>& all, const Matters& matters)
 {
@@ -116,7 +116,7 @@ class DistanceBlocks
   private:
     std::string name(std::size_t structure) const { return readableName(m_distances.sizes[structure].name); }
 
-    /// Sorts the relevant pairs by distance. Those that meet are listed in sentences: all have the same distance.
+    /// Sorts the relevant pairs by distance. Pairs that meet are listed in sentences, because their distance is 0.
     void choosePairs()
     {
         for (const PairDistance* pair : relevant(m_distances.pairs, m_matters)) {
@@ -152,7 +152,7 @@ class DistanceBlocks
         return table;
     }
 
-    /// One sentence for each relevant structure with all that it meets.
+    /// One sentence for each relevant structure with the structures that it meets.
     void addCrossings()
     {
         std::map<std::size_t, std::vector<std::string>> met;
@@ -164,8 +164,9 @@ class DistanceBlocks
         std::size_t number = 0;
         for (const auto& [structure, others] : met) {
             if (++number > kSentences) {
-                m_blocks.emplace_back(ReportText{
-                    {PALPATE_TEXT("Not listed: %1 more structures that cross or touch others."), Count(met.size() - kSentences)}});
+                m_blocks.emplace_back(
+                    ReportText{{PALPATE_TEXT("Not listed: %1 more structures that cross or touch others."),
+                                Count(met.size() - kSentences)}});
                 break;
             }
             m_blocks.emplace_back(ReportText{
@@ -186,7 +187,7 @@ class DistanceBlocks
         }
     }
 
-    /// Margins, those with the largest share nearby first.
+    /// Margins, the largest share nearby first.
     void addMargins()
     {
         std::vector<const LumpMargin*> margins;
@@ -238,7 +239,7 @@ class DistanceBlocks
     std::vector<ReportBlock> m_blocks;
 };
 
-/// One sentence for each reason why structures have no volume, or not all of it.
+/// One sentence for each reason for a missing or incomplete volume.
 void addGaps(ReportSection& section, const std::vector<StructureSize>& sizes)
 {
     struct Kind

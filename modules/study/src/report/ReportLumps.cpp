@@ -102,11 +102,11 @@ ReportTable verdictTable(const ReportFacts& facts)
     return table;
 }
 
-/// A change below a twentieth of a percent is none; rounding leaves some.
+/// Formats a change; below a twentieth of a percent it is rounding and shown as 0 %.
 core::MessageArgument changeText(const std::optional<double>& change_percent)
 {
-    constexpr double kNone_percent = 0.05;
-    return change_percent && std::abs(*change_percent) < kNone_percent
+    constexpr double kRounding_percent = 0.05;
+    return change_percent && std::abs(*change_percent) < kRounding_percent
                ? core::MessageArgument(Message(PALPATE_TEXT("%1 %"), 0))
                : percent(change_percent);
 }

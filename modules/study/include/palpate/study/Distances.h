@@ -21,7 +21,7 @@
 
 namespace palpate::study {
 
-/// Why a structure has no volume, or not all of it.
+/// Reason for a missing or incomplete volume.
 enum class VolumeGap : std::uint8_t
 {
     None,
