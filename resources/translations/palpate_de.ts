@@ -1113,10 +1113,6 @@
         <translation>%1: eine Datei, die keine Aufzeichnung ist, erwartet: ein anderer Name für die Kopie oder --force, um die Datei zu ersetzen</translation>
     </message>
     <message>
-        <source>%1: missing in the copy: %2</source>
-        <translation>%1: fehlt in der Kopie: %2</translation>
-    </message>
-    <message>
         <source>%1: no coverage of %2: %3; say where the scene is with --scene</source>
         <translation>%1: keine Abdeckung von %2: %3; geben Sie mit --scene an, wo die Szene ist</translation>
     </message>
@@ -1685,24 +1681,12 @@
         <translation>Metadaten: %1 nicht lesbar; auf die Vorgaben gesetzt</translation>
     </message>
     <message>
-        <source>scene %1: kept without a checksum to hold it against</source>
-        <translation>Szene %1: ohne Prüfsumme übernommen</translation>
-    </message>
-    <message>
         <source>scene %1: left out</source>
         <translation>Szene %1: ausgelassen</translation>
     </message>
     <message>
-        <source>event %1: kept without a checksum to hold it against</source>
-        <translation>Ereignis %1: ohne Prüfsumme übernommen</translation>
-    </message>
-    <message>
         <source>tick %1: found a time before the first tick&apos;s: left out</source>
         <translation>Augenblick %1: eine Zeit vor der des ersten: ausgelassen</translation>
-    </message>
-    <message>
-        <source>up to tick %1: %2 ticks kept without a checksum to hold them against</source>
-        <translation>bis Augenblick %1: %2 Augenblicke ohne Prüfsumme übernommen</translation>
     </message>
     <message>
         <source>%1: left out</source>
@@ -2845,10 +2829,6 @@
         <translation>eine SQLite-Datenbank (eine Aufzeichnung?)</translation>
     </message>
     <message>
-        <source>a DICOM file</source>
-        <translation>eine DICOM-Datei</translation>
-    </message>
-    <message>
         <source>a mesh in one of the formats %1</source>
         <translation>eine Oberfläche in einem der Formate %1</translation>
     </message>
@@ -3571,10 +3551,6 @@
     <message>
         <source>the XML is broken: %1</source>
         <translation>das XML ist fehlerhaft: %1</translation>
-    </message>
-    <message>
-        <source>a label map: whole numbers from 0, one for each structure. As a map of stiffness, a volume is named in a scene (maps.md)</source>
-        <translation>eine Labelkarte: ganze Zahlen ab 0, eine je Struktur. Als Steifigkeitskarte wird ein Volumen in einer Szene genannt (maps.md)</translation>
     </message>
     <message>
         <source>a %1 volume with more than %2 intensities, not labels</source>
@@ -5353,20 +5329,12 @@
         <translation>Geschrieben bei [s]</translation>
     </message>
     <message>
-        <source>they cross or touch</source>
-        <translation>sie schneiden oder berühren sich</translation>
-    </message>
-    <message>
         <source>%1 lies inside, %2 mm from the surface</source>
         <translation>%1 liegt innen, %2 mm von der Oberfläche</translation>
     </message>
     <message>
         <source>apart</source>
         <translation>getrennt</translation>
-    </message>
-    <message>
-        <source>Least distances</source>
-        <translation>Kleinste Abstände</translation>
     </message>
     <message>
         <source>From</source>
@@ -7172,6 +7140,102 @@
         <source>UTF-8</source>
         <translation>UTF-8</translation>
     </message>
+    <message>
+        <source>is a folder of DICOM images, which Palpate does not read</source>
+        <translation>ist ein Ordner mit DICOM-Bildern, den Palpate nicht liest</translation>
+    </message>
+    <message>
+        <source>a segmentation: load the DICOM images in 3D Slicer, segment the organs and save the segmentation as .seg.nrrd, or let TotalSegmentator make one; then open that file</source>
+        <translation>eine Segmentierung: die DICOM-Bilder in 3D Slicer laden, die Organe segmentieren und die Segmentierung als .seg.nrrd speichern, oder sie von TotalSegmentator erstellen lassen; dann diese Datei öffnen</translation>
+    </message>
+    <message>
+        <source>is a DICOM image, which Palpate does not read</source>
+        <translation>ist ein DICOM-Bild, das Palpate nicht liest</translation>
+    </message>
+    <message>
+        <source>a label map: whole numbers from 0, one for each structure. A CT or MR image is segmented first (3D Slicer, TotalSegmentator), or shown in the sections of an open scene (View › Section plane › Show an image…). As a map of stiffness, a volume is named in a scene (maps.md)</source>
+        <translation>eine Labelkarte: ganze Zahlen ab 0, eine je Struktur. Ein CT- oder MR-Bild wird zuerst segmentiert (3D Slicer, TotalSegmentator) oder in den Schnitten einer offenen Szene gezeigt (Ansicht › Schnittebene › Bild zeigen…). Als Steifigkeitskarte wird ein Volumen in einer Szene genannt (maps.md)</translation>
+    </message>
+    <message>
+        <source>events: %1</source>
+        <translation>Ereignisse: %1</translation>
+    </message>
+    <message>
+        <source>ticks up to %1: %2</source>
+        <translation>Augenblicke bis %1: %2</translation>
+    </message>
+    <message>
+        <source>kept, but not verified, because the checksums are lost: %1</source>
+        <translation>übernommen, aber nicht geprüft, weil die Prüfsummen verloren sind: %1</translation>
+    </message>
+    <message>
+        <source>the end may be missing: the recording was closed, but the file is damaged or cut off; nothing is known after tick %1</source>
+        <translation>das Ende fehlt vielleicht: die Aufnahme wurde geschlossen, aber die Datei ist beschädigt oder abgeschnitten; nach Augenblick %1 ist nichts bekannt</translation>
+    </message>
+    <message>
+        <source>&lt; %1</source>
+        <translation>&lt; %1</translation>
+    </message>
+    <message>
+        <source>Touched structures: %1.</source>
+        <translation>Berührte Strukturen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %2 mm</translation>
+    </message>
+    <message>
+        <source>Distances measured with the tape: %1 (%2).</source>
+        <translation>Mit dem Maßband gemessene Abstände: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Least distances, nearest first</source>
+        <translation>Kleinste Abstände, die nächsten zuerst</translation>
+    </message>
+    <message>
+        <source>Not listed: %1 more structures that cross or touch others.</source>
+        <translation>Nicht aufgeführt: %1 weitere Strukturen, die andere schneiden oder berühren.</translation>
+    </message>
+    <message>
+        <source>%1 crosses or touches (0 mm): %2.</source>
+        <translation>%1 schneidet oder berührt (0 mm): %2.</translation>
+    </message>
+    <message>
+        <source>Of %1 pairs of structures, %2 are left out. Listed are the nearest pairs with a structure that was touched, holds or borders a finding or the end of a tape, or is a lump. All pairs: `palpate info --distances --json SCENE`, or View › Distances and sizes in the window.</source>
+        <translation>Von %1 Strukturpaaren sind %2 weggelassen. Aufgeführt sind die nächsten Paare mit einer Struktur, die berührt wurde, die einen Befund oder ein Ende eines Maßbands trägt oder daran grenzt, oder die ein Knoten ist. Alle Paare: `palpate info --distances --json SCENE`, oder Ansicht › Abstände und Größen im Fenster.</translation>
+    </message>
+    <message>
+        <source>Margins left out, with less of the lump&apos;s surface nearby: %1. All margins: `palpate info --distances --json SCENE`.</source>
+        <translation>Weggelassene Sicherheitsabstände, mit kleinerem nahem Anteil der Oberfläche des Knotens: %1. Alle Sicherheitsabstände: `palpate info --distances --json SCENE`.</translation>
+    </message>
+    <message>
+        <source>No volume, because the surface is open, for %1 structures: %2.</source>
+        <translation>Kein Volumen, weil die Oberfläche offen ist, bei %1 Strukturen: %2.</translation>
+    </message>
+    <message>
+        <source>No volume, because the surface is inside out, for %1 structures: %2.</source>
+        <translation>Kein Volumen, weil die Oberfläche umgestülpt ist, bei %1 Strukturen: %2.</translation>
+    </message>
+    <message>
+        <source>Volume of the closed parts alone, for %1 structures: %2.</source>
+        <translation>Volumen nur der geschlossenen Teile, bei %1 Strukturen: %2.</translation>
+    </message>
+    <message>
+        <source>Measured distances</source>
+        <translation>Gemessene Abstände</translation>
+    </message>
+    <message>
+        <source>Straight distances between two places, measured by the examiner with the tape</source>
+        <translation>Gerade Abstände zweier Stellen, vom Untersucher mit dem Maßband gemessen</translation>
+    </message>
+    <message>
+        <source>Structures left out of this table: %1. All sizes: `palpate info --distances --json SCENE`.</source>
+        <translation>In dieser Tabelle weggelassene Strukturen: %1. Alle Größen: `palpate info --distances --json SCENE`.</translation>
+    </message>
+    <message>
+        <source>Surfaces without a checksum, because they were not palpable: %1.</source>
+        <translation>Oberflächen ohne Prüfsumme, weil sie nicht tastbar waren: %1.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::AxisCheckDialog</name>
@@ -8566,6 +8630,14 @@ Palpate ist freie Software unter der BSD-3-Clause-Lizenz und verwendet Qt (LGPL 
     <message>
         <source>Open the segmentation</source>
         <translation>Segmentierung öffnen</translation>
+    </message>
+    <message>
+        <source>Some of the files are cut off.</source>
+        <translation>Einige der Dateien sind abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Open the part that is there</source>
+        <translation>Den vorhandenen Teil öffnen</translation>
     </message>
 </context>
 <context>

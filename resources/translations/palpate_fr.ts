@@ -1113,10 +1113,6 @@
         <translation>%1&#x202f;: un fichier qui n’est pas un enregistrement, attendu un autre nom pour la copie, ou --force pour le remplacer</translation>
     </message>
     <message>
-        <source>%1: missing in the copy: %2</source>
-        <translation>%1&#x202f;: manque dans la copie&#x202f;: %2</translation>
-    </message>
-    <message>
         <source>%1: no coverage of %2: %3; say where the scene is with --scene</source>
         <translation>%1&#x202f;: pas de couverture de %2&#x202f;: %3&#x202f;; indiquez où est la scène par --scene</translation>
     </message>
@@ -1685,24 +1681,12 @@
         <translation>métadonnées&#x202f;: %1 illisibles&#x202f;; remises à leurs valeurs par défaut</translation>
     </message>
     <message>
-        <source>scene %1: kept without a checksum to hold it against</source>
-        <translation>scène %1&#x202f;: gardée sans somme de contrôle pour la vérifier</translation>
-    </message>
-    <message>
         <source>scene %1: left out</source>
         <translation>scène %1&#x202f;: omise</translation>
     </message>
     <message>
-        <source>event %1: kept without a checksum to hold it against</source>
-        <translation>événement %1&#x202f;: gardé sans somme de contrôle pour le vérifier</translation>
-    </message>
-    <message>
         <source>tick %1: found a time before the first tick&apos;s: left out</source>
         <translation>instant %1&#x202f;: un temps antérieur au premier&#x202f;: omis</translation>
-    </message>
-    <message>
-        <source>up to tick %1: %2 ticks kept without a checksum to hold them against</source>
-        <translation>jusqu’à l’instant %1&#x202f;: %2 instants gardés sans somme de contrôle pour les vérifier</translation>
     </message>
     <message>
         <source>%1: left out</source>
@@ -2845,10 +2829,6 @@
         <translation>une base de données SQLite (un enregistrement&#x202f;?)</translation>
     </message>
     <message>
-        <source>a DICOM file</source>
-        <translation>un fichier DICOM</translation>
-    </message>
-    <message>
         <source>a mesh in one of the formats %1</source>
         <translation>un maillage dans l’un des formats %1</translation>
     </message>
@@ -3571,10 +3551,6 @@
     <message>
         <source>the XML is broken: %1</source>
         <translation>le XML est défectueux&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>a label map: whole numbers from 0, one for each structure. As a map of stiffness, a volume is named in a scene (maps.md)</source>
-        <translation>une carte d’étiquettes&#x202f;: des nombres entiers à partir de 0, un par structure. Comme carte de raideur, un volume est nommé dans une scène (maps.md)</translation>
     </message>
     <message>
         <source>a %1 volume with more than %2 intensities, not labels</source>
@@ -5353,20 +5329,12 @@
         <translation>Écrite à [s]</translation>
     </message>
     <message>
-        <source>they cross or touch</source>
-        <translation>elles se croisent ou se touchent</translation>
-    </message>
-    <message>
         <source>%1 lies inside, %2 mm from the surface</source>
         <translation>%1 est à l’intérieur, à %2 mm de la surface</translation>
     </message>
     <message>
         <source>apart</source>
         <translation>séparées</translation>
-    </message>
-    <message>
-        <source>Least distances</source>
-        <translation>Distances minimales</translation>
     </message>
     <message>
         <source>From</source>
@@ -7172,6 +7140,102 @@
         <source>UTF-8</source>
         <translation>UTF-8</translation>
     </message>
+    <message>
+        <source>is a folder of DICOM images, which Palpate does not read</source>
+        <translation>est un dossier d’images DICOM, que Palpate ne lit pas</translation>
+    </message>
+    <message>
+        <source>a segmentation: load the DICOM images in 3D Slicer, segment the organs and save the segmentation as .seg.nrrd, or let TotalSegmentator make one; then open that file</source>
+        <translation>une segmentation&#x202f;: chargez les images DICOM dans 3D Slicer, segmentez les organes et enregistrez la segmentation en .seg.nrrd, ou laissez TotalSegmentator en faire une&#x202f;; ouvrez ensuite ce fichier</translation>
+    </message>
+    <message>
+        <source>is a DICOM image, which Palpate does not read</source>
+        <translation>est une image DICOM, que Palpate ne lit pas</translation>
+    </message>
+    <message>
+        <source>a label map: whole numbers from 0, one for each structure. A CT or MR image is segmented first (3D Slicer, TotalSegmentator), or shown in the sections of an open scene (View › Section plane › Show an image…). As a map of stiffness, a volume is named in a scene (maps.md)</source>
+        <translation>une carte d’étiquettes&#x202f;: des nombres entiers à partir de 0, un par structure. Une image CT ou IRM est d’abord segmentée (3D Slicer, TotalSegmentator), ou affichée dans les coupes d’une scène ouverte (Affichage › Plan de coupe › Afficher une image…). Comme carte de raideur, un volume est nommé dans une scène (maps.md)</translation>
+    </message>
+    <message>
+        <source>events: %1</source>
+        <translation>événements&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>ticks up to %1: %2</source>
+        <translation>pas jusqu’à %1&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>kept, but not verified, because the checksums are lost: %1</source>
+        <translation>conservé, mais non vérifié, car les sommes de contrôle sont perdues&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>the end may be missing: the recording was closed, but the file is damaged or cut off; nothing is known after tick %1</source>
+        <translation>la fin manque peut-être&#x202f;: l’enregistrement a été fermé, mais le fichier est endommagé ou tronqué&#x202f;; rien n’est connu après le pas %1</translation>
+    </message>
+    <message>
+        <source>&lt; %1</source>
+        <translation>&lt; %1</translation>
+    </message>
+    <message>
+        <source>Touched structures: %1.</source>
+        <translation>Structures touchées&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %2 mm</translation>
+    </message>
+    <message>
+        <source>Distances measured with the tape: %1 (%2).</source>
+        <translation>Distances mesurées au mètre&#x202f;: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Least distances, nearest first</source>
+        <translation>Plus petites distances, les plus proches d’abord</translation>
+    </message>
+    <message>
+        <source>Not listed: %1 more structures that cross or touch others.</source>
+        <translation>Non listées&#x202f;: %1 autres structures qui en croisent ou en touchent d’autres.</translation>
+    </message>
+    <message>
+        <source>%1 crosses or touches (0 mm): %2.</source>
+        <translation>%1 croise ou touche (0 mm)&#x202f;: %2.</translation>
+    </message>
+    <message>
+        <source>Of %1 pairs of structures, %2 are left out. Listed are the nearest pairs with a structure that was touched, holds or borders a finding or the end of a tape, or is a lump. All pairs: `palpate info --distances --json SCENE`, or View › Distances and sizes in the window.</source>
+        <translation>Sur %1 paires de structures, %2 sont omises. Sont listées les paires les plus proches avec une structure qui a été touchée, qui porte ou borde un point repéré ou l’extrémité d’un mètre, ou qui est un nodule. Toutes les paires&#x202f;: `palpate info --distances --json SCENE`, ou Affichage › Distances et tailles dans la fenêtre.</translation>
+    </message>
+    <message>
+        <source>Margins left out, with less of the lump&apos;s surface nearby: %1. All margins: `palpate info --distances --json SCENE`.</source>
+        <translation>Marges omises, dont une moindre part de la surface du nodule est proche&#x202f;: %1. Toutes les marges&#x202f;: `palpate info --distances --json SCENE`.</translation>
+    </message>
+    <message>
+        <source>No volume, because the surface is open, for %1 structures: %2.</source>
+        <translation>Pas de volume, car la surface est ouverte, pour %1 structures&#x202f;: %2.</translation>
+    </message>
+    <message>
+        <source>No volume, because the surface is inside out, for %1 structures: %2.</source>
+        <translation>Pas de volume, car la surface est retournée, pour %1 structures&#x202f;: %2.</translation>
+    </message>
+    <message>
+        <source>Volume of the closed parts alone, for %1 structures: %2.</source>
+        <translation>Volume des seules parties fermées, pour %1 structures&#x202f;: %2.</translation>
+    </message>
+    <message>
+        <source>Measured distances</source>
+        <translation>Distances mesurées</translation>
+    </message>
+    <message>
+        <source>Straight distances between two places, measured by the examiner with the tape</source>
+        <translation>Distances droites entre deux points, mesurées par l’examinateur au mètre</translation>
+    </message>
+    <message>
+        <source>Structures left out of this table: %1. All sizes: `palpate info --distances --json SCENE`.</source>
+        <translation>Structures omises de ce tableau&#x202f;: %1. Toutes les tailles&#x202f;: `palpate info --distances --json SCENE`.</translation>
+    </message>
+    <message>
+        <source>Surfaces without a checksum, because they were not palpable: %1.</source>
+        <translation>Surfaces sans somme de contrôle, car elles n’étaient pas palpables&#x202f;: %1.</translation>
+    </message>
 </context>
 <context>
     <name>palpate::app::AxisCheckDialog</name>
@@ -8566,6 +8630,14 @@ Palpate est un logiciel libre sous licence BSD à 3 clauses, construit avec Qt (
     <message>
         <source>Open the segmentation</source>
         <translation>Ouvrir la segmentation</translation>
+    </message>
+    <message>
+        <source>Some of the files are cut off.</source>
+        <translation>Certains des fichiers sont tronqués.</translation>
+    </message>
+    <message>
+        <source>Open the part that is there</source>
+        <translation>Ouvrir la partie présente</translation>
     </message>
 </context>
 <context>

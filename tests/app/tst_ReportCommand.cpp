@@ -5,14 +5,19 @@
 #include "TestRunner.h"
 
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <utility>
 
 #include <sys/resource.h>
 
@@ -127,87 +132,95 @@ class ReportCommand : public QObject
         hasRow({"Examiner", "N. N."});
     }
 
-    /// The values of `session measure`, text for text.
+    /// The values of `session measure --json`, rounded.
     void numbersAreThoseOfMeasure()
     {
-        const Outcome outcome = run({"session", "measure", "r.palpate"});
-        QCOMPARE(outcome.exitCode, 0);
-        int checked = 0;
-        for (const QByteArray& line : outcome.out.split('\n')) {
-            if (line.startsWith("force in contact: ")) {
-                hasRow({"Force in contact", line.mid(18)});
-            } else if (line.startsWith("depth in contact: ")) {
-                hasRow({"Depth in contact", line.mid(18)});
-            } else if (line.startsWith("duration ")) {
-                const QStringList v = captures(line, "duration (\\S+) s, contact (\\S+) s in (\\S+) contacts?");
-                hasRow({"Duration", v[0] + " s"});
-                hasRow({"In contact", v[1] + " s, contacts: " + v[2]});
-            } else if (line.startsWith("path ")) {
-                const QStringList v = captures(line, "path of the hand (\\S+) mm, on the surface (\\S+) mm");
-                hasRow({"Path of the hand", v[0] + " mm"});
-                hasRow({"Path on the surface", v[1] + " mm"});
-            } else if (line.startsWith("search: ") || line.startsWith("press: ")) {
-                QStringList v = captures(line, "(\\S+): (\\S+) s in (\\S+) phases, force mean (\\S+) N, peak (\\S+) N");
-                v[0] = v[0] == "press" ? "pressing" : "searching";
-                hasRow(v);
-            } else if (line.startsWith("  liver: contact")) {
-                hasRow(captures(line,
-                                "  (liver): contact (\\S+) s, pressed (\\S+) times, force of its layer peak (\\S+) "
-                                "N, mean (\\S+) N, 95th percentile (\\S+) N, peak depth (\\S+) mm"));
-            } else if (line.startsWith("  liver: ")) {
-                const QStringList v =
-                    captures(line, "  (liver): (\\S+) % of (\\S+) cm² covered \\(within (\\S+) mm\\), "
-                                   "longest dwell at a point (\\S+) s");
-                hasRow({v[0], v[1], v[4]});
-                hasRow({"liver", v[2] + " cm²"}); // area in the table of sizes
-                hasRow({"Distance that counts as touched", v[3] + " mm"});
-            } else if (line.startsWith("  tumour in liver: ")) {
-                hasRow({"tumour", "liver", captures(line, ".* under the hand (.*)").value(0)}, 2);
-            } else if (line.startsWith("    model of felt lumps")) {
-                QStringList v = captures(line, ".* an estimate: (\\S+ %) predicted; pressed hard enough on (\\S+) % of "
-                                               "the (\\S+) cm² where a trained hand can feel the lump");
-                QCOMPARE(v.size(), 3);
-                hasRow(QStringList{"tumour", "liver"} + v, 2);
-            } else {
-                continue;
-            }
-            ++checked;
+        QCOMPARE(run({"session", "measure", "r.palpate", "--json", "m.json"}).exitCode, 0);
+        const QJsonObject all = QJsonDocument::fromJson(read("m.json")).object();
+        QVERIFY(all.value("peak_force_N").toDouble() > 0.1);
+        const auto mm = [](const QJsonObject& of, const char* key) {
+            return QString::number(of.value(key).toDouble(), 'f', 1);
+        };
+        const auto s = mm; // one decimal, too
+        const auto newton = [](const QJsonObject& of, const char* key) {
+            const double force_N = QString::number(of.value(key).toDouble(), 'g', 2).toDouble(); // two digits
+            const int exponent = force_N > 0.0 ? static_cast<int>(std::floor(std::log10(force_N))) : 1;
+            return QString::number(force_N, 'f', std::clamp(1 - exponent, 0, 4));
+        };
+        hasRow({"Force in contact", QString("peak %1 N, mean %2 N, median %3 N, 95th percentile %4 N")
+                                        .arg(newton(all, "peak_force_N"), newton(all, "mean_force_N"),
+                                             newton(all, "median_force_N"), newton(all, "p95_force_N"))});
+        hasRow({"Depth in contact",
+                QString("peak %1 mm, mean %2 mm, 95th percentile %3 mm")
+                    .arg(mm(all, "peak_depth_mm"), mm(all, "mean_depth_mm"), mm(all, "p95_depth_mm"))});
+        hasRow({"Duration", s(all, "duration_s") + " s"});
+        hasRow({"In contact",
+                QString("%1 s, contacts: %2").arg(s(all, "contact_time_s")).arg(all.value("contacts").toInt())});
+        hasRow({"Path of the hand", QString::number(all.value("path_length_mm").toDouble(), 'g', 3) + " mm"});
+        hasRow({"Path on the surface", QString::number(all.value("contact_path_mm").toDouble(), 'g', 3) + " mm"});
+        const QJsonObject phases = all.value("phases").toObject();
+        for (const auto& [key, name] : {std::pair("search", "searching"), std::pair("press", "pressing")}) {
+            const QJsonObject one = phases.value(key).toObject();
+            hasRow({name, QString::number(one.value("phases").toInt()), s(one, "time_s"), newton(one, "mean_force_N"),
+                    newton(one, "peak_force_N")});
         }
-        QCOMPARE(checked, 10);
+        const QJsonObject liver = all.value("structures").toObject().value("liver").toObject();
+        hasRow({"liver", s(liver, "contact_time_s"),
+                QString::number(liver.value("press").toObject().value("phases").toInt()), newton(liver, "mean_force_N"),
+                newton(liver, "p95_force_N"), newton(liver, "peak_force_N"), mm(liver, "peak_depth_mm"),
+                QString::number(100.0 * liver.value("coverage").toDouble(), 'g', 3), s(liver, "longest_dwell_s")});
+        hasRow(
+            {"Distance that counts as touched", QString::number(all.value("coverage_distance_mm").toDouble()) + " mm"});
+        QCOMPARE(all.value("lumps").toArray().size(), 1);
+        const QJsonObject lump = all.value("lumps").toArray()[0].toObject();
+        const auto percent = [&lump](const char* key) {
+            const double value = lump.value(key).toDouble();
+            return std::abs(value) < 0.05 ? QString("0 %") // the rest is rounding
+                                          : (value < 0.0 ? "" : "+") + QString::number(value, 'g', 3) + " %";
+        };
+        hasRow({"tumour", "liver", percent("greatest_change_percent"), percent("predicted_change_percent")}, 2);
     }
 
-    /// The values of `info --distances`, text for text.
+    /// The values of `info --distances --json`, rounded.
     void numbersAreThoseOfInfo()
     {
-        const Outcome outcome = run({"info", "--distances", "s.palpate.json"});
+        const Outcome outcome = run({"info", "--distances", "--json", "s.palpate.json"});
         QCOMPARE(outcome.exitCode, 0);
-        int checked = 0;
-        for (const QByteArray& line : outcome.out.split('\n')) {
-            if (line.startsWith("  size: ")) {
-                const QStringList v =
-                    captures(line, "  size: (.+): volume (\\S+ ml) \\(a ball of (\\S+) mm\\), area (\\S+ cm²), extent "
-                                   "(\\S+ × \\S+ × \\S+) mm");
-                QVERIFY2(v.size() == 5, line.constData());
-                hasRow(v);
-            } else if (line.startsWith("  distance: ")) {
-                const QStringList v = captures(line, "  distance: (.+) to (.+?): (\\S+) mm, (.+)");
-                hasRow(v.mid(0, 3), 2);
-                if (v[3].contains("lies inside")) {
-                    hasRow({v[0], v[1], captures(v[3].toUtf8(), "(.*), from .*").value(0)}, 2);
-                }
-            } else if (line.startsWith("  margin: ")) {
-                const QStringList v = captures(line, "  margin: (\\S+) to (\\S+): (.+) of its area");
-                QStringList cells{v[0], v[1]};
-                for (const QString& band : v[2].split(", ")) {
-                    cells << band.section(": ", 1).chopped(2);
-                }
-                hasRow(cells, 2);
-            } else {
-                continue;
-            }
-            ++checked;
+        const QJsonDocument document = QJsonDocument::fromJson(outcome.out);
+        const QJsonObject first = document.isArray() ? document.array()[0].toObject() : document.object();
+        const QJsonObject table = first.value("distances").toObject();
+        const auto mm = [](double value) { return QString::number(value, 'f', 1); };
+        QCOMPARE(table.value("sizes").toArray().size(), 3);
+        for (const QJsonValue& value : table.value("sizes").toArray()) {
+            const QJsonObject size = value.toObject();
+            const QJsonArray extent = size.value("extent_mm").toArray();
+            hasRow({size.value("name").toString(),
+                    QString::number(1e-3 * size.value("volume_mm3").toDouble(), 'g', 3) + " ml",
+                    mm(size.value("ball_diameter_mm").toDouble()),
+                    QString::number(1e-2 * size.value("area_mm2").toDouble(), 'g', 3) + " cm²",
+                    QString("%1 × %2 × %3")
+                        .arg(mm(extent[0].toDouble()), mm(extent[1].toDouble()), mm(extent[2].toDouble()))});
         }
-        QCOMPARE(checked, 3 + 2 + 2);
+        QCOMPARE(table.value("nearest").toArray().size(), 2);
+        for (const QJsonValue& value : table.value("nearest").toArray()) {
+            const QJsonObject pair = value.toObject();
+            const QString inner = pair.value("first").toString(), outer = pair.value("second").toString();
+            const bool isInside = pair.value("relation").toString() == "inside";
+            hasRow({inner, outer, mm(pair.value("distance_mm").toDouble()),
+                    isInside ? QString("%1 lies inside, %2 mm from the surface")
+                                   .arg(inner, mm(pair.value("surface_mm").toDouble()))
+                             : QString("apart")},
+                   2);
+        }
+        QCOMPARE(table.value("margins").toArray().size(), 2);
+        for (const QJsonValue& value : table.value("margins").toArray()) {
+            const QJsonObject margin = value.toObject();
+            QStringList cells{margin.value("lump").toString(), margin.value("structure").toString()};
+            for (const QJsonValue& share : margin.value("area_shares").toArray()) {
+                cells << QString::number(100.0 * share.toDouble(), 'g', 3);
+            }
+            hasRow(cells, 2);
+        }
     }
 
     /// The ratio and the verdicts of `felt`, text for text.

@@ -499,7 +499,10 @@ class LabelMaps : public QObject
             grid.values[n] = static_cast<int>(n * 7919 % 101);
         }
         row("MR", "v.nii", test::labelNifti(grid, 4) + test::labelNumbers<std::int16_t>(grid),
-            "v.nii: a NIfTI volume with 100 intensities, not labels; expected a label map");
+            "v.nii: a NIfTI volume with 100 intensities, not labels; expected a label map: whole numbers from 0, one "
+            "for "
+            "each structure. A CT or MR image is segmented first (3D Slicer, TotalSegmentator), or shown in the "
+            "sections of an open scene (View › Section plane › Show an image…).");
         grid.values[5] = -1000;
         row("CT", "v.mha", test::labelMeta(grid, "MET_SHORT") + test::labelNumbers<std::int16_t>(grid),
             "v.mha: a MetaImage volume with 101 intensities, not labels");

@@ -4,8 +4,11 @@
 #include "Samples.h"
 #include "TestRunner.h"
 
+#include <palpate/meshio/DicomFolder.h>
+
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -296,6 +299,7 @@ class ReportedFiles : public QObject
     void usedVertexMustBeFinite();
     void refusalsNameTheNextStep_data();
     void refusalsNameTheNextStep();
+    void folderOfDicomIsNamed();
     void cutOffStlOpensInPart();
     void stlColours();
     void materialColours();
@@ -672,6 +676,11 @@ void ReportedFiles::refusalsNameTheNextStep_data()
     row("tetrahedra", "a.vtk", grid("10"), {"type 10", "ParaView: Extract Surface"});
     row("tetrahedra, vtu", "a.vtu", replaced(xml("UnstructuredGrid", false), "5 5 5", "10 10 10"),
         {"type 10", "ParaView: Extract Surface"});
+    const std::string dicom = std::string(128, '\0') + "DICM\x02";
+    row("DICOM", "a.dcm", dicom, {"is a DICOM image", "3D Slicer", ".seg.nrrd", "TotalSegmentator"});
+    row("DICOM without an extension", "IM0001", dicom, {"is a DICOM image", "3D Slicer"});
+    row("DICOM without the free bytes", "IM0002", "DICM", {"is a DICOM image", "3D Slicer"});
+    row("DICOM by its name", "old.DCM", std::string("\x08\x00\x05\x00", 4), {"is a DICOM image", "3D Slicer"});
     row("glTF", "a.glb", "glTF\x02 and more", {"glTF", "MeshLab or Blender"});
     row("glTF as text", "a.gltf", "{\n  \"asset\": {\"version\": \"2.0\"}\n}\n", {"glTF", "MeshLab or Blender"});
     row("Slicer scene", "a.xml", "<?xml version=\"1.0\"?>\n<MRML version=\"Slicer5\"></MRML>", {"3D Slicer", "models"});
@@ -701,6 +710,24 @@ void ReportedFiles::refusalsNameTheNextStep()
     QVERIFY(!file.isOk());
     for (const std::string& word : words) {
         QVERIFY2(file.status().message().find(word) != std::string::npos, file.status().message().c_str());
+    }
+}
+
+void ReportedFiles::folderOfDicomIsNamed()
+{
+    const test::Folder folder;
+    std::filesystem::create_directories(folder.path("study/series"));
+    QVERIFY(meshio::dicomFolder(folder.path("study")).isOk());
+    folder.write("study/README", "text");
+    QVERIFY(meshio::dicomFolder(folder.path("study")).isOk());
+    const auto file = folder.write("study/series/IM0001", std::string(128, '\0') + "DICM\x02");
+    QVERIFY(meshio::dicomFolder(file).isOk()); // the file reports itself
+    for (const char* name : {"study", "study/"}) {
+        const core::Status status = meshio::dicomFolder(folder.path(name));
+        QCOMPARE(status.code(), core::StatusCode::Unsupported);
+        QVERIFY2(status.message().starts_with("study: is a folder of DICOM images") &&
+                     status.message().find("3D Slicer") != std::string::npos,
+                 status.message().c_str());
     }
 }
 

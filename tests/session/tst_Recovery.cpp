@@ -211,6 +211,9 @@ class Recovery : public QObject
             QVERIFY(session::resimulate(*copy.value(), test::boxSurfaces()).value().isSame());
             qInfo("cut at %d %%: %lld of 20000 ticks saved", share, static_cast<long long>(result.value().ticks));
             QVERIFY(result.value().ticks >= 200 * share - 500); // pages are written in tick order
+            // The mark of a closed recording is in the part that is left.
+            QVERIFY(!copy.value()->extent().isComplete);
+            QVERIFY(says(result.value(), "the end may be missing"));
         }
     }
 

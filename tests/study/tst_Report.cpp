@@ -175,6 +175,62 @@ class Report : public QObject
         QVERIFY(writer.value()->finish(ending).isOk());
     }
 
+    /// Writes a recording of a press on a liver beside a row of open surfaces with long names. The first crosses the
+    /// liver, the others are 4 mm and more away from it and 3 mm apart.
+    void recordMany(int others) const
+    {
+        const auto write = [&](const std::string& name, const geometry::TriangleMesh& mesh) {
+            const meshio::MeshStructure one{"x", mesh, std::nullopt};
+            QVERIFY(meshio::writeMesh(path((name + ".stl").c_str()), std::span(&one, 1)).isOk());
+        };
+        meshio::SceneFile file;
+        const auto add = [&](const std::string& name, const geometry::TriangleMesh& mesh, bool isPalpable) {
+            write(name, mesh);
+            meshio::SceneStructure& one = file.structures.emplace_back();
+            one.name = name;
+            one.mesh = path((name + ".stl").c_str());
+            one.palpable = isPalpable;
+            one.tissue.stiffness_N_per_mm = isPalpable ? 0.6866667 : 0.5;
+        };
+        add("capsule_of_the_liver", test::sphere(10, 60.0), true);
+        for (int i = 0; i < others; ++i) {
+            geometry::TriangleMesh mesh = test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1), 1);
+            mesh.triangles.pop_back();
+            add(manyName(i), test::moved(mesh, Vec3(60 + 5 * i, 0, 0)), false);
+        }
+        QVERIFY(meshio::writeScene(path("s.palpate.json"), file).isOk());
+        const auto scene = study::openScene(path("s.palpate.json"));
+        QVERIFY2(scene.isOk(), scene.status().message().c_str());
+        const auto haptic = study::hapticScene(scene.value());
+        session::Motion motion;
+        for (int i = 0; i < 200; ++i) {
+            motion.p_WH.emplace_back(0.0, 0.0, 60.5 - 8.0 * std::sin(M_PI * i / 200));
+        }
+        session::RecordingInfo info;
+        study::setSceneSource(info, path("s.palpate.json"));
+        auto writer = session::RecordingWriter::create(path("r.palpate"), info, session::RecordingWriter::Sync::AtEnd);
+        QVERIFY(writer.isOk());
+        QVERIFY(writer.value()->addScene(session::describeScene(1, *haptic, study::sourcesOf(scene.value()))).isOk());
+        session::replay(*haptic, motion,
+                        [&](const servo::TickRecord& tick) { return writer.value()->append(tick).isOk(); });
+        QVERIFY(writer.value()->finish().isOk());
+    }
+    /// A name with a word that is too long for a column.
+    static std::string manyName(int i) { return "vessel_" + std::to_string(i) + "_" + std::string(70, 'm'); }
+    static std::string shownName(int i) { return "vessel " + std::to_string(i) + " " + std::string(70, 'm'); }
+    static QStringList paragraphs(const study::Report& report)
+    {
+        QStringList all;
+        for (const study::ReportSection& section : report.sections) {
+            for (const study::ReportBlock& block : section.blocks) {
+                if (const auto* text = std::get_if<study::ReportText>(&block)) {
+                    all << QString::fromStdString(text->text.english());
+                }
+            }
+        }
+        return all;
+    }
+
     study::ReportFacts facts(const study::ReportOptions& options = {}) const
     {
         auto facts = study::gatherReport(path("r.palpate"), options);
@@ -236,7 +292,7 @@ class Report : public QObject
         const study::ReportTable* findings = tableWith(report, "Place (x y z) [mm]");
         QVERIFY(findings != nullptr);
         QCOMPARE(findings->rows[1][4].english, std::string("0.1 0.0 60.0"));
-        QCOMPARE(findings->rows[1][6].english, std::string("1.25"));
+        QCOMPARE(findings->rows[1][6].english, std::string("1.2")); // of 1.25: two digits, halves to even
         QCOMPARE(findings->rows[1][8].english, std::string("0.5"));
     }
 
@@ -295,7 +351,7 @@ class Report : public QObject
         const auto rounded = [](double value, int digits) { return QString::number(value, 'g', digits); };
         const QString touched =
             QString("touched: %1 cm², %2 %")
-                .arg(rounded(0.01 * surface->coveredArea_mm2, 4), rounded(100.0 * surface->coverage(), 3));
+                .arg(rounded(0.01 * surface->coveredArea_mm2, 3), rounded(100.0 * surface->coverage(), 3));
         for (const study::ReportMap& map : report.maps) {
             QCOMPARE(QString::fromStdString(map.legend.at(1).english()), touched);
             const std::vector<float> values = study::mapValues(*surface->surface, map.quantity);
@@ -331,6 +387,129 @@ class Report : public QObject
         QCOMPARE(least, 0.0F);
         QVERIFY2(ranges > 1000, qPrintable(QString::number(ranges)));
         QCOMPARE(all.force.marks.size(), std::size_t{1});
+    }
+
+    /// Of 300 pairs, a third of a page lists the nearest of the touched structure; equal statements are one sentence.
+    void manyStructuresFillNoPages()
+    {
+        constexpr int kOthers = 24;
+        recordMany(kOthers);
+        const study::ReportFacts all = facts();
+        QCOMPARE(all.distances->pairs.size(), std::size_t{25 * 24 / 2});
+        const study::Report report = study::composeReport(all);
+        const study::ReportTable* pairs = tableWith(report, "Distance [mm]");
+        QVERIFY(pairs != nullptr);
+        QCOMPARE(pairs->rows.size(), study::kReportedPairs);
+        for (std::size_t i = 0; i < pairs->rows.size(); ++i) { // number 0 crosses
+            QCOMPARE(pairs->rows[i][0].english, std::string("capsule of the liver"));
+            QCOMPARE(pairs->rows[i][1].english, shownName(static_cast<int>(i) + 1));
+        }
+        const QStringList lines = paragraphs(report);
+        const auto has = [&lines](const QString& text) { return lines.filter(text).size() == 1; };
+        QVERIFY2(has("capsule of the liver crosses or touches (0 mm): vessel 0 m"), qPrintable(lines.join('\n')));
+        QVERIFY2(has("Of 300 pairs of structures, 283 are left out."), qPrintable(lines.join('\n')));
+        QVERIFY2(has("No volume, because the surface is open, for 24 structures: vessel 0 m"),
+                 qPrintable(lines.join('\n')));
+        QVERIFY2(has("Touched structures: capsule of the liver."), qPrintable(lines.join('\n')));
+        QCOMPARE(lines.filter("no volume").size(), 0);
+        QCOMPARE(tableWith(report, "Volume")->rows.size(), std::size_t{1}); // the touched one
+        const study::ReportTable* tissue = tableWith(report, "Stiffness [N/mm]");
+        QCOMPARE(tissue->rows.size(), std::size_t{2}); // equal tissues in one row, palpable ones first
+        QCOMPARE(tissue->rows[0][0].english, std::string("capsule of the liver"));
+        QCOMPARE(tissue->rows[0][1].english, std::string("0.687"));
+
+        const QByteArray pdf = ui::reportPdf(report, {});
+        if (!QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            const QStringList pages = pagesOf(pdf);
+            QVERIFY2(pages.size() <= 8, qPrintable(QString::number(pages.size())));
+            const QString text = pages.join('\n');
+            QVERIFY2(text.contains(QRegularExpression("\\bDistance\\b +Position\\b")), qPrintable(text));
+            QVERIFY(!text.contains(QRegularExpression("\\bDistanc\\b|\\bPositio\\b")));
+            QVERIFY(!text.contains("capsule_of_the_liver "));
+        }
+    }
+
+    /// A structure beside a finding matters, although it was not touched.
+    void neighboursOfFindingsAreListed()
+    {
+        recordMany(24);
+        study::ReportOptions options;
+        core::Finding finding;
+        finding.id = "late";
+        finding.p_W = Vec3(60 + 5 * 20, 4, 0); // 3 mm beside number 20; 19 and 21 are 5 mm away, 18 and 22 10 mm
+        options.findings = {finding};
+        const study::ReportFacts all = facts(options);
+        QVERIFY(std::find(all.besideFindings.begin(), all.besideFindings.end(), 21) != all.besideFindings.end());
+        QVERIFY(all.besideFindings.size() >= 3 && all.besideFindings.size() <= 5);
+        const study::Report report = study::composeReport(all);
+        const study::ReportTable* pairs = tableWith(report, "Distance [mm]");
+        QCOMPARE(pairs->rows.size(), study::kReportedPairs);
+        const auto isListed = std::any_of(pairs->rows.begin(), pairs->rows.end(), [](const auto& row) {
+            return row[0].english == shownName(19) && row[1].english == shownName(20) && row[2].english == "3.0";
+        });
+        QVERIFY(isListed);
+    }
+
+    /// Tapes of the open scene, or else of the scene file.
+    void tapesAreListed()
+    {
+        record(1);
+        core::Tape tape;
+        tape.name = "Tape 1";
+        tape.to_W = Vec3(0.0, 0.0, 119.7311);
+        tape.fromOn = "capsule_of_the_liver";
+        tape.toOn = "Finding 1";
+        study::ReportOptions options;
+        options.tapes = {tape};
+        const study::Report report = study::composeReport(facts(options));
+        const study::ReportTable* tapes = tableWith(report, "Distance [mm]");
+        QVERIFY(tapes != nullptr && tapes->rows.size() == 1); // before the least distances
+        QCOMPARE(tapes->rows[0][0].english, std::string("Tape 1"));
+        QCOMPARE(tapes->rows[0][1].english, std::string("119.7"));
+        QCOMPARE(tapes->rows[0][2].english, std::string("capsule of the liver"));
+        QCOMPARE(tapes->rows[0][5].english, std::string("0.0 0.0 119.7"));
+        QCOMPARE(paragraphs(report).filter("measured with the tape: 1 (Tape 1 119.7 mm)").size(), 1);
+        options.tapes->clear();
+        QVERIFY(paragraphs(study::composeReport(facts(options))).filter("with the tape").isEmpty());
+
+        auto file = meshio::readScene(path("s.palpate.json"));
+        QVERIFY(file.isOk());
+        file.value().tapes = {tape};
+        QVERIFY(meshio::writeScene(path("s.palpate.json"), file.value()).isOk());
+        options.tapes.reset();
+        options.scene = path("s.palpate.json");
+        QCOMPARE(facts(options).tapes.size(), std::size_t{1});
+    }
+
+    /// A mesh in metres, named anew, is read in the unit of the recording.
+    void anotherPlaceOfTheSceneKeepsTheUnit()
+    {
+        geometry::TriangleMesh mesh = test::sphere(10, 60.0);
+        for (Vec3& vertex : mesh.vertices) {
+            vertex *= 1e-3;
+        }
+        const meshio::MeshStructure one{"x", mesh, std::nullopt};
+        QVERIFY(meshio::writeMesh(path("metres.stl"), std::span(&one, 1)).isOk());
+        meshio::ReadOptions inMetres;
+        inMetres.unit_mm = 1000.0;
+        const auto scene = study::openScene(path("metres.stl"), inMetres);
+        QVERIFY(scene.isOk());
+        const auto haptic = study::hapticScene(scene.value());
+        session::Motion motion;
+        for (int i = 0; i < 100; ++i) {
+            motion.p_WH.emplace_back(0.0, 0.0, 60.5 - 0.05 * i);
+        }
+        auto writer = session::RecordingWriter::create(path("r.palpate"), {}, session::RecordingWriter::Sync::AtEnd);
+        QVERIFY(writer.isOk());
+        QVERIFY(writer.value()->addScene(session::describeScene(1, *haptic, study::sourcesOf(scene.value()))).isOk());
+        session::replay(*haptic, motion,
+                        [&](const servo::TickRecord& tick) { return writer.value()->append(tick).isOk(); });
+        QVERIFY(writer.value()->finish().isOk());
+        study::ReportOptions options;
+        options.scene = path("metres.stl");
+        const study::ReportFacts all = facts(options);
+        QVERIFY(all.distances && all.verification.resimulated->isWithinRounding());
+        QVERIFY(std::abs(all.distances->sizes[0].extent_mm.z() - 120.0) < 0.1); // a float of 0.06 m has 4e-6 mm
     }
 
     void missingMeshesAreNamed()

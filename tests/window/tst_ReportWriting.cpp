@@ -17,6 +17,7 @@
 #include <palpate/ui/PalpationController.h>
 #include <palpate/ui/Playback.h>
 #include <palpate/ui/StructureModel.h>
+#include <palpate/ui/TapesModel.h>
 #include <palpate/ui/VtkViewport.h>
 
 #include <QAbstractItemView>
@@ -33,6 +34,7 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QTableView>
 #include <QTimer>
 #include <QToolBar>
 
@@ -290,6 +292,26 @@ class ReportWriting : public QObject
                      qPrintable(QString::number(yellows(pictures[map]))));
         }
         QVERIFY(pictures[2] != pictures[4]);
+    }
+
+    /// The report has the tapes of the open scene, saved in a scene file or not.
+    void reportHasTheTapes()
+    {
+        auto& tapes = dynamic_cast<ui::TapesModel&>(*m_desk->window().findChild<QTableView*>("tapes")->model());
+        core::Tape tape;
+        tape.name = "Rim to rim";
+        tape.from_W = Vec3(-60, 0, 0);
+        tape.to_W = Vec3(59.7311, 0, 0);
+        tape.fromOn = tape.toOn = "liver";
+        tapes.add({tape});
+        part().write(m_desk->folder() / "tapes", ".html", {}, {});
+        PALPATE_TRY_VERIFY2(messages().text().contains("tapes.html"), qPrintable(messages().text()));
+        const QByteArray html = read("tapes.html");
+        QVERIFY(html.contains("<h2") && html.contains(">Measured distances</h2>"));
+        QVERIFY(html.contains("Rim to rim"));
+        QVERIFY(html.contains(">119.7</td>"));
+        tapes.remove({0});
+        QVERIFY(tapes.tapes().empty());
     }
 
     void refusesOtherNames()

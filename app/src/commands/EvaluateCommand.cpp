@@ -134,7 +134,7 @@ core::Result<Subjects> loadSubjects(const EvaluateOptions& options, const meshio
 core::Result<evaluation::HandMotion> loadMotion(const fs::path& path)
 {
     core::Result<session::Motion> motion = [&]() -> core::Result<session::Motion> {
-        if (!session::isRecordingFile(path)) {
+        if (!session::isRecordingByNameOrContent(path)) {
             return session::readMotion(path);
         }
         auto recording = session::RecordingReader::open(path);

@@ -32,7 +32,7 @@ constexpr const char* kStdout = "-";
 /// Reads the findings of a scene file or recording. @param damage  gets the damage of a recording
 Result<std::vector<core::Finding>> findingsIn(const std::filesystem::path& file, std::vector<core::Message>& damage)
 {
-    if (session::isRecordingFile(file)) {
+    if (session::isRecordingByNameOrContent(file)) {
         const auto reader = session::RecordingReader::open(file);
         if (!reader.isOk()) {
             return reader.status();

@@ -65,7 +65,7 @@ core::Result<Examined> readFile(const std::filesystem::path& file, const meshio:
         return Status(StatusCode::NotFound, PALPATE_TEXT("%1: no such file, expected a mesh, a scene or a folder"),
                       file);
     }
-    if (session::isRecordingFile(file)) {
+    if (session::isRecordingByNameOrContent(file)) {
         return Status(StatusCode::Unsupported,
                       PALPATE_TEXT("%1: found a recording, expected a mesh (palpate session info reads recordings)"),
                       file);

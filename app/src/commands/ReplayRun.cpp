@@ -173,7 +173,7 @@ Status ReplayRun::checkRecord() const
 
 Status ReplayRun::loadMotion()
 {
-    if (!session::isRecordingFile(m_options.motion)) {
+    if (!session::isRecordingByNameOrContent(m_options.motion)) {
         auto motion = session::readMotion(m_options.motion);
         if (motion.isOk()) {
             m_motion = std::move(motion).value();

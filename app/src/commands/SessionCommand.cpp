@@ -121,7 +121,7 @@ int runRecover(const SessionOptions& options)
     }
     print("%s: %s ticks recovered\n", options.out.string().c_str(), grouped(recovered.value().ticks).c_str());
     for (const core::Message& loss : recovered.value().losses) {
-        printError(PALPATE_TEXT("%1: missing in the copy: %2"), options.file, loss);
+        printError(PALPATE_TEXT("%1: %2"), options.file, loss);
     }
     return recovered.value().losses.empty() ? kDone : kSomeLost;
 }

@@ -50,8 +50,8 @@ int runThumbnail(const ThumbnailCommandOptions& options)
         return report(status);
     }
     // Not study::openScene, which computes how lumps are felt.
-    const auto scene = session::isRecordingFile(options.file) ? study::sceneOfRecording(options.file)
-                                                              : meshio::loadScene(options.file);
+    const auto scene = session::isRecordingByNameOrContent(options.file) ? study::sceneOfRecording(options.file)
+                                                                         : meshio::loadScene(options.file);
     if (!scene.isOk()) {
         return report(scene.status());
     }

@@ -157,6 +157,9 @@ void ImagePart::take(const std::filesystem::path& file, const core::Status& stat
         m_core.notices.showError(ui::translated(status));
         return;
     }
+    // Opened as a segmentation before, the file was refused; it is of use now.
+    m_core.notices.bar().withdrawIf(
+        [begin = toText(file.filename()) + QLatin1Char(':')](const QString& text) { return text.startsWith(begin); });
     m_volume = volume;
     m_usual = windowAbout(m_core.viewport.view().bounds(), *volume);
     m_section.bar().setImage(toText(file.filename()), m_usual.width, m_usual.level);

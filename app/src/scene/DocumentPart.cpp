@@ -93,7 +93,7 @@ void DocumentPart::showState(const WindowState& state)
 bool DocumentPart::isFromRecording() const
 {
     return std::any_of(m_files.begin(), m_files.end(),
-                       [](const std::filesystem::path& file) { return session::isRecordingFile(file); });
+                       [](const std::filesystem::path& file) { return session::isRecordingByNameOrContent(file); });
 }
 
 void DocumentPart::takeFiles()

@@ -19,6 +19,7 @@
 #include <QFileDialog>
 #include <QMainWindow>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QUrl>
 
@@ -35,13 +36,20 @@ constexpr auto kFolderKey = "folder";
 
 bool isRecording(const std::filesystem::path& file)
 {
-    return session::isRecordingFile(file);
+    return session::isRecordingByNameOrContent(file);
 }
 
 /// True for points of 3D Slicer.
 bool isMarkups(const std::filesystem::path& file)
 {
     return toText(file.filename()).endsWith(QLatin1String(".mrk.json"), Qt::CaseInsensitive);
+}
+
+/// Matches the option of the command line in a message about a truncated mesh, in every language.
+const QRegularExpression& partialAdvice()
+{
+    static const QRegularExpression advice(QStringLiteral("\\s*; --partial .*$"));
+    return advice;
 }
 
 QString lastFolder()
@@ -85,6 +93,13 @@ void SceneFiles::connectLoader()
     connect(&m_loader, &ui::SceneLoader::progressed, &m_progress, &StatusProgress::show);
     connect(&m_loader, &ui::SceneLoader::sizeKnown, this, &SceneFiles::offerReadingAsMetres);
     connect(&m_loader, &ui::SceneLoader::opened, &m_progress, &StatusProgress::end);
+    connect(&m_loader, &ui::SceneLoader::opened, this, [this](const std::shared_ptr<ui::OpenedScene>& scene) {
+        const bool isCut = std::any_of(scene->problems.begin(), scene->problems.end(),
+                                       [](const QString& line) { return partialAdvice().match(line).hasMatch(); });
+        if (isCut && scene->addedTo == 0 && !scene->isReopened) {
+            offerPart(tr("Some of the files are cut off."));
+        }
+    });
     connect(&m_loader, &ui::SceneLoader::failed, this, &SceneFiles::takeFailure);
     connect(&m_loader, &ui::SceneLoader::cancelled, this, [this] {
         m_progress.end();
@@ -274,7 +289,7 @@ void SceneFiles::takeFailure(const QString& line)
     if (m_waitingRecording && m_opening == std::vector{*m_waitingRecording}) {
         m_core.notices.warn({line}); // the recording itself offers to find its meshes
     } else {
-        m_core.notices.showError(line);
+        showFailure(line);
     }
     if (m_waitingRecording && m_core.model.rowCount() == 0) {
         openWaiting(); // playback works without the scene of the recording
@@ -282,6 +297,28 @@ void SceneFiles::takeFailure(const QString& line)
         m_waitingRecording.reset();
         Q_EMIT openFailed(line);
     }
+}
+
+/// Shows why nothing was opened. For a truncated mesh the message of the command line names an option; here it is a
+/// button.
+void SceneFiles::showFailure(const QString& line)
+{
+    const auto advice = partialAdvice().match(line);
+    if (advice.hasMatch()) {
+        offerPart(line.left(advice.capturedStart()));
+    } else {
+        m_core.notices.showError(line);
+    }
+}
+
+/// Offers to open truncated meshes as far as they are there.
+void SceneFiles::offerPart(const QString& line)
+{
+    meshio::ReadOptions partial = m_options;
+    partial.isPartial = true;
+    m_core.notices.bar().offer(
+        line, tr("Open the part that is there"), [this, files = m_opening, partial] { openAll(files, partial); },
+        ui::MessageBar::Keep::UntilAnswered);
 }
 
 /// Called as soon as the meshes are read, while they are being indexed.

@@ -69,6 +69,8 @@ class SceneFiles : public WindowPart
     void chooseAdded();
     void openPhantom();
     void takeFailure(const QString& line);
+    void showFailure(const QString& line);
+    void offerPart(const QString& line);
     void offerReadingAsMetres(double size_mm);
 
     WindowCore m_core;

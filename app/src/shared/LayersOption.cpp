@@ -18,7 +18,7 @@ core::Status checkLayers(const std::string& option)
 std::vector<core::Message> layOut(const std::filesystem::path& path, meshio::LoadedScene& scene,
                                   std::shared_ptr<const haptics::HapticScene>& felt)
 {
-    if (session::isRecordingFile(path)) {
+    if (session::isRecordingByNameOrContent(path)) {
         return {{PALPATE_TEXT("%1 is a recording and keeps its own layers"), path.filename()}};
     }
     if (meshio::isSceneFile(path)) {

@@ -274,7 +274,7 @@ bool RecordingPart::mayEnd()
 void RecordingPart::takeFingertip()
 {
     const ui::RecordedTouch* recording =
-        session::isRecordingFile(m_document.files().front()) ? m_playback->recording() : nullptr;
+        session::isRecordingByNameOrContent(m_document.files().front()) ? m_playback->recording() : nullptr;
     const auto first = recording != nullptr ? recording->at(0.0) : std::nullopt;
     const bool isTiny = m_core.viewport.view().bounds().diagonal().norm() < kSmallestScene_mm;
     const double radius_mm = first ? recording->fingertip_mm(*first) : isTiny ? 0.0 : chosenFingertip_mm();

@@ -154,6 +154,7 @@ void ReportPart::write(std::filesystem::path out, const QString& ending, const Q
     study::ReportOptions options;
     options.opened = openedScene(m_core.model);
     options.findings = m_document.document().findings();
+    options.tapes = m_document.document().tapesModel().tapes();
     options.caseText = caseText.toStdString();
     options.examiner = examiner.toStdString();
     auto* run = new ReportRun(recording, std::move(options), out, &m_core.window);

@@ -65,8 +65,7 @@ core::Message otherFormat(std::string_view head)
             return {name};
         }
     }
-    const bool isDicom = head.size() > 132 && head.substr(128, 4) == "DICM";
-    return isDicom ? core::Message(PALPATE_TEXT("a DICOM file")) : core::Message();
+    return {};
 }
 
 /// @return "STL, VTP, PLY"

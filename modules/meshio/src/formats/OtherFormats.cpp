@@ -176,8 +176,32 @@ std::optional<OtherFormat> found(std::string_view bytes)
 
 } // namespace
 
+/// DICOM begins with 128 free bytes and "DICM" (PS3.10, section 7.1). Some programs drop the free bytes, old files have
+/// neither.
+bool isDicom(std::string_view head, std::string_view file)
+{
+    constexpr std::string_view kMark = "DICM";
+    constexpr std::size_t kPreamble = 128;
+    constexpr std::string_view kExtension = ".dcm";
+    const bool isNamed = file.size() > kExtension.size() &&
+                         std::equal(kExtension.begin(), kExtension.end(), file.end() - kExtension.size(),
+                                    [](char a, char b) { return a == b || a - 'a' + 'A' == b; });
+    return isNamed || head.starts_with(kMark) ||
+           (head.size() >= kPreamble && head.substr(kPreamble).starts_with(kMark));
+}
+
+core::Status dicomFault(const std::string& file, const core::Message& found)
+{
+    return fault(core::StatusCode::Unsupported, file, {}, found,
+                 {PALPATE_TEXT("a segmentation: load the DICOM images in 3D Slicer, segment the organs and save the "
+                               "segmentation as .seg.nrrd, or let TotalSegmentator make one; then open that file")});
+}
+
 core::Status otherMeshFormat(std::string_view bytes, const std::string& file)
 {
+    if (isDicom(bytes, file)) {
+        return dicomFault(file, {PALPATE_TEXT("is a DICOM image, which Palpate does not read")});
+    }
     const std::optional<OtherFormat> other = found(bytes);
     return other ? fault(core::StatusCode::Unsupported, file, {},
                          {PALPATE_TEXT("is %1, which Palpate does not read"), core::Message(other->name)},

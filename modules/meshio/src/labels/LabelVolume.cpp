@@ -115,8 +115,10 @@ bool LabelCollector::isOfAreas() const
 Result<LabelVolume> LabelCollector::finish(const std::string& file) &&
 {
     const std::size_t values = m_seen.size() + m_foreign.size();
-    const Message expected(PALPATE_TEXT("a label map: whole numbers from 0, one for each structure. As a map of "
-                                        "stiffness, a volume is named in a scene (maps.md)"));
+    const Message expected(
+        PALPATE_TEXT("a label map: whole numbers from 0, one for each structure. A CT or MR image is segmented first "
+                     "(3D Slicer, TotalSegmentator), or shown in the sections of an open scene (View › Section plane "
+                     "› Show an image…). As a map of stiffness, a volume is named in a scene (maps.md)"));
     if (m_isFull) {
         return fault(StatusCode::Unsupported, file, Message(),
                      Message(PALPATE_TEXT("a %1 volume with more than %2 intensities, not labels"), m_layout.format,

@@ -38,6 +38,15 @@ Status withRecovery(const Status& status)
     return {status.code(), PALPATE_TEXT("%1; copy the readable parts with `palpate session recover`"), status.text()};
 }
 
+bool hasRecordingExtension(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : static_cast<char>(c);
+    });
+    return extension == ".palpate";
+}
+
 constexpr std::string_view kSqliteMagic{"SQLite format 3", 16}; // including the terminating zero
 
 } // namespace
@@ -211,7 +220,7 @@ core::Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::
     if (!isRecordingFile(path)) {
         const Status none(StatusCode::BadFormat, PALPATE_TEXT("%1: found no SQLite database, expected a recording"),
                           path);
-        return path.extension() == ".palpate" ? withRecovery(none) : none; // the first page may be damaged
+        return hasRecordingExtension(path) ? withRecovery(none) : none; // the first page may be damaged
     }
     auto opened = Database::open(path, Database::Mode::Read);
     if (!opened.isOk()) {
@@ -405,6 +414,12 @@ bool isRecordingFile(const std::filesystem::path& path)
     }
     std::ifstream file(path, std::ios::binary);
     return file.read(start.data(), start.size()) && std::string_view(start.data(), start.size()) == kSqliteMagic;
+}
+
+bool isRecordingByNameOrContent(const std::filesystem::path& path)
+{
+    std::error_code error;
+    return isRecordingFile(path) || (hasRecordingExtension(path) && std::filesystem::is_regular_file(path, error));
 }
 
 } // namespace palpate::session

@@ -9,6 +9,7 @@
 #include "recording/RecordingSurvey.h"
 #include "recording/RenamedFile.h"
 #include "recording/StoredPath.h"
+#include "store/CheckedLines.h"
 #include "store/PageSalvage.h"
 #include "store/SchemaCheck.h"
 #include "tables/Schema.h"
@@ -20,9 +21,13 @@
 #include <QJsonObject>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace palpate::session {
 
@@ -35,6 +40,29 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSource = "source"; // name in the scratch folder
+
+/// Returns true for a database that is shorter than its header states.
+/// @par Source https://www.sqlite.org/fileformat2.html, section 1.3: page size at 16, number of pages at 28
+bool isShorterThanStated(const fs::path& path)
+{
+    constexpr std::size_t kPageSize = 16, kPages = 28;
+    std::array<unsigned char, 32> head{};
+    std::ifstream file(path, std::ios::binary);
+    if (!isRecordingFile(path) || !file.read(reinterpret_cast<char*>(head.data()), head.size())) {
+        return false;
+    }
+    const auto number = [&head](std::size_t at, std::size_t bytes) {
+        std::uint64_t value = 0;
+        for (std::size_t i = 0; i < bytes; ++i) {
+            value = (value << 8U) | head[at + i];
+        }
+        return value;
+    };
+    const std::uint64_t page = number(kPageSize, 2) == 1 ? 65536 : number(kPageSize, 2);
+    std::error_code error;
+    const auto size = fs::file_size(path, error);
+    return !error && size < page * number(kPages, 4);
+}
 
 /// Readable database with its verification result.
 struct Source
@@ -161,6 +189,7 @@ class Rescue
                 m_chosen = std::move(found);
                 lose(core::Message(PALPATE_TEXT("%1: %2 rows were gathered from the file's %3 pages one by one"), why,
                                    salvage.value().rows, salvage.value().pages));
+                m_isSalvaged = true;
                 direct = {};
             }
         }
@@ -168,7 +197,11 @@ class Rescue
             return {direct.code(), PALPATE_TEXT("%1: %2: nothing can be recovered"), m_from, direct.text()};
         }
         for (const core::Message& fault : m_chosen->faults) {
-            lose(fault);
+            if (!internal::isUnchecked(fault)) { // listed with what is kept
+                lose(fault);
+            } else if (fault.english().starts_with("metadata")) {
+                m_unverified.push_back({PALPATE_TEXT("metadata")});
+            }
         }
         readInfo();
         return {};
@@ -234,8 +267,7 @@ class Rescue
         (void)m_chosen->tables.readScenes(scenes); // errors are already reported
         for (SceneRecord& scene : scenes) {
             if (m_chosen->survey.covered.uncheckedScenes.contains(scene.generation)) {
-                lose(core::Message(PALPATE_TEXT("scene %1: kept without a checksum to hold it against"),
-                                   scene.generation));
+                m_unverified.push_back({PALPATE_TEXT("scene %1"), scene.generation});
             } else if (!m_chosen->survey.covered.scenes.contains(scene.generation)) {
                 lose(core::Message(PALPATE_TEXT("scene %1: left out"), scene.generation));
                 continue;
@@ -254,17 +286,28 @@ class Rescue
                 return status;
             }
         }
+        copyEvents();
+        return m_writer->commit();
+    }
+
+    void copyEvents()
+    {
         internal::Events events;
         (void)m_chosen->tables.readEvents(events);
+        std::int64_t unverified = 0;
         for (const auto& [id, event] : events) {
-            if (m_chosen->survey.covered.uncheckedEvents.contains(id)) {
-                lose(core::Message(PALPATE_TEXT("event %1: kept without a checksum to hold it against"), id));
+            const bool isUnverified = m_chosen->survey.covered.uncheckedEvents.contains(id);
+            if (isUnverified || m_chosen->survey.covered.events.contains(id)) {
+                unverified += isUnverified ? 1 : 0;
                 (void)m_writer->addEvent(event);
-            } else if (m_chosen->survey.covered.events.contains(id)) {
-                (void)m_writer->addEvent(event);
+                if (event.kind == "timing" || event.kind == "ended") {
+                    m_endEvent = event.tick;
+                }
             }
         }
-        return m_writer->commit();
+        if (unverified > 0) {
+            m_unverified.push_back({PALPATE_TEXT("events: %1"), core::Count(unverified)});
+        }
     }
 
     /// Copies the readable part of a range. @return the status of writing
@@ -306,8 +349,8 @@ class Rescue
             const std::int64_t before = m_result.ticks;
             const Status status = last < next ? Status() : copyRange(next, last, m_result.ticks);
             if (m_result.ticks > before) {
-                lose(core::Message(PALPATE_TEXT("up to tick %1: %2 ticks kept without a checksum to hold them against"),
-                                   m_last, m_result.ticks - before));
+                m_unverified.push_back(
+                    {PALPATE_TEXT("ticks up to %1: %2"), m_last, core::Count(m_result.ticks - before)});
             }
             return status;
         };
@@ -334,9 +377,18 @@ class Rescue
 
     Status finish()
     {
-        const bool isComplete = m_chosen->meta.contains(internal::kComplete);
-        if (!isComplete) {
+        if (!m_unverified.empty()) {
+            lose(core::Message(PALPATE_TEXT("kept, but not verified, because the checksums are lost: %1"),
+                               core::joined(m_unverified)));
+        }
+        const bool isClosed = m_chosen->meta.contains(internal::kComplete);
+        const bool isComplete = isClosed && isEndKnown();
+        if (!isClosed) {
             lose(core::Message(PALPATE_TEXT("the end: the recording was not closed; nothing is known after tick %1"),
+                               m_last));
+        } else if (!isComplete) {
+            lose(core::Message(PALPATE_TEXT("the end may be missing: the recording was closed, but the file is damaged "
+                                            "or cut off; nothing is known after tick %1"),
                                m_last));
         }
         QJsonArray missing;
@@ -351,6 +403,15 @@ class Rescue
         return m_writer->finish(isComplete ? RecordingWriter::Ending::Complete : RecordingWriter::Ending::CutOff);
     }
 
+    /// The mark of a closed recording lies near the beginning of the file and survives a loss of its end.
+    bool isEndKnown() const
+    {
+        if (isShorterThanStated(m_from)) {
+            return false;
+        }
+        return !m_isSalvaged || (m_endEvent && *m_endEvent <= m_last + 1); // the last event follows the last tick
+    }
+
     fs::path source() const { return m_scratch->path() / kSource; }
     fs::path pages() const { return m_scratch->path() / "pages"; }
 
@@ -360,6 +421,9 @@ class Rescue
     std::unique_ptr<Source> m_chosen;
     RecordingInfo m_info;
     std::unique_ptr<RecordingWriter> m_writer;
+    bool m_isSalvaged = false;                  ///< gathered from the pages
+    std::vector<core::Message> m_unverified;    ///< parts in the copy whose checksums are lost
+    std::optional<std::int64_t> m_endEvent;     ///< tick of the event that ends a recording
     std::int64_t m_last = -1;                   ///< last tick in the copy
     std::optional<std::int64_t> m_firstTime_ns; ///< of the first tick in the copy
     Recovery m_result;

@@ -40,14 +40,17 @@ core::Message otherCount(std::int64_t found, std::int64_t expected)
                              : core::Message(PALPATE_TEXT("found %1 rows, expected %2"), found, expected);
 }
 
+constexpr core::MessageText<core::Message> kUncheckedRows = PALPATE_TEXT("%1: found rows without a checksum");
+constexpr core::MessageText<core::Message> kUnchecked = PALPATE_TEXT("%1: found without a checksum");
+
 core::Message uncheckedRows(std::int64_t first, std::int64_t last)
 {
-    return {PALPATE_TEXT("%1: found rows without a checksum"), tickRange(first, last)};
+    return {kUncheckedRows, tickRange(first, last)};
 }
 
 core::Message unchecked(const core::Message& name)
 {
-    return {PALPATE_TEXT("%1: found without a checksum"), name};
+    return {kUnchecked, name};
 }
 
 core::Message sceneName(std::int64_t generation)
@@ -56,6 +59,11 @@ core::Message sceneName(std::int64_t generation)
 }
 
 } // namespace
+
+bool isUnchecked(const core::Message& fault)
+{
+    return fault.text() == kUnchecked.text() || fault.text() == kUncheckedRows.text();
+}
 
 core::Message tickRange(std::int64_t first, std::int64_t last)
 {

@@ -18,6 +18,9 @@ namespace palpate::session::internal {
 /// Formats a range: "ticks 250 to 499".
 [[nodiscard]] core::Message tickRange(std::int64_t first, std::int64_t last);
 
+/// Returns true for the fault of a part whose checksum is missing, so that the part may be intact.
+[[nodiscard]] bool isUnchecked(const core::Message& fault);
+
 /// Rows of a recording's table `checks`, each compared with the data covered by its checksum. Metadata, scenes and
 /// events are verified immediately, blocks of ticks when read.
 /// @par Thread One thread at a time.

@@ -57,14 +57,17 @@ StructureSize sizeOf(std::string name, const geometry::MeshReport& report)
         size.extent_mm = report.bounds.sizes();
     }
     if (report.closedComponents == 0) {
+        size.gap = VolumeGap::Open;
         size.note = {
             PALPATE_TEXT("no volume: no part is closed (open edges: %1, edges of more than two triangles: %2)"),
             core::Count(report.openEdges), core::Count(report.nonManifoldEdges)};
     } else if (report.insideOutComponents > 0) {
+        size.gap = VolumeGap::InsideOut;
         size.note = {PALPATE_TEXT("no volume: the surface is inside out")};
     } else {
         size.volume_mm3 = report.volume_mm3;
         if (report.openComponents > 0) {
+            size.gap = VolumeGap::Partial;
             size.note = {PALPATE_TEXT("the volume is that of the closed parts: %1 of %2"),
                          core::Count(report.closedComponents), core::Count(report.components)};
         }

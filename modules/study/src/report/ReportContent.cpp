@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/Report.h"
 
+#include "palpate/study/ReadableName.h"
 #include "report/ReportSections.h"
 
 #include <palpate/core/Finding.h>
@@ -42,14 +43,70 @@ core::MessageArgument percent(const std::optional<double>& value)
                         : core::Message(PALPATE_TEXT("+%1 %"), core::Rounded{*value, 3});
 }
 
-core::MessageArgument roundedOrDash(const std::optional<double>& value, int digits)
+core::MessageArgument lengthText(double length_mm)
 {
-    return value ? core::MessageArgument(core::Rounded{*value, digits}) : dash();
+    constexpr double kShortest_mm = 0.1;
+    return length_mm > 0.0 && length_mm < 0.5 * kShortest_mm
+               ? core::MessageArgument(core::Message(PALPATE_TEXT("< %1"), kShortest_mm))
+               : fixed(length_mm, 1);
+}
+
+core::MessageArgument lengthText(const std::optional<double>& length_mm)
+{
+    return length_mm ? lengthText(*length_mm) : dash();
+}
+
+core::MessageArgument forceText(double force_N)
+{
+    if (force_N <= 0.0) {
+        return core::Count(0);
+    }
+    constexpr int kMostDecimals = 4;
+    double power = 1.0; // of ten; 9.96 rounds to 10
+    int decimals = 1;
+    for (; decimals > 0 && force_N >= 9.95 * power; --decimals) {
+        power *= 10.0;
+    }
+    for (; decimals < kMostDecimals && decimals > 0 && force_N < 0.995 * power; ++decimals) {
+        power /= 10.0;
+    }
+    return fixed(force_N, decimals);
+}
+
+core::MessageArgument forceText(const std::optional<double>& force_N)
+{
+    return force_N ? forceText(*force_N) : dash();
+}
+
+core::MessageArgument timeText(double time_s)
+{
+    return fixed(time_s, 1);
+}
+
+core::Message placeText(const core::Vec3& p_W)
+{
+    return {PALPATE_TEXT("%1 %2 %3"), fixed(p_W.x(), 1), fixed(p_W.y(), 1), fixed(p_W.z(), 1)};
+}
+
+core::MessageArgument namesText(const std::vector<std::string>& names, std::size_t most)
+{
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+        text.append(i == 0 ? "" : ", ").append(readableName(names[i]));
+    }
+    return names.size() > most ? core::MessageArgument(core::Message(PALPATE_TEXT("%1 and %2 more"), text,
+                                                                     core::Count(names.size() - most)))
+                               : core::MessageArgument(text);
 }
 
 core::MessageArgument nameOrDash(const std::string& name)
 {
     return name.empty() ? dash() : core::MessageArgument(name);
+}
+
+core::MessageArgument structureOrDash(const std::string& name)
+{
+    return nameOrDash(readableName(name));
 }
 
 // "2026-11-28T05:18:01Z" as "2026-11-28 05:18:01 UTC"; other texts unchanged.
@@ -72,11 +129,15 @@ using core::Rounded;
 using internal::column;
 using internal::dash;
 using internal::fixed;
+using internal::forceText;
+using internal::lengthText;
 using internal::nameOrDash;
 using internal::paragraph;
 using internal::readableTime;
-using internal::roundedOrDash;
+using internal::timeText;
 using session::Phase;
+
+constexpr int kPathDigits = 3, kAreaDigits = 3;
 
 /// Composes the sections that need no more than the facts.
 class Composition
@@ -107,10 +168,11 @@ class Composition
         add(views());
         add(findings());
         add(notes());
-        add(internal::lumpSection(m_facts));
-        add(distances());
-        add(sizes());
         add(touch());
+        add(internal::tapeSection(m_facts));
+        add(internal::lumpSection(m_facts));
+        add(internal::distanceSection(m_facts));
+        add(internal::sizeSection(m_facts));
         add(mapsOfTouch());
         add(force());
         add(internal::methodSection(m_facts));
@@ -155,9 +217,9 @@ class Composition
         section.blocks.emplace_back(ReportText{
             {PALPATE_TEXT("The hand was in contact for %1 s of %2 s. The greatest force was %3 N, the median "
                           "%4 N. Marked findings: %5."),
-             fixed(contact.time_s, 3), fixed(m_measures.sums.duration_s, 3), Rounded{contact.peakForce_N, 4},
-             Rounded{contact.medianForce_N, 4}, Count(m_places.size())},
-            false});
+             timeText(contact.time_s), timeText(m_measures.sums.duration_s), forceText(contact.peakForce_N),
+             forceText(contact.medianForce_N), Count(m_places.size())}});
+        addDone(section);
         if (!m_facts.outside.empty()) {
             section.blocks.emplace_back(
                 ReportText{{PALPATE_TEXT("Findings marked outside of this recording: %1, in a table of their own."),
@@ -172,6 +234,35 @@ class Composition
             section.blocks.emplace_back(ReportText{one, true});
         }
         return section;
+    }
+
+    /// What was touched and measured, one sentence each.
+    void addDone(ReportSection& section) const
+    {
+        std::vector<std::pair<double, std::string>> touched;
+        for (const auto& [name, part] : m_measures.sums.structures) {
+            touched.emplace_back(-part.time_s, name);
+        }
+        std::sort(touched.begin(), touched.end()); // the longest contact first
+        std::vector<std::string> names;
+        for (const auto& [time_s, name] : touched) {
+            names.push_back(name);
+        }
+        constexpr std::size_t kNames = 12;
+        if (!names.empty()) {
+            section.blocks.emplace_back(
+                ReportText{{PALPATE_TEXT("Touched structures: %1."), internal::namesText(names, kNames)}});
+        }
+        if (!m_facts.tapes.empty()) {
+            std::vector<Message> tapes;
+            constexpr std::size_t kTapes = 6;
+            for (std::size_t i = 0; i < std::min(kTapes, m_facts.tapes.size()); ++i) {
+                const core::Tape& tape = m_facts.tapes[i];
+                tapes.push_back({PALPATE_TEXT("%1 %2 mm"), tape.name, lengthText(tape.length_mm())});
+            }
+            section.blocks.emplace_back(ReportText{{PALPATE_TEXT("Distances measured with the tape: %1 (%2)."),
+                                                    Count(m_facts.tapes.size()), core::joined(tapes)}});
+        }
     }
 
     ReportSection views()
@@ -268,114 +359,6 @@ class Composition
         return section;
     }
 
-    /// Position of two structures beyond their distance.
-    Message relationText(const PairDistance& pair) const
-    {
-        const std::string &first = m_facts.distances->sizes[pair.first].name,
-                          &second = m_facts.distances->sizes[pair.second].name;
-        const Rounded surface_mm{pair.found.surface_mm, 4};
-        switch (pair.found.relation) {
-        case geometry::Relation::Crossing:
-            return {PALPATE_TEXT("they cross or touch")};
-        case geometry::Relation::Inside:
-            return {PALPATE_TEXT("%1 lies inside, %2 mm from the surface"), first, surface_mm};
-        case geometry::Relation::Around:
-            return {PALPATE_TEXT("%1 lies inside, %2 mm from the surface"), second, surface_mm};
-        case geometry::Relation::Apart:
-            break;
-        }
-        return {PALPATE_TEXT("apart")};
-    }
-
-    ReportTable pairTable() const
-    {
-        const DistanceTable& distances = *m_facts.distances;
-        ReportTable table;
-        table.caption = {PALPATE_TEXT("Least distances")};
-        table.columns = {column(PALPATE_TEXT("From")), column(PALPATE_TEXT("To")),
-                         column(PALPATE_TEXT("Distance [mm]"), true), column(PALPATE_TEXT("Position"))};
-        for (const PairDistance& pair : distances.pairs) {
-            const bool isApart = pair.found.relation == geometry::Relation::Apart;
-            table.rows.push_back({distances.sizes[pair.first].name, distances.sizes[pair.second].name,
-                                  Rounded{isApart ? pair.found.surface_mm : 0.0, 4}, relationText(pair)});
-        }
-        return table;
-    }
-
-    ReportTable marginTable() const
-    {
-        const DistanceTable& distances = *m_facts.distances;
-        const std::vector<double>& limits_mm = distances.limits_mm;
-        ReportTable table;
-        table.caption = {PALPATE_TEXT("Margins: share of the lump's surface by its distance to the structure [%]")};
-        table.columns = {column(PALPATE_TEXT("Lump")), column(PALPATE_TEXT("Structure"))};
-        for (std::size_t i = 0; i <= limits_mm.size() && !limits_mm.empty(); ++i) {
-            const Message band = i == 0 ? Message(PALPATE_TEXT("< %1 mm"), limits_mm[0])
-                                 : i < limits_mm.size()
-                                     ? Message(PALPATE_TEXT("%1 to %2 mm"), limits_mm[i - 1], limits_mm[i])
-                                     : Message(PALPATE_TEXT("> %1 mm"), limits_mm[i - 1]);
-            table.columns.push_back({band, true});
-        }
-        table.columns.push_back(column(PALPATE_TEXT("Inside"), true));
-        for (const LumpMargin& margin : distances.margins) {
-            std::vector<MessageArgument> row{distances.sizes[margin.lump].name, distances.sizes[margin.structure].name};
-            for (const double share : margin.found.shares) {
-                row.emplace_back(Rounded{100.0 * share, 3});
-            }
-            row.emplace_back(Rounded{100.0 * margin.found.insideShare, 3});
-            table.rows.push_back(std::move(row));
-        }
-        return table;
-    }
-
-    ReportSection distances() const
-    {
-        ReportSection section{{PALPATE_TEXT("Distances and margins")}, {}};
-        if (!m_facts.distances) {
-            section.blocks.emplace_back(
-                paragraph(PALPATE_TEXT("Distances were not measured, because the scene is missing.")));
-            return section;
-        }
-        if (m_facts.distances->pairs.empty()) {
-            section.blocks.emplace_back(paragraph(PALPATE_TEXT("There are no two structures to measure between.")));
-        } else {
-            section.blocks.emplace_back(pairTable());
-        }
-        if (!m_facts.distances->margins.empty()) {
-            section.blocks.emplace_back(marginTable());
-        }
-        return section;
-    }
-
-    ReportSection sizes() const
-    {
-        ReportSection section{{PALPATE_TEXT("Volumes and areas")}, {}};
-        if (!m_facts.distances) {
-            section.blocks.emplace_back(
-                paragraph(PALPATE_TEXT("Sizes were not measured, because the scene is missing.")));
-            return section;
-        }
-        ReportTable table;
-        table.caption = {PALPATE_TEXT("Sizes of the structures")};
-        table.columns = {column(PALPATE_TEXT("Structure")), column(PALPATE_TEXT("Volume"), true),
-                         column(PALPATE_TEXT("Ball of equal volume [mm]"), true), column(PALPATE_TEXT("Area"), true),
-                         column(PALPATE_TEXT("Extent x × y × z [mm]"), true)};
-        std::vector<ReportText> remarks;
-        for (const StructureSize& size : m_facts.distances->sizes) {
-            const MessageArgument volume = size.volume_mm3 ? core::volumeText(*size.volume_mm3) : dash();
-            table.rows.push_back({size.name, volume, roundedOrDash(size.ballDiameter_mm(), 4),
-                                  core::areaText(size.area_mm2),
-                                  Message(PALPATE_TEXT("%1 × %2 × %3"), Rounded{size.extent_mm.x(), 4},
-                                          Rounded{size.extent_mm.y(), 4}, Rounded{size.extent_mm.z(), 4})});
-            if (!size.note.isEmpty()) {
-                remarks.push_back({{PALPATE_TEXT("%1: %2"), size.name, size.note}, false});
-            }
-        }
-        section.blocks.emplace_back(std::move(table));
-        section.blocks.insert(section.blocks.end(), remarks.begin(), remarks.end());
-        return section;
-    }
-
     ReportTable contactTable() const
     {
         ReportTable table;
@@ -401,10 +384,10 @@ class Composition
             const auto surface = surfaces.find(name);
             const bool isMeasured = surface != surfaces.end();
             table.rows.push_back(
-                {name, fixed(part.time_s, 3), Count(presses), Rounded{part.meanForce_N, 4}, Rounded{part.p95Force_N, 4},
-                 Rounded{part.peakForce_N, 4}, Rounded{part.peakDepth_mm, 4},
+                {readableName(name), timeText(part.time_s), Count(presses), forceText(part.meanForce_N),
+                 forceText(part.p95Force_N), forceText(part.peakForce_N), lengthText(part.peakDepth_mm),
                  isMeasured ? MessageArgument(Rounded{100.0 * surface->second->coverage(), 3}) : dash(),
-                 isMeasured ? fixed(surface->second->longestDwell_s, 3) : dash()});
+                 isMeasured ? timeText(surface->second->longestDwell_s) : dash()});
         }
         return table;
     }
@@ -420,7 +403,7 @@ class Composition
             const session::PhaseSummary sum = session::summary(m_measures.phases, kind);
             table.rows.push_back(
                 {kind == Phase::Kind::Search ? Message(PALPATE_TEXT("searching")) : Message(PALPATE_TEXT("pressing")),
-                 Count(sum.phases), fixed(sum.time_s, 3), Rounded{sum.meanForce_N, 4}, Rounded{sum.peakForce_N, 4}});
+                 Count(sum.phases), timeText(sum.time_s), forceText(sum.meanForce_N), forceText(sum.peakForce_N)});
         }
         return table;
     }
@@ -434,17 +417,17 @@ class Composition
         const auto row = [&table](core::MessageText<> name, Message value) {
             table.rows.push_back({Message(name), std::move(value)});
         };
-        row(PALPATE_TEXT("Duration"), {PALPATE_TEXT("%1 s"), fixed(sums.duration_s, 3)});
+        row(PALPATE_TEXT("Duration"), {PALPATE_TEXT("%1 s"), timeText(sums.duration_s)});
         row(PALPATE_TEXT("In contact"),
-            {PALPATE_TEXT("%1 s, contacts: %2"), fixed(all.time_s, 3), Count(all.contacts)});
-        row(PALPATE_TEXT("Path of the hand"), core::pathText(sums.pathLength_mm));
-        row(PALPATE_TEXT("Path on the surface"), core::pathText(sums.contactPath_mm));
+            {PALPATE_TEXT("%1 s, contacts: %2"), timeText(all.time_s), Count(all.contacts)});
+        row(PALPATE_TEXT("Path of the hand"), core::pathText(sums.pathLength_mm, kPathDigits));
+        row(PALPATE_TEXT("Path on the surface"), core::pathText(sums.contactPath_mm, kPathDigits));
         row(PALPATE_TEXT("Force in contact"),
-            {PALPATE_TEXT("peak %1 N, mean %2 N, median %3 N, 95th percentile %4 N"), Rounded{all.peakForce_N, 4},
-             Rounded{all.meanForce_N, 4}, Rounded{all.medianForce_N, 4}, Rounded{all.p95Force_N, 4}});
+            {PALPATE_TEXT("peak %1 N, mean %2 N, median %3 N, 95th percentile %4 N"), forceText(all.peakForce_N),
+             forceText(all.meanForce_N), forceText(all.medianForce_N), forceText(all.p95Force_N)});
         row(PALPATE_TEXT("Depth in contact"),
-            {PALPATE_TEXT("peak %1 mm, mean %2 mm, 95th percentile %3 mm"), Rounded{all.peakDepth_mm, 4},
-             Rounded{all.meanDepth_mm, 4}, Rounded{all.p95Depth_mm, 4}});
+            {PALPATE_TEXT("peak %1 mm, mean %2 mm, 95th percentile %3 mm"), lengthText(all.peakDepth_mm),
+             lengthText(all.meanDepth_mm), lengthText(all.p95Depth_mm)});
         return table;
     }
 
@@ -485,7 +468,8 @@ class Composition
             }
         }
         const auto area = [all_mm2](double mm2) {
-            return Message(PALPATE_TEXT("%1, %2 %"), core::areaText(mm2), Rounded{100.0 * mm2 / all_mm2, 3});
+            return Message(PALPATE_TEXT("%1, %2 %"), core::areaText(mm2, kAreaDigits),
+                           Rounded{100.0 * mm2 / all_mm2, 3});
         };
         map.legend.push_back(quantity == ReportMap::Quantity::Dwell ? Message(PALPATE_TEXT("Time spent, s"))
                                                                     : Message(PALPATE_TEXT("Largest force, N")));
@@ -546,7 +530,7 @@ class Composition
                                       "the findings were marked"),
                          Count(m_facts.force.spans.size())},
                         {PALPATE_TEXT("Curve of the force over %1 s, at most %2 N, with %3 findings."),
-                         fixed(m_facts.force.duration_s, 3), Rounded{m_measures.sums.contact.peakForce_N, 4},
+                         timeText(m_facts.force.duration_s), forceText(m_measures.sums.contact.peakForce_N),
                          Count(m_places.size())}});
         return section;
     }

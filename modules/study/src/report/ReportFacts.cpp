@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/study/ReportFacts.h"
 
+#include "palpate/study/ReadableName.h"
 #include "palpate/study/RecordedScene.h"
 #include "palpate/study/SearchedLumps.h"
 #include "palpate/study/StructureSources.h"
+
+#include <palpate/geometry/SurfaceDistance.h>
 
 #include <algorithm>
 #include <limits>
@@ -80,7 +83,8 @@ class Gathering
     {
         show(0.25, {PALPATE_TEXT("Reading the surfaces")});
         auto surfaces = recordedSurfaces(reader(), m_options.scene);
-        auto scene = m_options.scene.empty() ? sceneOfRecording(reader().path()) : openScene(m_options.scene);
+        auto scene =
+            m_options.scene.empty() ? sceneOfRecording(reader().path()) : openAsRecorded(reader(), m_options.scene);
         if (!m_options.scene.empty()) {
             for (const Status& status : {surfaces.status(), scene.status()}) {
                 if (!status.isOk()) {
@@ -202,9 +206,37 @@ class Gathering
     {
         if (m_facts.scene != nullptr) {
             show(0.95, {PALPATE_TEXT("Measuring distances")});
-            m_facts.distances = measureDistances(*m_facts.scene, {});
+            const SharedIndices indices = completeIndices(*m_facts.scene, {});
+            m_facts.distances = measureDistances(*m_facts.scene, indices);
+            findNeighbours(indices);
+        }
+        if (m_options.tapes) {
+            m_facts.tapes = *m_options.tapes;
+        } else if (m_facts.scene != nullptr) {
+            m_facts.tapes = m_facts.scene->scene.tapes;
         }
         return {};
+    }
+
+    /// Finds the structures beside a finding.
+    void findNeighbours(const SharedIndices& indices)
+    {
+        std::vector<core::Vec3> places;
+        for (const session::FindingMeasures& one : m_facts.measures.findings) {
+            if (one.finding.hasPlace) {
+                places.push_back(one.finding.p_W);
+            }
+        }
+        for (const core::Finding& one : m_facts.outside) {
+            places.push_back(one.p_W);
+        }
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            if (indices[i] != nullptr && std::any_of(places.begin(), places.end(), [&](const core::Vec3& place) {
+                    return geometry::nearestPoint(*indices[i], place, kBesideFinding_mm).has_value();
+                })) {
+                m_facts.besideFindings.push_back(i);
+            }
+        }
     }
 
     /// Number of ticks of the force curve, including missing ones.
@@ -263,7 +295,7 @@ class Gathering
         if (!m_facts.measures.unmeasured.empty()) {
             std::string names;
             for (const std::string& name : m_facts.measures.unmeasured) {
-                names.append(names.empty() ? "" : ", ").append(name);
+                names.append(names.empty() ? "" : ", ").append(readableName(name));
             }
             lose({PALPATE_TEXT("Surfaces not available, so without coverage: %1."), names});
         }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/study/ReadableName.h"
 #include "report/ReportSections.h"
 
 #include <palpate/core/Finding.h>
@@ -59,10 +60,8 @@ ReportTable tableOf(const Message& caption, const ReportTable::Column& marked)
 
 void addRow(ReportTable& table, std::size_t number, const core::Finding& one, core::MessageArgument marked)
 {
-    const core::Vec3& p_W = one.p_W;
-    table.rows.push_back({Count(number), nameOrDash(one.name), typeText(one.type), nameOrDash(one.structure),
-                          Message(PALPATE_TEXT("%1 %2 %3"), fixed(p_W.x(), 1), fixed(p_W.y(), 1), fixed(p_W.z(), 1)),
-                          roundedOrDash(one.size_mm, 4), roundedOrDash(one.force_N, 4), roundedOrDash(one.depth_mm, 4),
+    table.rows.push_back({Count(number), nameOrDash(one.name), typeText(one.type), structureOrDash(one.structure),
+                          placeText(one.p_W), lengthText(one.size_mm), forceText(one.force_N), lengthText(one.depth_mm),
                           std::move(marked)});
 }
 
@@ -105,8 +104,8 @@ ReportTable visitTable(const ReportFacts& facts)
     const std::vector<const session::FindingMeasures*> places = recordedPlaces(facts);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const session::FindingMeasures& one = *places[i];
-        table.rows.push_back({Count(i + 1), nameOrDash(one.finding.name), fixed(one.dwell_s, 3), Count(one.visits),
-                              Rounded{one.meanForce_N, 4}, Rounded{one.peakForce_N, 4}});
+        table.rows.push_back({Count(i + 1), nameOrDash(one.finding.name), timeText(one.dwell_s), Count(one.visits),
+                              forceText(one.meanForce_N), forceText(one.peakForce_N)});
     }
     return table;
 }
@@ -122,7 +121,7 @@ ReportTable layerTable(const ReportFacts& facts)
         ++number;
         for (const core::FindingLayer& layer : finding.layers) {
             table.rows.push_back(
-                {Count(number), layer.structure, Rounded{layer.force_N, 4}, Rounded{layer.depth_mm, 4}});
+                {Count(number), readableName(layer.structure), forceText(layer.force_N), lengthText(layer.depth_mm)});
         }
     };
     for (const session::FindingMeasures* one : recordedPlaces(facts)) {

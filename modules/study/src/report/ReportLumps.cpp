@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/ReportSections.h"
 
+#include "palpate/study/ReadableName.h"
 #include "palpate/study/StiffnessRatio.h"
 
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace palpate::study::internal {
@@ -86,7 +89,8 @@ ReportTable verdictTable(const ReportFacts& facts)
     for (const OrganPalpability& one : facts.lumps) {
         for (const buried::FeltSurface::Lump& lump : one.felt.lumps) {
             const std::optional<StiffnessRatio>& ratio = one.organ.lumps[lump.given].ratio;
-            std::vector<MessageArgument> row{lump.name, facts.scene->structures[one.organ.organ].description.name,
+            std::vector<MessageArgument> row{readableName(lump.name),
+                                             readableName(facts.scene->structures[one.organ.organ].description.name),
                                              textOf(ratio)};
             for (const buried::FeltSurface::LumpPress& press : lump.press) {
                 row.emplace_back(ratio ? MessageArgument(verdictOf(press, lump.ratio)) : dash());
@@ -96,6 +100,15 @@ ReportTable verdictTable(const ReportFacts& facts)
         }
     }
     return table;
+}
+
+/// Formats a change; below a twentieth of a percent it is rounding and shown as 0 %.
+core::MessageArgument changeText(const std::optional<double>& change_percent)
+{
+    constexpr double kRounding_percent = 0.05;
+    return change_percent && std::abs(*change_percent) < kRounding_percent
+               ? core::MessageArgument(Message(PALPATE_TEXT("%1 %"), 0))
+               : percent(change_percent);
 }
 
 ReportTable searchTable(const ReportFacts& facts)
@@ -110,8 +123,8 @@ ReportTable searchTable(const ReportFacts& facts)
                      column(PALPATE_TEXT("Area where a trained hand can feel it [cm²]"), true),
                      column(PALPATE_TEXT("Pressed hard enough [%]"), true)};
     for (const session::LumpSearch& one : facts.measures.lumps) {
-        table.rows.push_back({one.lump, one.organ, percent(one.recorded_percent), percent(one.predicted_percent),
-                              Rounded{0.01 * one.detectable_mm2, 3},
+        table.rows.push_back({readableName(one.lump), readableName(one.organ), changeText(one.recorded_percent),
+                              changeText(one.predicted_percent), Rounded{0.01 * one.detectable_mm2, 3},
                               one.share() ? MessageArgument(Rounded{100.0 * *one.share(), 3}) : dash()});
     }
     return table;

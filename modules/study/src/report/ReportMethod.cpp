@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/ReportSections.h"
 
+#include "palpate/study/ReadableName.h"
 #include "palpate/study/RecordedScene.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace palpate::study::internal {
 
@@ -15,6 +19,7 @@ using core::MessageArgument;
 using core::Rounded;
 
 constexpr std::size_t kShownFaults = 10;
+constexpr int kTissueDigits = 3; // of stiffness and damping
 
 Message fingertipText(const session::RecordingReader& reader)
 {
@@ -59,6 +64,7 @@ Message lawOf(const session::StructureRecord& structure)
     return core::joined(all);
 }
 
+/// One row for all structures of the same tissue; palpable structures come first.
 ReportTable tissueTable(const session::RecordingReader& reader)
 {
     ReportTable table;
@@ -69,9 +75,33 @@ ReportTable tissueTable(const session::RecordingReader& reader)
                      column(PALPATE_TEXT("Force law")),
                      column(PALPATE_TEXT("Layer"), true),
                      column(PALPATE_TEXT("Own surface palpable"))};
-    for (const session::StructureRecord& one : reader.scenes().front().structures) {
-        table.rows.push_back({one.name, one.tissue.stiffness_N_per_mm, one.tissue.damping_Ns_per_mm, lawOf(one),
-                              one.layer, one.palpable ? Message(PALPATE_TEXT("yes")) : Message(PALPATE_TEXT("no"))});
+    std::vector<std::vector<std::string>> names; // of each row
+    for (const bool isPalpable : {true, false}) {
+        for (const session::StructureRecord& one : reader.scenes().front().structures) {
+            if (one.palpable != isPalpable) {
+                continue;
+            }
+            const std::vector<MessageArgument> row{std::string(), // names
+                                                   Rounded{one.tissue.stiffness_N_per_mm, kTissueDigits},
+                                                   Rounded{one.tissue.damping_Ns_per_mm, kTissueDigits},
+                                                   lawOf(one),
+                                                   one.layer,
+                                                   isPalpable ? Message(PALPATE_TEXT("yes"))
+                                                              : Message(PALPATE_TEXT("no"))};
+            const auto same = std::find_if(table.rows.begin(), table.rows.end(), [&row](const auto& other) {
+                return std::equal(row.begin() + 1, row.end(), other.begin() + 1,
+                                  [](const auto& a, const auto& b) { return a.english == b.english; });
+            });
+            const auto place = static_cast<std::size_t>(same - table.rows.begin());
+            if (same == table.rows.end()) {
+                table.rows.push_back(row);
+                names.emplace_back();
+            }
+            names[place].push_back(one.name);
+        }
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        table.rows[i][0] = namesText(names[i]);
     }
     return table;
 }
@@ -100,6 +130,7 @@ ReportTable fileTable(const ReportFacts& facts)
     const session::RecordingReader& reader = *facts.recording;
     const session::RecordingInfo& info = reader.info();
     ReportTable table;
+    table.isSmall = true;
     table.caption = {PALPATE_TEXT("Recording")};
     const auto add = [&table](core::MessageText<> name, MessageArgument value) {
         table.rows.push_back({Message(name), std::move(value)});
@@ -118,18 +149,33 @@ ReportTable fileTable(const ReportFacts& facts)
     return table;
 }
 
+/// Surfaces with a checksum. The recording keeps those of the palpable surfaces.
 ReportTable meshTable(const session::RecordingReader& reader)
 {
     ReportTable table;
+    table.isSmall = true;
     table.caption = {PALPATE_TEXT("Surfaces")};
     table.columns = {column(PALPATE_TEXT("Structure")), column(PALPATE_TEXT("File")),
                      column(PALPATE_TEXT("SHA-256 of the geometry, as palpated"))};
     for (const session::StructureRecord& one : reader.scenes().front().structures) {
-        const std::string file = std::filesystem::path(one.source.mesh).filename().string();
-        table.rows.push_back({one.name, file.empty() ? dash() : MessageArgument(file),
-                              one.source.sha256.empty() ? dash() : MessageArgument(one.source.sha256)});
+        if (!one.source.sha256.empty()) {
+            const std::string file = std::filesystem::path(one.source.mesh).filename().string();
+            table.rows.push_back({readableName(one.name), nameOrDash(file), one.source.sha256});
+        }
     }
     return table;
+}
+
+/// Names the surfaces without a checksum, in small print.
+std::vector<std::string> unhashedNames(const session::RecordingReader& reader)
+{
+    std::vector<std::string> names;
+    for (const session::StructureRecord& one : reader.scenes().front().structures) {
+        if (one.source.sha256.empty()) {
+            names.push_back(one.name);
+        }
+    }
+    return names;
 }
 
 } // namespace
@@ -173,7 +219,15 @@ ReportSection dataSection(const ReportFacts& facts)
     }
     section.blocks.emplace_back(fileTable(facts));
     if (!facts.recording->scenes().empty()) {
-        section.blocks.emplace_back(meshTable(*facts.recording));
+        if (ReportTable table = meshTable(*facts.recording); !table.rows.empty()) {
+            section.blocks.emplace_back(std::move(table));
+        }
+        if (const auto names = unhashedNames(*facts.recording); !names.empty()) {
+            section.blocks.emplace_back(ReportText{
+                {PALPATE_TEXT("Surfaces without a checksum, because they were not palpable: %1."), namesText(names)},
+                false,
+                true});
+        }
     }
     return section;
 }

@@ -44,7 +44,7 @@ void addScene(const fs::path& file, std::vector<fs::path>& out)
 std::vector<fs::path> filesOf(const fs::path& input)
 {
     std::vector<fs::path> out;
-    if (!session::isRecordingFile(input)) {
+    if (!session::isRecordingByNameOrContent(input)) {
         addScene(input, out);
         return out;
     }

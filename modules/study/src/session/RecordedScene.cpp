@@ -6,6 +6,7 @@
 #include "palpate/study/RecordedLooks.h"
 #include "palpate/study/StructureSources.h"
 
+#include <palpate/meshio/DicomFolder.h>
 #include <palpate/meshio/MeshFormats.h>
 #include <palpate/session/Findings.h>
 #include <palpate/session/GeometryHash.h>
@@ -382,10 +383,15 @@ class Reopening
 Result<meshio::LoadedScene> openScene(const fs::path& path, const meshio::ReadOptions& options,
                                       std::vector<OrganPalpability>* felt)
 {
-    if (session::isRecordingFile(path)) {
+    if (session::isRecordingByNameOrContent(path)) {
         return sceneOfRecording(path, options);
     }
     auto loaded = meshio::loadScene(path, options);
+    if (!loaded.isOk() && loaded.status().code() == StatusCode::Empty) {
+        if (Status dicom = meshio::dicomFolder(path); !dicom.isOk()) {
+            return dicom;
+        }
+    }
     if (loaded.isOk()) {
         if (Status status = applyBuriedLumps(loaded.value(), options.progress, felt); !status.isOk()) {
             return status;
@@ -468,6 +474,11 @@ Result<meshio::LoadedScene> sceneOfRecording(const fs::path& recording, const me
 {
     const auto opened = RecordingReader::open(recording);
     return opened.isOk() ? Reopening(*opened.value(), options).run() : opened.status();
+}
+
+Result<meshio::LoadedScene> openAsRecorded(const RecordingReader& reader, const fs::path& scene)
+{
+    return openScene(scene, readAs(reader, scene));
 }
 
 bool hasFingertip(const RecordingReader& reader)

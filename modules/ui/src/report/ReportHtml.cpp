@@ -34,6 +34,7 @@ thead th { vertical-align: bottom; border-bottom: 1px solid #666; }
 tbody th { font-weight: 400; }
 .facts { width: auto; }
 .facts th { font-weight: 600; white-space: nowrap; padding-right: 2rem; }
+.small { font-size: 0.75rem; }
 .number { text-align: right; font-variant-numeric: tabular-nums; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(20rem, 1fr)); gap: 1rem; margin: 0.8rem 0; }
 figure { margin: 0; break-inside: avoid; }
@@ -71,15 +72,25 @@ class HtmlBlocks
 
     void operator()(const study::ReportText& block)
     {
-        m_out += QStringLiteral("<p%1>%2</p>\n")
-                     .arg(block.isWarning ? QStringLiteral(" class=\"warning\"") : QString(), escaped(block.text));
+        const QString look = block.isWarning ? QStringLiteral(" class=\"warning\"")
+                             : block.isSmall ? QStringLiteral(" class=\"small\"")
+                                             : QString();
+        m_out += QStringLiteral("<p%1>%2</p>\n").arg(look, escaped(block.text));
     }
 
     void operator()(const study::ReportTable& table)
     {
         const bool isFacts = table.columns.empty();
-        m_out += QStringLiteral("<div class=\"scroll\"><table%1>\n")
-                     .arg(isFacts ? QStringLiteral(" class=\"facts\"") : QString());
+        QStringList looks;
+        if (isFacts) {
+            looks << QStringLiteral("facts");
+        }
+        if (table.isSmall) {
+            looks << QStringLiteral("small");
+        }
+        m_out +=
+            QStringLiteral("<div class=\"scroll\"><table%1>\n")
+                .arg(looks.isEmpty() ? QString() : QStringLiteral(" class=\"%1\"").arg(looks.join(QLatin1Char(' '))));
         if (!table.caption.isEmpty()) {
             m_out += QStringLiteral("<caption>%1</caption>\n").arg(escaped(table.caption));
         }

@@ -53,6 +53,31 @@ std::size_t columnCount(const study::ReportTable& table)
     return isFacts(table) ? 2 : table.columns.size();
 }
 
+/// Narrows the widest columns until all fit, so that only the longest words are broken. A column keeps the words of its
+/// heading whole, unless the headings alone are too wide.
+void narrowTo(std::vector<double>& widths_px, const std::vector<double>& headings_px, double room_px)
+{
+    const auto fits = [&](double widest_px) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < widths_px.size(); ++i) {
+            sum += std::min(widths_px[i], std::max(headings_px[i], widest_px));
+        }
+        return sum <= room_px;
+    };
+    double low = 0.0, high = room_px; // bisection to below a pixel
+    for (int step = 0; step < 40; ++step) {
+        const double middle = 0.5 * (low + high);
+        (fits(middle) ? low : high) = middle;
+    }
+    for (std::size_t i = 0; i < widths_px.size(); ++i) {
+        widths_px[i] = std::min(widths_px[i], std::max(headings_px[i], low));
+    }
+    const double sum = std::accumulate(widths_px.begin(), widths_px.end(), 0.0);
+    for (double& width_px : widths_px) {
+        width_px *= room_px / std::max(sum, room_px);
+    }
+}
+
 } // namespace
 
 ReportPages::ReportPages(QPaintDevice& device, const QRectF& body, double unit, const std::vector<QImage>& pictures)
@@ -63,6 +88,8 @@ ReportPages::ReportPages(QPaintDevice& device, const QRectF& body, double unit, 
     , m_plain(reportFont(9.5, unit))
     , m_small(reportFont(8.0, unit))
     , m_smallBold(reportFont(8.0, unit, true))
+    , m_print(reportFont(6.5, unit))
+    , m_printBold(reportFont(6.5, unit, true))
     , m_y(body.top())
 {
 }
@@ -152,15 +179,18 @@ void ReportPages::addHeading(const core::Message& heading, bool beginsWithPictur
 
 void ReportPages::operator()(const study::ReportText& block)
 {
+    const QFont& font = block.isSmall ? m_print : m_plain;
     const double inset = block.isWarning ? 8.0 * m_unit : 0.0;
-    const QStringList lines = linesOf(reportText(block.text), m_plain, m_body.width() - inset);
-    const double height = lineHeight(m_plain);
+    const QStringList lines = linesOf(reportText(block.text), font, m_body.width() - inset);
+    const double height = lineHeight(font);
+    constexpr qsizetype kTogether = 5; // a short paragraph is not split
+    ensureRoom(height * static_cast<double>(lines.size() <= kTogether ? lines.size() : 2));
     for (const QString& line : lines) {
         ensureRoom(height);
         if (block.isWarning) {
             addItem(QRectF(m_body.left(), m_y, 2.5 * m_unit, height), PageFill{kAlert});
         }
-        addItem(QRectF(m_body.left() + inset, m_y, m_body.width() - inset, height), PageText{line, m_plain});
+        addItem(QRectF(m_body.left() + inset, m_y, m_body.width() - inset, height), PageText{line, font});
         m_y += height;
     }
     m_y += 5.0 * m_unit;
@@ -172,8 +202,9 @@ std::vector<double> ReportPages::columnWidths(const study::ReportTable& table) c
     const std::size_t columns = columnCount(table);
     constexpr std::size_t kMeasured = 300; // rows; the others are broken to fit
     static const QRegularExpression blank(QStringLiteral("[ \n]"));
-    const QFontMetricsF plain(m_small, &m_device), bold(m_smallBold, &m_device);
-    std::vector<double> natural(columns, 0.0), least(columns, 0.0);
+    const Fonts fonts = fontsOf(table);
+    const QFontMetricsF plain(fonts.plain, &m_device), bold(fonts.bold, &m_device);
+    std::vector<double> natural(columns, 0.0), least(columns, 0.0), heading(columns, 0.0);
     for (std::size_t i = 0; i < columns; ++i) {
         const auto take = [&](const QString& text, const QFontMetricsF& metrics, bool isHeading) {
             for (const QString& word : withUnits(text).split(blank)) {
@@ -183,6 +214,7 @@ std::vector<double> ReportPages::columnWidths(const study::ReportTable& table) c
         };
         if (!isFacts(table)) {
             take(headingText(table.columns[i].heading), bold, true);
+            heading[i] = least[i] + m_unit;
         }
         for (std::size_t row = 0; row < std::min(kMeasured, table.rows.size()); ++row) {
             take(textOfCell(table, row, i), isFacts(table) && i == 0 ? bold : plain, false);
@@ -204,10 +236,8 @@ std::vector<double> ReportPages::columnWidths(const study::ReportTable& table) c
         return natural;
     }
     const double needed = std::accumulate(least.begin(), least.end(), 0.0);
-    if (needed >= room) { // words are broken, too
-        for (double& width : least) {
-            width *= room / needed;
-        }
+    if (needed >= room) {
+        narrowTo(least, heading, room);
         return least;
     }
     for (std::size_t i = 0; i < columns; ++i) {
@@ -216,13 +246,18 @@ std::vector<double> ReportPages::columnWidths(const study::ReportTable& table) c
     return least;
 }
 
+ReportPages::Fonts ReportPages::fontsOf(const study::ReportTable& table) const
+{
+    return table.isSmall ? Fonts{m_print, m_printBold} : Fonts{m_small, m_smallBold};
+}
+
 ReportPages::Row ReportPages::brokenRow(const std::vector<QString>& texts, const study::ReportTable& table,
                                         const std::vector<double>& widths_px, const QFont& font) const
 {
     Row row;
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const bool isNumber = !isFacts(table) && table.columns[i].isNumber;
-        const QFont& own = isFacts(table) && i == 0 ? m_smallBold : font;
+        const QFont own = isFacts(table) && i == 0 ? fontsOf(table).bold : font;
         row.push_back({linesOf(texts[i], own, widths_px[i]), isNumber ? Qt::AlignRight : Qt::AlignLeft, own});
     }
     return row;
@@ -232,14 +267,14 @@ ReportPages::Row ReportPages::brokenRow(const std::vector<QString>& texts, const
 /// is, and is continued on the next page.
 void ReportPages::ensureRoomFor(const Row& row)
 {
-    ensureRoom(
-        std::min(lineHeight(m_smallBold) * static_cast<double>(lineCount(row)) + 4.0 * m_unit, 0.5 * m_body.height()));
+    ensureRoom(std::min(lineHeight(row.front().font) * static_cast<double>(lineCount(row)) + 4.0 * m_unit,
+                        0.5 * m_body.height()));
 }
 
 void ReportPages::addRow(const Row& row, const std::vector<double>& widths_px)
 {
     const qsizetype count = lineCount(row);
-    const double height = lineHeight(m_smallBold);
+    const double height = lineHeight(row.front().font);
     m_y += 1.5 * m_unit;
     for (qsizetype line = 0; line < count; ++line) {
         ensureRoom(height);
@@ -259,20 +294,21 @@ void ReportPages::addRow(const Row& row, const std::vector<double>& widths_px)
 void ReportPages::operator()(const study::ReportTable& table)
 {
     const std::vector<double> widths_px = columnWidths(table);
+    const Fonts fonts = fontsOf(table);
     std::vector<QString> headings;
     for (const study::ReportTable::Column& column : table.columns) {
         headings.push_back(headingText(column.heading));
     }
-    const Row head = brokenRow(headings, table, widths_px, m_smallBold);
+    const Row head = brokenRow(headings, table, widths_px, fonts.bold);
     const auto addHead = [&] {
         if (!isFacts(table)) {
             addRow(head, widths_px);
             addRule(0.6, kRule);
         }
     };
-    ensureRoom(7.0 * lineHeight(m_small));
+    ensureRoom(7.0 * lineHeight(fonts.plain));
     if (!table.caption.isEmpty()) {
-        addLines(linesOf(reportText(table.caption), m_smallBold, m_body.width()), m_smallBold, m_body.left(),
+        addLines(linesOf(reportText(table.caption), fonts.bold, m_body.width()), fonts.bold, m_body.left(),
                  m_body.width());
         m_y += 2.0 * m_unit;
     }
@@ -282,7 +318,7 @@ void ReportPages::operator()(const study::ReportTable& table)
         for (std::size_t i = 0; i < widths_px.size(); ++i) {
             texts.push_back(textOfCell(table, number, i));
         }
-        const Row row = brokenRow(texts, table, widths_px, m_small);
+        const Row row = brokenRow(texts, table, widths_px, fonts.plain);
         const std::size_t page = m_pages.size();
         ensureRoomFor(row);
         if (m_pages.size() != page) {

@@ -65,6 +65,10 @@ class ReportPages
         QFont font;
     };
     using Row = std::vector<Cell>;
+    struct Fonts
+    {
+        QFont plain, bold;
+    };
 
     [[nodiscard]] double lineHeight(const QFont& font) const;
     void ensureRoom(double height_px);
@@ -74,6 +78,7 @@ class ReportPages
     void ensureRoomFor(const Row& row);
     void addRow(const Row& row, const std::vector<double>& widths_px);
     void addRule(double thickness_pt, const QColor& colour);
+    [[nodiscard]] Fonts fontsOf(const study::ReportTable& table) const;
     [[nodiscard]] std::vector<double> columnWidths(const study::ReportTable& table) const;
     [[nodiscard]] Row brokenRow(const std::vector<QString>& texts, const study::ReportTable& table,
                                 const std::vector<double>& widths_px, const QFont& font) const;
@@ -83,7 +88,8 @@ class ReportPages
     double m_unit;
     const std::vector<QImage>& m_pictures;
     QFont m_plain, m_small, m_smallBold;
-    double m_y = 0.0; ///< next free position on the last page
+    QFont m_print, m_printBold; ///< small print
+    double m_y = 0.0;           ///< next free position on the last page
     std::vector<std::vector<PageItem>> m_pages{1};
 };
 

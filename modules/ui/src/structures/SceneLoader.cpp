@@ -37,7 +37,7 @@ constexpr double kPreparing = 0.2; // for pictures and haptic copies; the rest i
 bool OpenedScene::areMeshes() const
 {
     return !isReopened && std::none_of(files.begin(), files.end(), [](const std::filesystem::path& file) {
-        return meshio::isSceneFile(file) || session::isRecordingFile(file);
+        return meshio::isSceneFile(file) || session::isRecordingByNameOrContent(file);
     });
 }
 

@@ -5,6 +5,7 @@
 #include "palpate/ui/Translated.h"
 
 #include <palpate/study/HapticCopy.h>
+#include <palpate/study/ReadableName.h>
 
 #include <QElapsedTimer>
 #include <QLocale>
@@ -94,14 +95,7 @@ class StructureModel::Step final : public QUndoCommand
 
 QString readableName(const std::string& name)
 {
-    QString text = QString::fromStdString(name).replace('_', ' ').simplified();
-    // Reference libraries prefix every organ with the body: "VH F liver".
-    for (const char* prefix : {"VH F ", "VH M "}) {
-        if (text.startsWith(QLatin1String(prefix), Qt::CaseInsensitive)) {
-            text.remove(0, 5);
-        }
-    }
-    return text;
+    return QString::fromStdString(study::readableName(name));
 }
 
 StructureModel::StructureModel(QObject* parent)

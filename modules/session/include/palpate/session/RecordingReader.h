@@ -107,5 +107,8 @@ class PALPATE_EXPORT RecordingReader
 
 /// Returns true if the file starts like a SQLite database, which distinguishes a recording from a CSV file.
 [[nodiscard]] PALPATE_EXPORT bool isRecordingFile(const std::filesystem::path& path);
+/// Returns true for a file to open as a recording: by its content, or by the extension ".palpate" in any case. The
+/// first bytes of a damaged recording may be lost; `RecordingReader::open` then names the recovery.
+[[nodiscard]] PALPATE_EXPORT bool isRecordingByNameOrContent(const std::filesystem::path& path);
 
 } // namespace palpate::session

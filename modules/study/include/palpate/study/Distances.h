@@ -11,6 +11,7 @@
 #include <QJsonObject>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,6 +21,15 @@
 
 namespace palpate::study {
 
+/// Reason for a missing or incomplete volume.
+enum class VolumeGap : std::uint8_t
+{
+    None,
+    Open,      ///< no part is closed
+    InsideOut, ///< a closed part is inside out
+    Partial    ///< some parts are closed, others are not
+};
+
 /// Size of a structure.
 struct StructureSize
 {
@@ -28,6 +38,7 @@ struct StructureSize
     core::Message note;               ///< why there is no volume, or which parts it leaves out; empty otherwise
     double area_mm2 = 0.0;
     core::Vec3 extent_mm = core::Vec3::Zero(); ///< along the axes of the world frame (LPS)
+    VolumeGap gap = VolumeGap::None;           ///< kind of `note`
 
     /// Diameter of the ball with the same volume; empty without a volume. [mm]
     [[nodiscard]] PALPATE_EXPORT std::optional<double> ballDiameter_mm() const;

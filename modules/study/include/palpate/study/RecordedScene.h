@@ -47,6 +47,11 @@ recordedSurfaces(const session::RecordingReader& reader, const std::filesystem::
 [[nodiscard]] PALPATE_EXPORT core::Result<meshio::LoadedScene>
 sceneOfRecording(const std::filesystem::path& recording, const meshio::ReadOptions& options = {});
 
+/// Opens a scene in another place than recorded with the unit, the axes and the surface options of the recording. A
+/// scene file states its own.
+[[nodiscard]] PALPATE_EXPORT core::Result<meshio::LoadedScene> openAsRecorded(const session::RecordingReader& reader,
+                                                                              const std::filesystem::path& scene);
+
 /// Returns true for contact with a fingertip ball, false for point contact.
 [[nodiscard]] PALPATE_EXPORT bool hasFingertip(const session::RecordingReader& reader);
 

@@ -20,11 +20,16 @@ namespace palpate::study {
 /// Number of findings that get a picture; the others have a row in the table only.
 inline constexpr std::size_t kReportedPictures = 24;
 
+/// Largest number of rows of the tables of distances and of margins, and of the table of sizes: about a third of a page
+/// each. What is left out is counted in a sentence.
+inline constexpr std::size_t kReportedPairs = 16;
+
 /// Paragraph.
 struct ReportText
 {
     core::Message text;
     bool isWarning = false; ///< emphasized
+    bool isSmall = false;   ///< small print
 };
 
 /// Table. The first cell of a row is the heading of the row.
@@ -38,6 +43,7 @@ struct ReportTable
     core::Message caption;
     std::vector<Column> columns; ///< empty: two columns without headings, name and value
     std::vector<std::vector<core::MessageArgument>> rows;
+    bool isSmall = false; ///< small print
 };
 
 /// Colours of the touched surfaces, with a legend in the picture.

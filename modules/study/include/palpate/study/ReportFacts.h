@@ -7,6 +7,7 @@
 #include <palpate/core/Export.h>
 #include <palpate/core/Message.h>
 #include <palpate/core/Status.h>
+#include <palpate/core/Tape.h>
 #include <palpate/meshio/LoadScene.h>
 #include <palpate/session/MeasureSession.h>
 #include <palpate/session/RecordingReader.h>
@@ -30,6 +31,8 @@ struct ReportOptions
     std::shared_ptr<const meshio::LoadedScene> opened;
     /// Findings of the open scene. Empty: those of the scene of the recording.
     std::optional<std::vector<core::Finding>> findings;
+    /// Tapes of the open scene. Empty: those of the scene of the recording.
+    std::optional<std::vector<core::Tape>> tapes;
     std::string caseText; ///< free text
     std::string examiner; ///< free text
     /// Progress callback (0 to 1) with the current step. May be empty.
@@ -56,6 +59,10 @@ struct ForceCurve
     double duration_s = 0.0;
 };
 
+/// Distance within which a structure counts as a neighbour of a finding: the usual border of the widest band of
+/// margins. [mm]
+inline constexpr double kBesideFinding_mm = 10.0;
+
 /// Result of checking a recording.
 struct Verification
 {
@@ -79,6 +86,9 @@ struct ReportFacts
     Verification verification;
     std::shared_ptr<const meshio::LoadedScene> scene; ///< null: not available
     std::optional<DistanceTable> distances;           ///< empty without a scene
+    /// Structures with a surface within kBesideFinding_mm of a finding, by number in `distances`, ascending.
+    std::vector<std::size_t> besideFindings;
+    std::vector<core::Tape> tapes; ///< distances that the user measured in the scene
     std::vector<OrganPalpability> lumps;
     std::vector<core::Message> lumpNotes; ///< organs and lumps that cannot be evaluated, one sentence each
     std::vector<core::Message> missing;   ///< what is missing or damaged, one sentence each

@@ -214,7 +214,7 @@ class PALPATE_EXPORT StructureModel : public QAbstractTableModel
 
 /// Display colour of a structure.
 [[nodiscard]] PALPATE_EXPORT QColor colourOf(const meshio::SceneStructure& structure);
-/// Readable name: "VH_F_liver_capsule" and "liver_capsule" become "liver capsule".
+/// Readable name, see study::readableName.
 [[nodiscard]] PALPATE_EXPORT QString readableName(const std::string& name);
 
 } // namespace palpate::ui
