@@ -10,6 +10,7 @@
 #include <palpate/ui/VtkViewport.h>
 
 #include <QAction>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QToolTip>
 
@@ -150,10 +151,17 @@ class TouchMap : public QObject
         const auto at = [&](const Eigen::Vector2d& p) {
             return QPoint(qRound(0.5 * viewport.width() + p.x()), qRound(0.5 * viewport.height() - p.y()));
         };
-        // The tool tip below the legend is a child of the view, but covers nothing of it.
+        // A tool tip is a child of the view with a place on the screen, and covers nothing of the view.
         PALPATE_TRY_VERIFY(title().contains("up to"));
         viewport.grabFramebuffer();
         const Eigen::AlignedBox2d shown = legend().box();
+        {
+            QLabel tip(QStringLiteral("tip"), &viewport, Qt::ToolTip);
+            tip.setGeometry(at(shown.center()).x() - 20, viewport.height() / 3, 40, 20);
+            tip.show();
+            viewport.grabFramebuffer();
+            QVERIFY((legend().box().center() - shown.center()).norm() < 0.25 * shown.sizes().y());
+        }
         QTest::mouseMove(&viewport, at(shown.center()));
         PALPATE_TRY_VERIFY(QToolTip::isVisible());
         viewport.grabFramebuffer();
