@@ -116,7 +116,7 @@ class German : public QObject
         open.triangles.resize(open.triangles.size() - 3);
         row("holes", m_desk->writeStl("holes.stl", open), "hat Löcher oder einen Rand");
         row("not a recording", write("note.palpate", "not a database, but long enough to be read"),
-            "der Inhalt ist kein bekanntes Format");
+            "kopieren Sie die lesbaren Teile mit `palpate session recover`");
         row("newer scene", write("newer.palpate.json", R"({"version": 99, "structures": []})"), "eine neuere Fassung");
         row("no scene", write("other.palpate.json", R"({"a": 1})"), "ist keine Szene von Palpate");
         row("bad opacity",
