@@ -11308,8 +11308,8 @@ Anteil der Fläche</translation>
         <translation>drückt %1 mm</translation>
     </message>
     <message>
-        <source>pressing %1 mm, slid off the edge</source>
-        <translation>drückt %1 mm, vom Rand geglitten</translation>
+        <source>pressing %1 mm, slid aside</source>
+        <translation>drückt %1 mm, zur Seite gerutscht</translation>
     </message>
     <message>
         <source>pressing %1 mm</source>
@@ -12486,12 +12486,12 @@ Einzelheiten: %3</translation>
         <translation>auf eine Struktur drücken, um sie zu fühlen</translation>
     </message>
     <message>
-        <source>%1 mm deep · slid off the edge</source>
-        <translation>%1 mm tief · vom Rand geglitten</translation>
+        <source>%1 mm deep · slid aside</source>
+        <translation>%1 mm tief · zur Seite gerutscht</translation>
     </message>
     <message>
-        <source>slid off the edge</source>
-        <translation>vom Rand geglitten</translation>
+        <source>slid aside</source>
+        <translation>zur Seite gerutscht</translation>
     </message>
     <message>
         <source>%1 N, %2 mm deep</source>

@@ -11308,8 +11308,8 @@ part de sa surface</translation>
         <translation>appuie jusqu’à %1&#xa0;N</translation>
     </message>
     <message>
-        <source>pressing %1 mm, slid off the edge</source>
-        <translation>appui %1&#xa0;mm, glissé hors du bord</translation>
+        <source>pressing %1 mm, slid aside</source>
+        <translation>appui %1&#xa0;mm, glissé sur le côté</translation>
     </message>
     <message>
         <source>presses %1 mm</source>
@@ -12466,8 +12466,8 @@ Détails&#x202f;: %3</translation>
         <translation>%1&#xa0;N, prof. %2&#xa0;mm</translation>
     </message>
     <message>
-        <source>%1 mm deep · slid off the edge</source>
-        <translation>prof. %1&#xa0;mm · glissé hors du bord</translation>
+        <source>%1 mm deep · slid aside</source>
+        <translation>prof. %1&#xa0;mm · glissé sur le côté</translation>
     </message>
     <message>
         <source>%1 mm deep · %2 N/mm</source>
@@ -12494,8 +12494,8 @@ Détails&#x202f;: %3</translation>
         <translation>Aucun contact</translation>
     </message>
     <message>
-        <source>slid off the edge</source>
-        <translation>glissé hors du bord</translation>
+        <source>slid aside</source>
+        <translation>glissé sur le côté</translation>
     </message>
     <message>
         <source>the hand is free</source>

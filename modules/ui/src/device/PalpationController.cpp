@@ -242,7 +242,7 @@ QString PalpationController::text() const
         }
         const double force_N = m_effort.force_N(seconds(core::monotonicNow_ns()));
         const QString pressed = number(std::max(0.0, m_pressed_mm));
-        return m_isSlidOff ? tr("pressing %1 mm, slid off the edge").arg(pressed)
+        return m_isSlidOff ? tr("pressing %1 mm, slid aside").arg(pressed)
                            : tr("target %1 of %2 N, actual %3 N, %4 mm")
                                  .arg(QLocale().toString(force_N, 'f', 1), most,
                                       QLocale().toString(m_live.newest().felt.f_W.norm(), 'f', 1), pressed);
@@ -252,7 +252,7 @@ QString PalpationController::text() const
     }
     const QString pressed = number(std::max(0.0, m_pressed_mm)), wanted = number(depth_mm());
     if (m_isSlidOff) {
-        return tr("pressing %1 mm, slid off the edge").arg(pressed);
+        return tr("pressing %1 mm, slid aside").arg(pressed);
     }
     return pressed == wanted ? tr("pressing %1 mm").arg(wanted) : tr("pressing %1 of %2 mm").arg(pressed, wanted);
 }

@@ -94,7 +94,7 @@ QString touchText(const TouchReading& reading)
 QString detailText(const TouchReading& reading)
 {
     if (reading.isSlidOff) {
-        return TouchPanel::tr("%1 mm deep · slid off the edge").arg(depthText(reading.depth_mm));
+        return TouchPanel::tr("%1 mm deep · slid aside").arg(depthText(reading.depth_mm));
     }
     return TouchPanel::tr("%1 mm deep · %2 N/mm")
         .arg(depthText(reading.depth_mm), QLocale().toString(reading.stiffness_N_per_mm, 'f', 2));
@@ -277,7 +277,7 @@ void TouchPanel::show(const TouchReading& reading)
     }
     setLine(isTouching ? names.join(QStringLiteral(" · ")) : tr("Not touching"), isTouching ? detailText(reading)
                                                                                  : reading.isSlidOff
-                                                                                     ? tr("slid off the edge")
+                                                                                     ? tr("slid aside")
                                                                                      : tr("the hand is free"));
     setLayers(reading.layers);
     if (!reading.lump.isEmpty() && reading.layers.size() < 2) {
