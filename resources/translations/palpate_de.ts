@@ -4305,10 +4305,6 @@
         <translation>ein Vektor aus drei Zahlen</translation>
     </message>
     <message>
-        <source>&quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; or &quot;um&quot;</source>
-        <translation>&quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; oder &quot;um&quot;</translation>
-    </message>
-    <message>
         <source>one name on each line after LIST</source>
         <translation>ein Name in jeder Zeile nach LIST</translation>
     </message>
@@ -7077,10 +7073,6 @@
         <translation>Teile, die die ganze Ausdehnung abdecken</translation>
     </message>
     <message>
-        <source>files that name files in more than %1 levels</source>
-        <translation>Dateien, die in mehr als %1 Ebenen Dateien nennen</translation>
-    </message>
-    <message>
         <source>a surface. As a map of stiffness, a volume is named in a scene (maps.md)</source>
         <translation>eine Oberfläche. Als Steifigkeitskarte wird ein Volumen in einer Szene genannt (maps.md)</translation>
     </message>
@@ -7235,6 +7227,26 @@
     <message>
         <source>Surfaces without a checksum, because they were not palpable: %1.</source>
         <translation>Oberflächen ohne Prüfsumme, weil sie nicht tastbar waren: %1.</translation>
+    </message>
+    <message>
+        <source>pieces that cover the whole extent once</source>
+        <translation>Teile, die die ganze Ausdehnung einmal abdecken</translation>
+    </message>
+    <message>
+        <source>a file in more than %1 levels or behind %2 files</source>
+        <translation>eine Datei in mehr als %1 Ebenen oder nach %2 Dateien</translation>
+    </message>
+    <message>
+        <source>fewer files that name others</source>
+        <translation>weniger Dateien, die andere nennen</translation>
+    </message>
+    <message>
+        <source>it names only itself</source>
+        <translation>sie nennt nur sich selbst</translation>
+    </message>
+    <message>
+        <source>at least one mesh file</source>
+        <translation>mindestens eine Netzdatei</translation>
     </message>
 </context>
 <context>

@@ -4305,10 +4305,6 @@
         <translation>un vecteur de trois nombres</translation>
     </message>
     <message>
-        <source>&quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; or &quot;um&quot;</source>
-        <translation>&quot;mm&quot;, &quot;cm&quot;, &quot;m&quot; ou &quot;um&quot;</translation>
-    </message>
-    <message>
         <source>one name on each line after LIST</source>
         <translation>un nom par ligne après LIST</translation>
     </message>
@@ -7077,10 +7073,6 @@
         <translation>des morceaux qui couvrent toute l’étendue</translation>
     </message>
     <message>
-        <source>files that name files in more than %1 levels</source>
-        <translation>des fichiers qui nomment des fichiers sur plus de %1 niveaux</translation>
-    </message>
-    <message>
         <source>a surface. As a map of stiffness, a volume is named in a scene (maps.md)</source>
         <translation>une surface. Comme carte de raideur, un volume est nommé dans une scène (maps.md)</translation>
     </message>
@@ -7235,6 +7227,26 @@
     <message>
         <source>Surfaces without a checksum, because they were not palpable: %1.</source>
         <translation>Surfaces sans somme de contrôle, car elles n’étaient pas palpables&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>pieces that cover the whole extent once</source>
+        <translation>des morceaux qui couvrent toute l’étendue une fois</translation>
+    </message>
+    <message>
+        <source>a file in more than %1 levels or behind %2 files</source>
+        <translation>un fichier sur plus de %1 niveaux ou après %2 fichiers</translation>
+    </message>
+    <message>
+        <source>fewer files that name others</source>
+        <translation>moins de fichiers qui en nomment d’autres</translation>
+    </message>
+    <message>
+        <source>it names only itself</source>
+        <translation>il ne nomme que lui-même</translation>
+    </message>
+    <message>
+        <source>at least one mesh file</source>
+        <translation>au moins un fichier de maillage</translation>
     </message>
 </context>
 <context>

@@ -204,7 +204,7 @@ class Frames : public QObject
         const std::string head = "3D Slicer output. SPACE=LPS" + scale;
         for (const auto& [name, bytes] :
              {std::pair("b.stl", test::binaryStl(1, {{0, 0, 0, 2.5F, 0, 0, 0, 1.5F, 0}}, head)),
-              std::pair("a.stl", test::asciiStl(head))}) {
+              std::pair("a.stl", test::asciiStl(head)), std::pair("above.stl", head + "\n" + test::asciiStl())}) {
             const auto path = folder.write(name, bytes);
             const auto file = meshio::readMesh(path, {unit_mm, {}});
             QVERIFY2(file.isOk(), file.status().message().c_str());

@@ -859,7 +859,20 @@ void ReportedFiles::blockFilesNameStructures()
     QVERIFY(nested.value().losses.empty());
     const auto endless = outer("e.vtm", "<DataSet file=\"e.vtm\"/><DataSet name=\"liver\" file=\"a.vtp\"/>");
     QVERIFY2(endless.isOk(), endless.status().message().c_str());
-    QVERIFY(test::mentions(endless.value().losses, "files that name files in more than 8 levels"));
+    QCOMPARE(endless.value().structures.size(), std::size_t{1});
+    std::string itself;
+    for (int i = 0; i < 64; ++i) {
+        itself += "<DataSet file=\"m.vtm\"/>";
+    }
+    QVERIFY(!outer("m.vtm", itself).isOk());
+    folder.write("l0.vtm", begin + "<DataSet file=\"a.vtp\"/>" + end);
+    for (int level = 1; level < 12; ++level) {
+        folder.write("l" + std::to_string(level) + ".vtm", begin + "<DataSet file=\"l" + std::to_string(level - 1) +
+                                                               ".vtm\"/><DataSet file=\"b.obj\"/>" + end);
+    }
+    const auto deep = meshio::loadScene(folder.path("l11.vtm"));
+    QVERIFY2(deep.isOk(), deep.status().message().c_str());
+    QVERIFY(test::mentions(deep.value().losses, "a file in more than 8 levels"));
     const auto parts = meshio::loadScene(folder.write(
         "p.vtpd", "<VTKFile><vtkPartitionedDataSetCollection><Partitions name=\"liver\"><DataSet index=\"0\" "
                   "file=\"a.vtp\"/></Partitions></vtkPartitionedDataSetCollection></VTKFile>"));

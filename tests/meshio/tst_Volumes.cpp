@@ -431,9 +431,13 @@ class Volumes : public QObject
         };
         QVERIFY((at(spacings) - core::Vec3(4, 2, 3)).norm() < 1e-9);
         QVERIFY((at(spacings + "axis mins: 1 2 3\ncenters: node node node\n") - core::Vec3(14, 22, 33)).norm() < 1e-9);
+        const std::string las = "space: left-anterior-superior\n", inCm = "space units: \"cm\" \"cm\" \"cm\"\n";
+        QVERIFY((at(las + spacings + "axis mins: 1 2 3\ncenters: node node node\n") - core::Vec3(14, -22, 33)).norm() <
+                1e-9);
+        QVERIFY((at(spacings + inCm) - core::Vec3(4, 2, 3)).norm() < 1e-9); // not twice
+        QVERIFY((at("spacings: 4 2 3\nunits: \"pixel\" \"mm\" \"\"\n") - core::Vec3(16, 2, 3)).norm() < 1e-9);
         QVERIFY((at(spacings + "axismins: 1 2 3\n") - core::Vec3(14.5, 23, 34.5)).norm() < 1e-9);
-        for (const char* bad :
-             {"spacings: 1 nan 3\n", "spacings: 1 2\n", "spacings: 1 2 3\nunits: \"s\" \"mm\" \"mm\"\n"}) {
+        for (const char* bad : {"spacings: 1 nan 3\n", "spacings: 1 2\n"}) {
             QVERIFY2(!readSample(folder, {"v.nrrd", header(bad)}).isOk(), bad);
         }
     }
@@ -474,6 +478,35 @@ class Volumes : public QObject
                 }
             }
         }
+    }
+
+    void emptyPiecesAndPrologsOfAVtiAreIgnored()
+    {
+        std::string numbers;
+        for (int n = 0; n < 72; ++n) {
+            numbers += std::to_string(static_cast<int>(test::volumeValue(n % 12, n / 12 % 3, n / 36))) + " ";
+        }
+        const std::string text = test::vtiText(numbers), piece = "<Piece Extent=\"0 11 0 2 0 1\">";
+        const auto before = [](std::string whole, const std::string& word, const std::string& more) {
+            return whole.insert(whole.find(word), more);
+        };
+        const test::Folder folder;
+        for (const std::string& bytes :
+             {before(text, piece, "<Piece Extent=\"0 -1 0 -1 0 -1\"></Piece>"), "\xef\xbb\xbf" + text,
+              before(text, "<VTKFile", "<!--" + std::string(2000, 'x') + "-->\n")}) {
+            const auto grid = readSample(folder, {"v.vti", bytes});
+            QVERIFY2(grid.isOk(), grid.status().message().c_str());
+            QVERIFY(isWhole(grid.value()));
+        }
+        std::string many = text;
+        const std::size_t begin = text.find(piece), end = text.find("</Piece>") + 8;
+        for (int i = 0; i < 20; ++i) {
+            many.insert(begin, text.substr(begin, end - begin));
+        }
+        const auto grid = readSample(folder, {"v.vti", many});
+        QVERIFY(!grid.isOk());
+        QCOMPARE(grid.status().message(),
+                 std::string("v.vti: 1,512 numbers for 72 voxels; expected pieces that cover the whole extent once"));
     }
 
     void aVtiOfCellsHasItsVoxelsBetweenThePoints()
@@ -552,7 +585,10 @@ class Volumes : public QObject
         const test::Folder folder;
         for (const test::VolumeSample& sample :
              {test::VolumeSample{"a.nii.gz", test::gzipped(test::niftiHeader() + floats) + std::string(300, '\0')},
-              test::VolumeSample{"b.mha", test::metaHeader("MET_FLOAT", "LOCAL") + floats + "\r\n"}}) {
+              test::VolumeSample{"b.mha", test::metaHeader("MET_FLOAT", "LOCAL") + floats + "\r\n"},
+              test::VolumeSample{"f.mha",
+                                 test::metaHeader("MET_FLOAT", "LOCAL", "Comment = a\nComment = b\n") + floats},
+              test::VolumeSample{"g.nii", test::niftiHeader() + floats + std::string(300, '\0')}}) {
             const auto grid = readSample(folder, sample);
             QVERIFY2(grid.isOk(), grid.status().message().c_str());
             QVERIFY(isWhole(grid.value()));
@@ -563,6 +599,7 @@ class Volumes : public QObject
         const auto grid = readSample(folder, {"c.nii", header + floats});
         QVERIFY2(grid.isOk(), grid.status().message().c_str());
         QVERIFY(!readSample(folder, {"d.nii", test::niftiHeader() + floats + "1234"}).isOk());
+        QVERIFY(!readSample(folder, {"h.nii", test::niftiHeader() + floats + std::string(600, '\0')}).isOk());
         QVERIFY(!readSample(folder, {"e.nii.gz", test::gzipped(test::niftiHeader() + floats) + "1234"}).isOk());
     }
 

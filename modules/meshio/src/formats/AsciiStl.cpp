@@ -170,6 +170,8 @@ Status AsciiStl::takeOutside(std::string_view line)
     } else {
         std::string_view after = line;
         const std::string_view word = takeWord(after);
+        noteSpaceTag(line, m_scan);
+        noteScaleTag(line, m_scan);
         if (isStlComment(word)) {
             return {};
         }

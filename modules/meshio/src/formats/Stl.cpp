@@ -310,6 +310,11 @@ Result<PreScan> guardStl(FileImage& image, const ScanContext& context)
             return guardBinary(image, context);
         }
         Result<PreScan> scan = guardAsciiStl(image, context);
+        if (!scan.isOk() && bytes.find('\0') != std::string_view::npos) { // a binary file whose numbers can be printed
+            if (Result<PreScan> binary = guardBinary(image, context); binary.isOk()) {
+                return binary;
+            }
+        }
         if (scan.isOk() || scan.status().code() != StatusCode::Empty) {
             return scan;
         }

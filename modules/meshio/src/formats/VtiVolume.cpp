@@ -78,7 +78,7 @@ class VtiReader
     const ScanContext& m_context;
     bool m_isOfCells = false;
     Extent m_whole{};
-    std::vector<Extent> m_extents; ///< of the pieces, in voxels
+    std::vector<std::pair<const VtpPiece*, Extent>> m_pieces; ///< with their extents in voxels, without empty ones
     VtiVolume m_volume;
     std::vector<bool> m_isKnown; ///< voxels with a number, if there are several pieces
 };
@@ -244,11 +244,13 @@ Status VtiReader::takeExtents()
     std::uint64_t inPieces = 0;
     for (const VtpPiece& piece : m_header.pieces) {
         std::optional<Extent> extent = piece.extent.empty() ? m_whole : extentOf(piece.extent);
+        if (extent && ((*extent)[1] < (*extent)[0] || (*extent)[3] < (*extent)[2] || (*extent)[5] < (*extent)[4])) {
+            continue;
+        }
         std::uint64_t count = 1;
         for (std::size_t axis = 0; axis < 3 && extent; ++axis) {
             Extent& found = *extent;
-            if (found[2 * axis] < m_whole[2 * axis] || found[2 * axis + 1] > m_whole[2 * axis + 1] ||
-                found[2 * axis + 1] < found[2 * axis]) {
+            if (found[2 * axis] < m_whole[2 * axis] || found[2 * axis + 1] > m_whole[2 * axis + 1]) {
                 extent.reset();
                 break;
             }
@@ -259,8 +261,13 @@ Status VtiReader::takeExtents()
             return wrong(onLine(piece.line), {PALPATE_TEXT("found %1=%2"), "Extent", inQuotes(piece.extent)},
                          {PALPATE_TEXT("a part of the whole, %1"), inQuotes(m_header.image.extent)});
         }
-        m_extents.push_back(*extent);
+        m_pieces.emplace_back(&piece, *extent);
         inPieces += std::min(count, voxels);
+    }
+    constexpr std::uint64_t kMostShared = 8; // pieces share the voxels at their borders
+    if (inPieces > kMostShared * voxels) {
+        return wrong({}, {PALPATE_TEXT("%1 numbers for %2 voxels"), core::Count(inPieces), core::Count(voxels)},
+                     {PALPATE_TEXT("pieces that cover the whole extent once")});
     }
     if (inPieces < voxels) {
         return wrong({}, {PALPATE_TEXT("%1 numbers for %2 voxels"), core::Count(inPieces), core::Count(voxels)},
@@ -282,10 +289,10 @@ Result<VtiVolume> VtiReader::run()
         }
     }
     const std::uint64_t voxels = m_volume.layout.voxels();
-    m_isKnown.resize(m_extents.size() > 1 ? voxels : 0);
-    for (std::size_t i = 0; i < m_extents.size(); ++i) {
-        const Result<const VtpDataArray*> array = arrayOf(m_header.pieces[i]);
-        Status status = array.isOk() ? takeNumbers(*array.value(), m_extents[i]) : array.status();
+    m_isKnown.resize(m_pieces.size() > 1 ? voxels : 0);
+    for (const auto& [piece, extent] : m_pieces) {
+        const Result<const VtpDataArray*> array = arrayOf(*piece);
+        Status status = array.isOk() ? takeNumbers(*array.value(), extent) : array.status();
         if (!status.isOk()) {
             return status;
         }
@@ -302,8 +309,7 @@ Result<VtiVolume> VtiReader::run()
 
 bool looksLikeVti(std::string_view bytes)
 {
-    const std::string_view head = bytes.substr(0, 1024);
-    return trimmed(head).starts_with('<') && head.find("<VTKFile") != std::string_view::npos;
+    return startOfText(bytes).starts_with('<');
 }
 
 Result<VtiVolume> vtiVolume(std::string_view bytes, const std::string& file,

@@ -160,8 +160,10 @@ Result<Blocks> readOne(const fs::path& path)
     return isMrml(path) ? readMrml(image.value().bytes(), path) : BlockReader(image.value(), path).run();
 }
 
-/// Replaces the block files among the blocks by their blocks. @param depth  of the files that led to these
-void expand(Blocks& blocks, int depth)
+/// Replaces the block files among the blocks by their blocks, each file once: a file may name itself.
+/// @param read   files that are open or were read
+/// @param depth  of the files that led to these
+void expand(Blocks& blocks, std::set<fs::path>& read, int depth)
 {
     constexpr int kDeepest = 8;
     std::vector<Block> all;
@@ -170,19 +172,25 @@ void expand(Blocks& blocks, int depth)
             all.push_back(std::move(block));
             continue;
         }
+        if (!read.insert(block.file.lexically_normal()).second) {
+            continue;
+        }
         const std::string file = utf8Of(block.file.filename().string());
-        Result<Blocks> inner =
-            depth < kDeepest
-                ? readOne(block.file)
-                : Result<Blocks>(fault(StatusCode::OutOfRange, file, {},
-                                       {PALPATE_TEXT("files that name files in more than %1 levels"), kDeepest},
-                                       {PALPATE_TEXT("at most %1"), kDeepest}));
+        if (depth >= kDeepest || read.size() > kMostBlocks) {
+            blocks.losses.push_back(
+                fault(StatusCode::OutOfRange, file, {},
+                      {PALPATE_TEXT("a file in more than %1 levels or behind %2 files"), kDeepest, Count(kMostBlocks)},
+                      {PALPATE_TEXT("fewer files that name others")})
+                    .text());
+            break;
+        }
+        const Result<Blocks> inner = readOne(block.file);
         if (!inner.isOk()) {
             blocks.losses.push_back(inner.status().text());
             continue;
         }
-        Blocks found = std::move(inner).value();
-        expand(found, depth + 1);
+        Blocks found = inner.value();
+        expand(found, read, depth + 1);
         blocks.losses.insert(blocks.losses.end(), found.losses.begin(), found.losses.end());
         for (Block& one : found.blocks) {
             one.name = one.name.empty() ? block.name : one.name;
@@ -214,7 +222,12 @@ Result<Blocks> readBlocks(const fs::path& path)
         return blocks;
     }
     Blocks out = std::move(blocks).value();
-    expand(out, 0);
+    std::set<fs::path> read{path.lexically_normal()};
+    expand(out, read, 0);
+    if (out.blocks.empty() && out.losses.empty()) {
+        return fault(StatusCode::Empty, utf8Of(path.filename().string()), {}, {PALPATE_TEXT("it names only itself")},
+                     {PALPATE_TEXT("at least one mesh file")});
+    }
     std::set<std::string> used;
     for (Block& block : out.blocks) {
         const std::string plain = block.name;

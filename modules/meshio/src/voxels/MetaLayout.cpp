@@ -112,7 +112,7 @@ Status MetaParser::takeFields()
         }
         const std::string key(trimmed(line.substr(0, separator)));
         const std::string text(trimmed(line.substr(separator + 1)));
-        if (!m_fields.emplace(key, text).second) {
+        if (!m_fields.emplace(key, text).second && key != "Comment") {
             return fault(StatusCode::BadFormat, m_file, onLine(lines.number()),
                          Message(PALPATE_TEXT("%1 a second time"), inQuotes(key)),
                          Message(PALPATE_TEXT("each field once")));

@@ -306,7 +306,7 @@ Status NrrdParser::takeNumbers()
 Status NrrdParser::takeSpacings(std::vector<Vec3>& directions)
 {
     const std::string kinds = lowerCase(value("kinds")), spacings = value("spacings"), units = value("units"),
-                      minima = value("axis mins"), centerings = lowerCase(value("centers") + value("centerings"));
+                      minima = value("axis mins"), centerings = lowerCase(value("centers") + " " + value("centerings"));
     std::string_view kind = kinds, spacing = spacings, unit = units, minimum = minima, centering = centerings;
     bool isLayerMissing = m_sizes.size() == kMostAxes;
     for (std::size_t axis = 0; axis < m_sizes.size(); ++axis) {
@@ -317,20 +317,17 @@ Status NrrdParser::takeSpacings(std::vector<Vec3>& directions)
             directions.emplace_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
             continue;
         }
-        const std::optional<double> unit_mm = ofUnit.empty() || ofUnit == "\"\"" ? 1.0 : unitNamed(ofUnit);
-        if (!unit_mm) {
-            return wrong("units", Message(PALPATE_TEXT("\"mm\", \"cm\", \"m\" or \"um\"")), StatusCode::Unsupported);
-        }
+        const double unit_mm = value("space units").empty() ? unitNamed(ofUnit).value_or(1.0) : 1.0; // free text
         const std::optional<double> along = spacings.empty() ? 1.0 : wordToNumber(length);
         if (!along || !std::isfinite(*along)) {
             return wrong("spacings", Message(PALPATE_TEXT("a number for each axis in space")));
         }
         const auto place = static_cast<Eigen::Index>(std::count_if(
             directions.begin(), directions.end(), [](const Vec3& before) { return !std::isnan(before.x()); }));
-        directions.emplace_back(*unit_mm * *along * Vec3::Unit(std::min<Eigen::Index>(place, 2)));
+        directions.emplace_back(unit_mm * *along * Vec3::Unit(std::min<Eigen::Index>(place, 2)));
         const std::optional<double> begin = wordToNumber(first);
         if (begin && std::isfinite(*begin) && value("space origin").empty() && place < 3) {
-            m_layout.origin[place] = *unit_mm * (*begin + (centre == "node" ? 0.0 : 0.5 * *along));
+            m_layout.origin[place] = unit_mm * (*begin + (centre == "node" ? 0.0 : 0.5 * *along));
         }
     }
     return {};
@@ -411,7 +408,7 @@ Status NrrdParser::takePlace()
     const Vec3 scale = units_mm.cwiseProduct(space->sign);
     m_layout.frame = space->frame;
     m_layout.steps = (scale.asDiagonal() * m_layout.steps).eval();
-    m_layout.origin = origin.empty() ? m_layout.origin : Vec3(scale.cwiseProduct(*place));
+    m_layout.origin = scale.cwiseProduct(origin.empty() ? m_layout.origin : *place);
     return {};
 }
 

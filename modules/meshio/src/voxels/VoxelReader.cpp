@@ -234,8 +234,11 @@ Status readVoxels(const VolumeLayout& layout, std::string_view bytes, const std:
         }
     }
     const std::size_t more = stream.read(raw);
-    const std::string_view end(raw.data(), std::min<std::size_t>(more, 3));
-    if ((!end.empty() && end != "\n" && end != "\r\n") || stream.isDamaged()) {
+    // Zeros behind the voxels fill the last block of a file.
+    constexpr std::size_t kBlock = 512;
+    const std::string_view end(raw.data(), std::min(more, kBlock));
+    const bool isFilled = more < kBlock && end.find_first_not_of('\0') == std::string_view::npos;
+    if ((!isFilled && end != "\n" && end != "\r\n") || stream.isDamaged()) {
         return fault(StatusCode::BadFormat, file, Message(),
                      stream.isDamaged()
                          ? Message(PALPATE_TEXT("damaged compressed data"))
