@@ -309,16 +309,13 @@ Result<PreScan> guardStl(FileImage& image, const ScanContext& context)
         if (!looksLikeText(bytes)) {
             return guardBinary(image, context);
         }
-        Result<PreScan> scan = guardAsciiStl(image, context);
-        if (!scan.isOk() && bytes.find('\0') != std::string_view::npos) { // a binary file whose numbers can be printed
-            if (Result<PreScan> binary = guardBinary(image, context); binary.isOk()) {
-                return binary;
-            }
-        }
+        const bool hasZero = bytes.substr(0, kFirstFacet).find('\0') != std::string_view::npos;
+        const char* const before = bytes.data();
+        Result<PreScan> scan = guardAsciiStl(image, context); // may replace the image
         if (scan.isOk() || scan.status().code() != StatusCode::Empty) {
             return scan;
         }
-        if (bytes.substr(0, kFirstFacet).find('\0') != std::string_view::npos) { // a count of 0 behind a text
+        if (hasZero && image.bytes().data() == before) { // a count of 0 behind a text
             return guardBinary(image, context);
         }
         return fault(StatusCode::BadFormat, context.file, onLine(1),
