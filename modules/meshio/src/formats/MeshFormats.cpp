@@ -5,6 +5,7 @@
 #include "formats/OtherFormats.h"
 #include "text/Encoding.h"
 #include "text/Fault.h"
+#include "text/TextScan.h"
 
 #include <algorithm>
 #include <array>
@@ -21,17 +22,9 @@ using core::StatusCode;
 
 constexpr std::string_view kPacked = ".gz";
 
-std::string lowered(std::string_view text)
-{
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return out;
-}
-
 bool hasExtension(const MeshFormat& format, const std::filesystem::path& path)
 {
-    std::string name = lowered(path.filename().string());
+    std::string name = lowerCase(path.filename().string());
     if (!format.isLabelMap && name.ends_with(kPacked)) {
         name.resize(name.size() - kPacked.size());
     }
@@ -42,7 +35,7 @@ bool hasExtension(const MeshFormat& format, const std::filesystem::path& path)
 
 bool isWebPage(std::string_view bytes)
 {
-    const std::string text = lowered(startOfText(bytes));
+    const std::string text = lowerCase(startOfText(bytes));
     return text.starts_with('<') && (text.find("<html") != std::string::npos || text.starts_with("<!doctype html"));
 }
 

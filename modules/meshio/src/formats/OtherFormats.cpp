@@ -183,9 +183,8 @@ bool isDicom(std::string_view head, std::string_view file)
     constexpr std::string_view kMark = "DICM";
     constexpr std::size_t kPreamble = 128;
     constexpr std::string_view kExtension = ".dcm";
-    const bool isNamed = file.size() > kExtension.size() &&
-                         std::equal(kExtension.begin(), kExtension.end(), file.end() - kExtension.size(),
-                                    [](char a, char b) { return a == b || a - 'a' + 'A' == b; });
+    const bool isNamed =
+        file.size() > kExtension.size() && sameWord(file.substr(file.size() - kExtension.size()), kExtension);
     return isNamed || head.starts_with(kMark) ||
            (head.size() >= kPreamble && head.substr(kPreamble).starts_with(kMark));
 }

@@ -111,6 +111,13 @@ bool looksLikeText(std::string_view bytes)
     return !head.empty() && static_cast<std::size_t>(controls) * kLeastPerControl <= head.size();
 }
 
+std::string lowerCase(std::string_view text)
+{
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(), lower);
+    return out;
+}
+
 bool sameWord(std::string_view a, std::string_view b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });

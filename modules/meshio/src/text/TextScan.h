@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace palpate::meshio::internal {
@@ -48,6 +49,9 @@ class LineReader
 /// @return true if the first kilobytes are those of a text in one byte per character: hardly any zeros and control
 /// characters, apart from padding at the end
 [[nodiscard]] bool looksLikeText(std::string_view bytes);
+
+/// @return the text with small ASCII letters.
+[[nodiscard]] std::string lowerCase(std::string_view text);
 
 /// @return true when both are equal but for the case of ASCII letters.
 [[nodiscard]] bool sameWord(std::string_view a, std::string_view b);

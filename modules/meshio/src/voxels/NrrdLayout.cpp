@@ -34,14 +34,6 @@ struct NrrdFields
     std::uint64_t size = 0;             ///< of the header [bytes]
 };
 
-std::string lowerCase(std::string_view text)
-{
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return out;
-}
-
 /// @return a name without case, blanks and hyphens: Teem's reader takes "space directions", "Space Directions" and
 /// "spacedirections" for the same field, and likewise the names of spaces, types and encodings
 /// @par Source Teem, enumsNrrd.c
